@@ -1,0 +1,152 @@
+//! The element library: each element is one file of declarations, and nothing outside its file
+//! names it, its strains or its stiffnesses.
+
+mod cable;
+
+use crate::symbolic::{Graph, Id};
+use crate::tensors::Polynomial;
+
+pub use cable::CABLE;
+
+/// Where a nodal vector of an element lives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Node {
+    /// At the first node, shared with the element before.
+    Start,
+    /// At the last node, shared with the element after.
+    End,
+}
+
+/// A nodal vector of an element.
+#[derive(Clone, Copy, Debug)]
+pub struct NodalVector {
+    /// Name in generated code, e.g. `r0`.
+    pub name: &'static str,
+    /// What it is, for documentation and messages: `position`, `slope`.
+    pub meaning: &'static str,
+    /// Node it belongs to.
+    pub node: Node,
+    /// 0 for a position, 1 for a slope d/dx.
+    pub order: usize,
+    /// Shape function on the unit element, xi in [0, 1]; the real one is l^order times it.
+    pub shape: fn() -> Polynomial,
+}
+
+/// A field at a point of the axis: a derivative of the position, e.g. `a = r_x`.
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
+    /// Name in generated code.
+    pub name: &'static str,
+    /// Order of the derivative with respect to x, at least 1.
+    pub order: usize,
+}
+
+/// A coefficient of the element: a product of properties, e.g. `EA = young * area`.
+#[derive(Clone, Copy, Debug)]
+pub struct Coefficient {
+    /// Name in generated code.
+    pub name: &'static str,
+    /// SI unit for documentation.
+    pub unit: &'static str,
+    /// Properties (vocabulary names) that are multiplied.
+    pub factors: &'static [&'static str],
+}
+
+/// An option of the element that the user chooses in the mesh statement, `name = value`.
+#[derive(Clone, Copy, Debug)]
+pub struct ElementOption {
+    /// Keyword.
+    pub name: &'static str,
+    /// Values; the first is the default.
+    pub values: &'static [&'static str],
+    /// What it means, for messages and documentation.
+    pub doc: &'static str,
+}
+
+/// One term of the strain energy density per unit length.
+#[derive(Clone, Debug)]
+pub struct Term {
+    /// Name for documentation, e.g. `axial strain`.
+    pub name: &'static str,
+    /// Coefficient of the element that multiplies it.
+    pub coefficient: &'static str,
+    /// What is multiplied.
+    pub density: Density,
+}
+
+/// Density of a term, as an expression of the invariants of the fields.
+#[derive(Clone, Copy, Debug)]
+pub enum Density {
+    /// `1/2 (s - s0)^2` of a scalar measure s whose value in the stress-free shape is s0; with
+    /// damping c the stress is `s - s0 + c s'`, so that the dissipation `c s'^2` is never negative.
+    Measure(Id),
+    /// The expression itself; zero in the stress-free shape, not damped.
+    Energy(Id),
+}
+
+/// The invariants of the fields at a point, as symbols of the graph.
+#[derive(Clone, Debug)]
+pub struct Invariants {
+    /// Number of components of a vector: 2 or 3.
+    pub dimension: usize,
+    /// `dots[i][j]` is field i . field j (symmetric).
+    pub dots: Vec<Vec<Id>>,
+    /// `crosses[i][j]` is field i x field j (planar only, antisymmetric; the diagonal is zero).
+    pub crosses: Vec<Vec<Id>>,
+}
+
+/// An element: shape functions, inertia and strain energy. Everything else is derived.
+#[derive(Clone, Copy)]
+pub struct Element {
+    /// Keywords of the language that mean this element.
+    pub names: &'static [&'static str],
+    /// What it is, for documentation.
+    pub doc: &'static str,
+    /// Nodal vectors.
+    pub vectors: &'static [NodalVector],
+    /// Fields that the strain energy depends on.
+    pub fields: &'static [Field],
+    /// Coefficients.
+    pub coefficients: &'static [Coefficient],
+    /// Name of the coefficient that is the mass per unit length.
+    pub inertia: &'static str,
+    /// Vocabulary name of the property that damps the measures (s).
+    pub damping: &'static str,
+    /// Options.
+    pub options: &'static [ElementOption],
+    /// The strain energy density in the plane or in space (`Invariants::dimension`), for the chosen
+    /// values of the options.
+    pub energy: fn(&mut Graph, &Invariants, options: &[usize]) -> Vec<Term>,
+    /// Gauss points where the energy is not polynomial and the user asks for no rule.
+    pub default_points: usize,
+    /// Least number of Gauss points that leaves no spurious zero mode.
+    pub least_points: usize,
+    /// Why an initially curved axis is refused in space; `None` where it is not.
+    pub curved_in_space: Option<&'static str>,
+}
+
+/// The elements that the language knows.
+#[derive(Clone)]
+pub struct Library {
+    /// All elements.
+    pub elements: Vec<Element>,
+}
+
+impl Library {
+    /// The elements of this crate.
+    pub fn standard() -> Self {
+        Self { elements: vec![CABLE] }
+    }
+
+    /// With one more element, e.g. a variant declared by a test.
+    #[must_use]
+    pub fn with(mut self, element: Element) -> Self {
+        self.elements.push(element);
+        self
+    }
+
+    /// Index of the element with this keyword.
+    pub fn find(&self, name: &str) -> Option<usize> {
+        self.elements.iter().position(|element| element.names.contains(&name))
+    }
+}

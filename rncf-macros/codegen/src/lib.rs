@@ -1,0 +1,21 @@
+//! Everything that `model!` does, as a plain library:
+//!
+//! | phase | input | output |
+//! |---|---|---|
+//! | [`parse`] | tokens | syntax tree with spans |
+//! | [`check`] | syntax tree | [`model::Model`]: names resolved, SI, counted |
+//! | [`tensors`] | element declaration | exact constant tensors |
+//! | [`symbolic`] | energies, constraints, motions | expression graph and its derivatives |
+//! | [`lower`] | expression graph | kernels, with the cheapest form chosen by count |
+//! | [`emit`] | model and kernels | Rust |
+
+pub mod check;
+pub mod elements;
+pub mod emit;
+pub mod lower;
+pub mod model;
+pub mod parse;
+pub mod symbolic;
+pub mod tensors;
+pub mod units;
+pub mod vocabulary;

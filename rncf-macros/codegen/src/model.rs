@@ -1,0 +1,438 @@
+//! The checked model: names resolved, numbers in SI, typed indices. Nothing of syn below this line;
+//! everything here has passed every check, so that the stages after it do not fail.
+
+use std::collections::BTreeMap;
+
+macro_rules! index {
+    ($(#[$doc:meta])* $name:ident) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub struct $name(pub usize);
+    };
+}
+
+index!(/** Index into [`Model::params`]. */ ParamId);
+index!(/** Index into [`Model::motions`]. */ MotionId);
+index!(/** Index into [`Model::frames`]; 0 is the inertial frame. */ FrameId);
+index!(/** Index into [`Model::bodies`]. */ BodyId);
+index!(/** Index into [`Model::joints`]. */ JointId);
+index!(/** Index into the element library's elements. */ ElementId);
+
+/// The inertial frame, always first.
+pub const INERTIAL: FrameId = FrameId(0);
+
+/// A whole model.
+#[derive(Clone, Debug, Default)]
+pub struct Model {
+    /// Rust identifier of the generated struct.
+    pub name: String,
+    /// Visibility as written: `pub`, `pub(crate)` or empty.
+    pub visibility: String,
+    /// Documentation comment, lines joined by newlines.
+    pub doc: String,
+    /// The declaration as the compiler saw it (without documentation comments is fine).
+    pub source: String,
+    /// Run-time parameters in the order of the declaration.
+    pub params: Vec<Param>,
+    /// Motions: named functions of t.
+    pub motions: Vec<Motion>,
+    /// Frames; the first is the inertial one, named `inertial`.
+    pub frames: Vec<Frame>,
+    /// Bodies in the order of the declaration.
+    pub bodies: Vec<Body>,
+    /// Joints in the order of the declaration.
+    pub joints: Vec<Joint>,
+    /// Loads in the order of the declaration.
+    pub loads: Vec<Load>,
+    /// Outputs in the order of the declaration.
+    pub outputs: Vec<Output>,
+    /// Defaults of a run.
+    pub run: Run,
+}
+
+/// A run-time parameter: a field of the generated struct.
+#[derive(Clone, Debug)]
+pub struct Param {
+    /// Rust identifier.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// Unit symbol as written, `1` without one.
+    pub unit: String,
+    /// One unit in SI.
+    pub unit_si: f64,
+    /// Exponents of m, kg, s, K, A, angle.
+    pub dimension: [i8; 6],
+    /// Default, SI.
+    pub default: f64,
+    /// Whether it counts things (a `usize` field).
+    pub is_count: bool,
+}
+
+/// `motion theta(t) = ...`
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// Name.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// SI unit of the value for documentation, e.g. `rad`.
+    pub unit: String,
+    /// Value in SI as a function of [`Expr::Time`].
+    pub value: Expr,
+}
+
+/// A resolved expression in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expr {
+    /// A number in SI; `pi` is one too, constants of the declaration are folded into these.
+    Number(f64),
+    /// A run-time parameter (a count is converted to a number).
+    Param(ParamId),
+    /// Time, s.
+    Time,
+    /// A motion at another time.
+    Motion(MotionId, Box<Expr>),
+    /// Negation.
+    Negate(Box<Expr>),
+    /// A sum, difference, product or quotient.
+    Binary(Binary, Box<Expr>, Box<Expr>),
+    /// `base ^ exponent`.
+    Power(Box<Expr>, Box<Expr>),
+    /// A function of one argument (two for `atan2`, `min`, `max`).
+    Call(Function, Vec<Expr>),
+    /// `if left < right { then } else { otherwise }`.
+    If(Comparison, Box<Expr>, Box<Expr>, Box<Expr>, Box<Expr>),
+    /// Something of the simulated system; in outputs only.
+    Observed(Observable),
+}
+
+/// Two-operand arithmetic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Binary {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+}
+
+/// Comparison in `if`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Comparison {
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterEqual,
+}
+
+/// The usual functions; `Abs`, `Min`, `Max` and `Atan2` in outputs only (they have kinks).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Exp,
+    Ln,
+    Sqrt,
+    Abs,
+    Min,
+    Max,
+    Atan2,
+}
+
+/// A component of something observed, in outputs.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Observable {
+    /// Component of a body's point: position, velocity (relative to the body's frame) or slope
+    /// dp/dx, in the axes of the body's declared frame.
+    Point {
+        /// Which body.
+        body: BodyId,
+        /// Where on it.
+        at: Location,
+        /// What of it.
+        what: PointQuantity,
+        /// 0, 1, 2 for x, y, z.
+        component: usize,
+    },
+    /// Component of what a joint exerts on its body, in the axes of the joint's frame; the moment
+    /// is about the joint's point.
+    Reaction {
+        /// Which joint.
+        joint: JointId,
+        /// Moment (N m) instead of force (N).
+        moment: bool,
+        /// 0, 1, 2 for x, y, z.
+        component: usize,
+    },
+}
+
+/// What is observed at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PointQuantity {
+    /// Position, m.
+    Position,
+    /// Velocity, m/s.
+    Velocity,
+    /// Slope dp/dx, 1.
+    Slope,
+}
+
+/// A place on a body.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Location {
+    /// First node.
+    Start,
+    /// Last node.
+    End,
+    /// Arclength of the stress-free axis from the start, m.
+    At(Expr),
+}
+
+/// A frame of reference.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Name; `inertial` for the first.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// The frame it moves in.
+    pub parent: FrameId,
+    /// Position of its origin in the parent, m, parent axes.
+    pub origin: [Expr; 3],
+    /// Rotation about an axis fixed in both frames.
+    pub rotation: Option<Rotation>,
+}
+
+/// A prescribed rotation about a fixed axis.
+#[derive(Clone, Debug)]
+pub struct Rotation {
+    /// Axis, parent axes; a unit vector where constant, else normalised at run time.
+    pub axis: [f64; 3],
+    /// Angle, rad.
+    pub angle: Expr,
+}
+
+/// In how many directions a body moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Space {
+    /// In the plane of two frame axes; `normal` is 0, 1, 2 for yz, zx, xy.
+    Planar {
+        /// Axis normal to the plane.
+        normal: usize,
+    },
+    /// In space.
+    Spatial,
+}
+
+impl Space {
+    /// Components of a vector of the body.
+    pub fn dimension(self) -> usize {
+        match self {
+            Space::Planar { .. } => 2,
+            Space::Spatial => 3,
+        }
+    }
+
+    /// Frame axes of the components, in order: the plane's right-handed pair, or x, y, z.
+    pub fn axes(self) -> &'static [usize] {
+        match self {
+            Space::Planar { normal: 0 } => &[1, 2],
+            Space::Planar { normal: 1 } => &[2, 0],
+            Space::Planar { .. } => &[0, 1],
+            Space::Spatial => &[0, 1, 2],
+        }
+    }
+}
+
+/// A flexible body.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Name.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// The declared frame: its reference coordinate system in RNCF.
+    pub frame: FrameId,
+    /// Planar or spatial.
+    pub space: Space,
+    /// Stress-free axis, in the declared frame.
+    pub line: Line,
+    /// Number of elements.
+    pub count: Expr,
+    /// Element of the library.
+    pub element: ElementId,
+    /// Chosen value of each option of the element, in the order of its declaration.
+    pub options: Vec<usize>,
+    /// Name of the material, for documentation.
+    pub material_name: String,
+    /// Name of the section, for documentation.
+    pub section_name: String,
+    /// Properties of material and section by their vocabulary names, SI.
+    pub properties: BTreeMap<&'static str, Expr>,
+    /// Integration rule of the strain energy.
+    pub quadrature: Quadrature,
+    /// How the elastic kernels are emitted.
+    pub evaluation: Evaluation,
+}
+
+/// The stress-free axis of a body.
+#[derive(Clone, Debug)]
+pub enum Line {
+    /// A straight line.
+    Straight {
+        /// Start, m, frame axes.
+        from: [Expr; 3],
+        /// End, m, frame axes.
+        to: [Expr; 3],
+    },
+    /// A circular arc in the plane of a planar body.
+    Arc {
+        /// Start, m, frame axes.
+        from: [Expr; 3],
+        /// Tangent at the start, frame axes; normalised at run time.
+        direction: [Expr; 3],
+        /// Radius, m, positive.
+        radius: Expr,
+        /// Subtended angle, rad; positive turns counter-clockwise about the plane's normal.
+        angle: Expr,
+    },
+}
+
+/// Integration rule of the strain energy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Quadrature {
+    /// Exact where the energy is polynomial, else the element's default number of points.
+    Exact,
+    /// Gauss rule with this many points.
+    Gauss(usize),
+}
+
+/// How the elastic kernels are emitted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Evaluation {
+    /// The form with the least counted cost.
+    Automatic,
+    /// Constant tensor.
+    Tensor,
+    /// Gauss points, unrolled.
+    Points,
+    /// Gauss points, in a loop.
+    Loop,
+}
+
+/// A joint between a body's end and a prescribed frame.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// Name.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// What it fixes.
+    pub kind: JointKind,
+    /// Body.
+    pub body: BodyId,
+    /// The body's end ([`Location::Start`] or [`Location::End`]).
+    pub at: Location,
+    /// Frame that it is fixed to.
+    pub frame: FrameId,
+    /// Fixed point, m, joint frame's axes; `None`: where the undeformed body is at t = 0.
+    pub point: Option<[Expr; 3]>,
+}
+
+/// What a joint fixes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum JointKind {
+    /// Position, and direction of the slope; its norm stays free.
+    Clamp,
+    /// Position and the whole slope.
+    ClampFull,
+    /// Position.
+    Pin,
+}
+
+/// A load.
+#[derive(Clone, Debug)]
+pub struct Load {
+    /// Name.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// What it is.
+    pub kind: LoadKind,
+}
+
+/// Kinds of loads.
+#[derive(Clone, Debug)]
+pub enum LoadKind {
+    /// Uniform gravity on all bodies, m/s^2, inertial axes.
+    Gravity([Expr; 3]),
+    /// Dead force (N) at a point of a body, axes of a frame, function of t.
+    Force {
+        /// Body.
+        body: BodyId,
+        /// Where.
+        at: Location,
+        /// Components, N.
+        components: [Expr; 3],
+        /// In the axes of this frame.
+        frame: FrameId,
+    },
+    /// Dead moment (N m) at a point of a body, axes of a frame, function of t.
+    Moment {
+        /// Body.
+        body: BodyId,
+        /// Where.
+        at: Location,
+        /// Components, N m.
+        components: [Expr; 3],
+        /// In the axes of this frame.
+        frame: FrameId,
+    },
+}
+
+/// An output.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Name.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// SI unit symbol, `1` where dimensionless.
+    pub unit: String,
+    /// One component for a scalar, else the components of a vector with their suffixes.
+    pub components: Vec<(String, Expr)>,
+}
+
+/// Defaults of a run.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// End time, s.
+    pub t_end: Expr,
+    /// Time between rows, s.
+    pub every: Expr,
+}
+
+impl Default for Run {
+    fn default() -> Self {
+        Self {
+            t_end: Expr::Number(1.0),
+            every: Expr::Number(0.01),
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! The fields of `material` and `section`: names, dimensions and ranges, as data.
+
+/// Which values of a property make sense.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Range {
+    /// Greater than zero.
+    Positive,
+    /// Zero or greater.
+    NonNegative,
+    /// Between -1 and 1/2, both excluded.
+    Poisson,
+}
+
+/// A property of a material or section.
+#[derive(Clone, Copy, Debug)]
+pub struct Property {
+    /// Keyword.
+    pub name: &'static str,
+    /// Exponents of m, kg, s, K, A, angle.
+    pub dimension: [i8; 6],
+    /// Unit to suggest.
+    pub unit: &'static str,
+    /// Which values make sense; checked when the model is built from its parameters, and by the
+    /// macro where the value is constant.
+    pub range: Range,
+    /// Value where the user gives none; `None`: required by the elements that use it.
+    pub default: Option<f64>,
+}
+
+/// Properties of a material.
+pub const MATERIAL: &[Property] = &[
+    Property {
+        name: "density",
+        dimension: [-3, 1, 0, 0, 0, 0],
+        unit: "kg/m^3",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "young",
+        dimension: [-1, 1, -2, 0, 0, 0],
+        unit: "Pa",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "poisson",
+        dimension: [0, 0, 0, 0, 0, 0],
+        unit: "1",
+        range: Range::Poisson,
+        default: None,
+    },
+    Property {
+        name: "damping",
+        dimension: [0, 0, 1, 0, 0, 0],
+        unit: "s",
+        range: Range::NonNegative,
+        default: Some(0.0),
+    },
+];
+
+/// Properties of a section.
+pub const SECTION: &[Property] = &[
+    Property {
+        name: "area",
+        dimension: [2, 0, 0, 0, 0, 0],
+        unit: "m^2",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "second_moment",
+        dimension: [4, 0, 0, 0, 0, 0],
+        unit: "m^4",
+        range: Range::Positive,
+        default: None,
+    },
+];

@@ -1,0 +1,99 @@
+//! Errors: what went wrong, where, and what to do about it.
+
+use std::fmt;
+
+/// A model that cannot be built from its parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModelError {
+    /// What is wrong and what would be right, naming the parameter, body or joint.
+    pub message: String,
+}
+
+impl ModelError {
+    /// An error with the given message.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self {
+            message: message.into(),
+        }
+    }
+}
+
+impl fmt::Display for ModelError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for ModelError {}
+
+/// Why an integration or an equilibrium stopped without reaching its end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolveError {
+    /// What failed.
+    pub kind: SolveErrorKind,
+    /// Time of the last good state, s.
+    pub t: f64,
+    /// Step size that was tried last, s.
+    pub h: f64,
+    /// The worst equation or constraint in the user's words, where one can be named.
+    pub worst: Option<String>,
+}
+
+/// What failed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SolveErrorKind {
+    /// A parameter of the method is out of its range; the text says which and the range.
+    Setting(String),
+    /// The matrix has no unique solution.
+    Singular,
+    /// Newton's iteration did not converge at the smallest step.
+    NoConvergence,
+    /// The error test failed at the smallest step.
+    StepTooSmall,
+    /// A value became infinite or not a number.
+    NotFinite,
+    /// The initial state violates its constraints; the size of the worst violation.
+    Inconsistent(f64),
+    /// An equilibrium does not exist or was not found; the text says why.
+    NoEquilibrium(String),
+}
+
+impl fmt::Display for SolveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.kind {
+            SolveErrorKind::Setting(text) => return f.write_str(text),
+            SolveErrorKind::Singular => write!(
+                f,
+                "the system matrix is singular at t = {:e} s, h = {:e} s: a motion is neither tied nor carries mass or stiffness",
+                self.t, self.h
+            )?,
+            SolveErrorKind::NoConvergence => write!(
+                f,
+                "Newton's iteration does not converge at t = {:e} s even with h = {:e} s: look for a jump in a motion or load, or relax the tolerance",
+                self.t, self.h
+            )?,
+            SolveErrorKind::StepTooSmall => write!(
+                f,
+                "the error test fails at t = {:e} s even with h = {:e} s: the solution is not smooth there, or the tolerance is below round-off",
+                self.t, self.h
+            )?,
+            SolveErrorKind::NotFinite => write!(
+                f,
+                "a value is not finite after t = {:e} s with h = {:e} s: the solution diverges, or a parameter is unphysical",
+                self.t, self.h
+            )?,
+            SolveErrorKind::Inconsistent(size) => write!(
+                f,
+                "the initial state violates its constraints by {size:e} at t = {:e} s: correct the initial positions",
+                self.t
+            )?,
+            SolveErrorKind::NoEquilibrium(text) => write!(f, "no relative equilibrium at t = {:e} s: {text}", self.t)?,
+        }
+        match &self.worst {
+            Some(worst) => write!(f, " (worst: {worst})"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl std::error::Error for SolveError {}

@@ -1,0 +1,51 @@
+//! Method and options of an integration.
+
+/// Integration method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Method {
+    /// HHT-alpha for index 3 (THEORY 7.1); alpha in [-1/3, 0], default -0.05.
+    Hht {
+        /// Numerical dissipation, [-1/3, 0].
+        alpha: f64,
+    },
+    /// Generalized-alpha (THEORY 7.2); spectral radius at infinite frequency in [0, 1], default 0.8.
+    GeneralizedAlpha {
+        /// Spectral radius at infinite frequency.
+        rho_inf: f64,
+    },
+    /// Radau IIA with three stages, order 5 (THEORY 7.5).
+    Radau,
+}
+
+/// Step size control.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StepSize {
+    /// By the local error estimate.
+    Adaptive,
+    /// Fixed (s); shortened only to end at kinks and at the end time.
+    Fixed(f64),
+}
+
+/// Options of an integration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Relative tolerance, relative to the size of the kind of every unknown.
+    pub rtol: f64,
+    /// Adaptive or fixed.
+    pub step: StepSize,
+    /// Ceiling of the step, s; infinite by default.
+    pub max_step: f64,
+    /// First step, s; `None` lets the method choose.
+    pub first_step: Option<f64>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            rtol: 1e-6,
+            step: StepSize::Adaptive,
+            max_step: f64::INFINITY,
+            first_step: None,
+        }
+    }
+}

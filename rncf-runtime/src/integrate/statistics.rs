@@ -1,0 +1,34 @@
+//! Counts of an integration; always filled.
+
+/// Counts of an integration.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps, all causes.
+    pub rejected_steps: u64,
+    /// Of these: the local error was too large.
+    pub rejected_by_error: u64,
+    /// Of these: Newton's iteration did not converge or the matrix was singular.
+    pub rejected_by_newton: u64,
+    /// Newton iterations (Radau: of all stages together).
+    pub newton_iterations: u64,
+    /// Evaluations of the residual.
+    pub residual_evaluations: u64,
+    /// Evaluations of the tangent.
+    pub jacobian_evaluations: u64,
+    /// Factorizations of a real or complex matrix.
+    pub factorizations: u64,
+    /// Solutions with a factorization.
+    pub solves: u64,
+    /// Restarts at kinks of motions, the first start not counted.
+    pub restarts: u64,
+    /// Accepted steps at the step ceiling `max_step` (within 1 %).
+    pub steps_at_ceiling: u64,
+    /// Smallest accepted step, s; 0 before the first.
+    pub smallest_step: f64,
+    /// Largest accepted step, s; 0 before the first.
+    pub largest_step: f64,
+    /// Largest constraint violation |C| at accepted steps, in the constraints' units.
+    pub max_constraint_residual: f64,
+}

@@ -1,0 +1,1 @@
+//! Meshed bodies: from element kernels to a system.

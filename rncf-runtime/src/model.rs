@@ -1,0 +1,204 @@
+//! What a generated model says of itself: parameters, outputs, and how it becomes a scene.
+
+use crate::error::ModelError;
+use crate::system::{State, System};
+
+/// How the bodies are described.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Formulation {
+    /// Referenced nodal coordinates: nodal vectors in the body's moving frame.
+    #[default]
+    Rncf,
+    /// Absolute nodal coordinates: nodal vectors in the inertial frame.
+    Ancf,
+}
+
+impl Formulation {
+    /// The name on the command line: `rncf` or `ancf`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Formulation::Rncf => "rncf",
+            Formulation::Ancf => "ancf",
+        }
+    }
+}
+
+/// A formulation chosen by type: [`Rncf`] or [`Ancf`].
+pub trait Formulated {
+    /// The formulation that the type stands for.
+    const FORMULATION: Formulation;
+}
+
+/// Referenced nodal coordinate formulation.
+#[derive(Clone, Copy, Debug)]
+pub struct Rncf;
+
+/// Absolute nodal coordinate formulation.
+#[derive(Clone, Copy, Debug)]
+pub struct Ancf;
+
+impl Formulated for Rncf {
+    const FORMULATION: Formulation = Formulation::Rncf;
+}
+
+impl Formulated for Ancf {
+    const FORMULATION: Formulation = Formulation::Ancf;
+}
+
+/// What becomes of conditions that are linear in the nodal vectors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Joints {
+    /// Eliminated where their direction does not turn: no multiplier, no index, no drift.
+    #[default]
+    Eliminated,
+    /// All kept as constraints with multipliers (`--no-elimination`).
+    Multipliers,
+}
+
+/// How the bodies start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Start {
+    /// Undeformed and at rest in their frames.
+    #[default]
+    Rest,
+    /// In relative equilibrium with the spin at the initial time.
+    Steady,
+}
+
+/// Kind of a run-time parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ParamKind {
+    /// A quantity with a unit.
+    Quantity,
+    /// A number of things: a whole number of at least 1.
+    Count,
+}
+
+/// A run-time parameter of a model.
+#[derive(Clone, Copy, Debug)]
+pub struct Param {
+    /// Name in the declaration.
+    pub name: &'static str,
+    /// Quantity or count.
+    pub kind: ParamKind,
+    /// Unit symbol in the declaration, e.g. `rad/s`; `1` where dimensionless.
+    pub unit: &'static str,
+    /// One `unit` in SI.
+    pub unit_si: f64,
+    /// Exponents of m, kg, s, K, A, angle; the last one tells rad/s from 1/s.
+    pub dimension: [i8; 6],
+    /// Default, SI.
+    pub default: f64,
+    /// Documentation comment of the declaration.
+    pub doc: &'static str,
+}
+
+/// An output of a model: a scalar or a vector.
+#[derive(Clone, Copy, Debug)]
+pub struct Output {
+    /// Name in the declaration.
+    pub name: &'static str,
+    /// SI unit symbol of the values, e.g. `m`, `N m`, `1`.
+    pub unit: &'static str,
+    /// Component suffixes: empty for a scalar, `["x", "y", "z"]` for a vector.
+    pub components: &'static [&'static str],
+    /// Documentation comment of the declaration.
+    pub doc: &'static str,
+}
+
+/// The run that the declaration asks for by default.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunDefaults {
+    /// End time, s.
+    pub t_end: f64,
+    /// Time between two rows of the history, s.
+    pub every: f64,
+}
+
+/// A model declared with `model!`: its parameters are the fields of the generated struct.
+pub trait Model: Default + Clone + Send + Sync + 'static {
+    /// Name of the model.
+    const NAME: &'static str;
+    /// Documentation comment of the model.
+    const DOC: &'static str;
+    /// Text of the declaration as the compiler saw it.
+    const SOURCE: &'static str;
+    /// What the generator left out or chose, one sentence each, for summaries.
+    const NOTES: &'static [&'static str];
+
+    /// All parameters, in the order of the declaration.
+    fn params() -> &'static [Param];
+    /// All outputs, in the order of the declaration.
+    fn outputs() -> &'static [Output];
+    /// Value of parameter `index` in SI.
+    fn get(&self, index: usize) -> f64;
+    /// Sets parameter `index` to a value in SI; a count is given as a whole number.
+    fn set(&mut self, index: usize, value: f64);
+    /// The default run with these parameters.
+    fn run(&self) -> RunDefaults;
+    /// Builds the scene in the formulation chosen at run time.
+    ///
+    /// # Errors
+    /// A parameter that makes no physical sense, by name.
+    fn build(&self, formulation: Formulation, joints: Joints) -> Result<Box<dyn Scene>, ModelError>;
+
+    /// Builds the scene in the formulation chosen by type, e.g. `model.scene::<Ancf>()`.
+    ///
+    /// # Errors
+    /// As [`Model::build`].
+    fn scene<F: Formulated>(&self) -> Result<Box<dyn Scene>, ModelError> {
+        self.build(F::FORMULATION, Joints::Eliminated)
+    }
+}
+
+/// A system with bodies in it: outputs, initial states and relative equilibria.
+pub trait Scene: System + Send {
+    /// Number of scalar output columns: components of all [`Model::outputs`] in their order.
+    fn output_columns(&self) -> usize;
+
+    /// Whether an output needs accelerations (reactions do).
+    fn outputs_need_acceleration(&self) -> bool;
+
+    /// Values of all outputs, SI, at a state.
+    fn outputs(&mut self, state: &State, out: &mut [f64]);
+
+    /// Undeformed and at rest in the bodies' frames at time `t`; accelerations and multipliers zero.
+    fn rest(&self, t: f64) -> State;
+
+    /// The same bodies in referenced coordinates: positions and velocities of all nodal vectors in
+    /// the bodies' frames, for carrying a state from one formulation to the other.
+    fn to_frame(&self, state: &State) -> FrameState;
+
+    /// The state with the nodal vectors of `frame`; accelerations and multipliers zero.
+    fn from_frame(&self, frame: &FrameState) -> State;
+
+    /// Whether the unknowns live in the declared frames (RNCF), so that a relative equilibrium is
+    /// an equilibrium of `x`.
+    fn is_referenced(&self) -> bool;
+
+    /// Residual of a relative equilibrium at constant spin (THEORY 8.1): frames turn with `scale`
+    /// times their angular velocity at `t` and do not accelerate; loads are multiplied by
+    /// `scale^2` as the centrifugal forces are; x' = x'' = 0.
+    fn steady_residual(&mut self, t: f64, scale: f64, x: &[f64], out: &mut [f64]);
+
+    /// Stiffness d(steady_residual)/dx on [`System::pattern`].
+    fn steady_tangent(&mut self, t: f64, scale: f64, x: &[f64], values: &mut [f64]);
+
+    /// Why no relative equilibrium exists at `t`, naming the frame or load that is not invariant
+    /// under the rotation, if so.
+    fn steady_obstacle(&self, t: f64) -> Option<String>;
+
+    /// Largest angular velocity of a body's frame at `t`, rad/s.
+    fn spin(&self, t: f64) -> f64;
+}
+
+/// Nodal vectors of all bodies in their declared frames at one time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FrameState {
+    /// Time, s.
+    pub t: f64,
+    /// Components of all nodal vectors, frame axes.
+    pub q: Vec<f64>,
+    /// Their time derivatives in the frame.
+    pub v: Vec<f64>,
+}

@@ -1,0 +1,1 @@
+//! References written by hand.
