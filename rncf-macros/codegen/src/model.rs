@@ -201,7 +201,7 @@ pub enum Location {
     /// Last node.
     End,
     /// Arclength of the stress-free axis from the start, m.
-    At(Expr),
+    At(Box<Expr>),
 }
 
 /// A frame of reference.

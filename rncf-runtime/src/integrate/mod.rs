@@ -1,6 +1,7 @@
 //! Time integration of a [`System`]: HHT, generalized-alpha and Radau IIA.
 
 mod options;
+mod scheme;
 mod statistics;
 
 pub use options::{Method, Options, StepSize};

@@ -1,0 +1,52 @@
+//! What the driver ([`super::Integrator`]) asks of a method: one attempt at a step at a time.
+//! The driver owns limits, kinks and the counts of accepted and rejected steps; a scheme owns its
+//! matrices, its error estimate and its proposal for the next step.
+
+use super::Statistics;
+use crate::error::SolveErrorKind;
+use crate::system::{State, System};
+
+/// What became of an attempt.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Outcome {
+    /// Accepted; the scheme would take `next` (s) for the next step.
+    Accepted { next: f64 },
+    /// Rejected; try again with `next` (s).
+    Rejected { next: f64, cause: Cause },
+}
+
+/// Why an attempt was rejected.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Cause {
+    /// The local error was too large.
+    Error,
+    /// Newton's iteration did not converge; index of the worst row: unknowns first, then constraints.
+    Newton { worst: Option<usize> },
+    /// The matrix was singular; index as above where known.
+    Singular { worst: Option<usize> },
+    /// A value was not finite.
+    NotFinite,
+}
+
+/// An integration method.
+pub(super) trait Scheme {
+    /// Begins at a consistent state (accelerations and multipliers solved for), at the start or
+    /// after a kink; `h` (s) is the step that will be tried first.
+    fn begin<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        state: &State,
+        h: f64,
+        statistics: &mut Statistics,
+    ) -> Result<(), SolveErrorKind>;
+
+    /// Tries one step of size `h` (s) from the last accepted state. With a fixed step there is no
+    /// error test, but a step that has not converged is rejected all the same.
+    fn attempt<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Outcome;
+
+    /// The state at the end of the last accepted step, with true accelerations.
+    fn state(&self) -> &State;
+
+    /// The state at `t` within the last accepted step.
+    fn interpolate(&self, t: f64, out: &mut State);
+}
