@@ -1,14 +1,44 @@
 //! Hermite centre-line element (THEORY 5.1): axial strain and bending of a thin beam, cable or
 //! tether; no shear, no torsion.
 
-use super::{Coefficient, Element, ElementOption, Field, Invariants, Term};
-use crate::symbolic::Graph;
+use super::{Coefficient, Density, Element, ElementOption, Field, Invariants, NodalVector, Node, Term};
+use crate::symbolic::{Graph, Id};
+use crate::tensors::Polynomial;
 
 /// The element behind the words `cable` and `tether`.
 pub const CABLE: Element = Element {
     names: &["cable", "tether"],
     doc: "Hermite centre-line element: axial strain and bending, no shear, no torsion",
-    vectors: &[],
+    vectors: &[
+        NodalVector {
+            name: "r0",
+            meaning: "position",
+            node: Node::Start,
+            order: 0,
+            shape: || Polynomial::whole(&[1, 0, -3, 2]),
+        },
+        NodalVector {
+            name: "s0",
+            meaning: "slope",
+            node: Node::Start,
+            order: 1,
+            shape: || Polynomial::whole(&[0, 1, -2, 1]),
+        },
+        NodalVector {
+            name: "r1",
+            meaning: "position",
+            node: Node::End,
+            order: 0,
+            shape: || Polynomial::whole(&[0, 0, 3, -2]),
+        },
+        NodalVector {
+            name: "s1",
+            meaning: "slope",
+            node: Node::End,
+            order: 1,
+            shape: || Polynomial::whole(&[0, 0, -1, 1]),
+        },
+    ],
     fields: &[Field { name: "a", order: 1 }, Field { name: "b", order: 2 }],
     coefficients: &[
         Coefficient {
@@ -34,14 +64,52 @@ pub const CABLE: Element = Element {
         values: &["polynomial", "exact"],
         doc: "bending energy 1/2 EI |r_x x r_xx|^2 (polynomial), or divided by |r_x|^4 (exact)",
     }],
-    energy,
+    energy: |graph, fields, options| thin_beam(graph, fields, BENDING_EXPONENTS[options[0]]),
     default_points: 5,
     least_points: 3,
     curved_in_space: Some(
-        "in space the centre line alone does not know which way it is curved: use the beam with a cross-section",
+        "in space a centre line alone does not know which way it is curved: \
+         use the beam with a cross-section, or declare the body planar",
     ),
 };
 
-fn energy(_: &mut Graph, _: &Invariants, _: &[usize]) -> Vec<Term> {
-    Vec::new()
+/// Exponent p of `|r_x|^-2p` in the bending energy, for each value of `bending`.
+const BENDING_EXPONENTS: [f64; 2] = [0.0, 2.0];
+
+/// `1/2 EA eps^2 + 1/2 EI |a x b|^2 (a.a)^-p` with `eps = 1/2 (a.a - 1)`.
+///
+/// In the plane the curvature `k = (a x b) (a.a)^(-p/2)` has a sign, so that an initial curvature
+/// can be subtracted and bending damped; in space only the square is a function of inner products.
+pub fn thin_beam(graph: &mut Graph, fields: &Invariants, p: f64) -> Vec<Term> {
+    let (half, one) = (graph.number(0.5), graph.one());
+    let stretch = graph.subtract(fields.dots[0][0], one);
+    let axial_strain = graph.multiply(half, stretch);
+    let bending = if fields.dimension == 2 {
+        let scale = inverse_power(graph, fields.dots[0][0], p / 2.0);
+        Density::Measure(graph.multiply(fields.crosses[0][1], scale))
+    } else {
+        let product = graph.multiply(fields.dots[0][0], fields.dots[1][1]);
+        let square = graph.power(fields.dots[0][1], 2);
+        let bend = graph.subtract(product, square);
+        let scale = inverse_power(graph, fields.dots[0][0], p);
+        let density = graph.multiply(bend, scale);
+        Density::Energy(graph.multiply(half, density))
+    };
+    vec![
+        Term {
+            name: "axial strain",
+            coefficient: "EA",
+            density: Density::Measure(axial_strain),
+        },
+        Term {
+            name: "bending",
+            coefficient: "EI",
+            density: bending,
+        },
+    ]
+}
+
+fn inverse_power(graph: &mut Graph, base: Id, exponent: f64) -> Id {
+    let exponent = graph.number(-exponent);
+    graph.general_power(base, exponent)
 }

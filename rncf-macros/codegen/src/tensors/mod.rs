@@ -1,5 +1,22 @@
-//! Exact polynomials and constant tensors.
+//! Exact polynomials on the unit element, Gauss rules, and the constant tensors built from them.
 
-/// A polynomial in xi with rational coefficients.
-#[derive(Clone, Debug)]
-pub struct Polynomial {}
+mod gauss;
+mod polynomial;
+mod rational;
+
+pub use gauss::{Rule, gauss_rule, shifted_legendre};
+pub use polynomial::Polynomial;
+pub use rational::Rational;
+
+use crate::model::Quadrature;
+
+/// Integral over the unit element by the chosen rule, exactly.
+///
+/// An n-point Gauss sum of a polynomial equals the exact integral of its remainder modulo the
+/// Legendre polynomial P_n, so that reduced rules are rational too.
+pub fn integrate(polynomial: &Polynomial, quadrature: Quadrature) -> Rational {
+    match quadrature {
+        Quadrature::Exact => polynomial.integral(),
+        Quadrature::Gauss(points) => polynomial.remainder(&shifted_legendre(points)).integral(),
+    }
+}
