@@ -1,1 +1,5 @@
-//! emit
+//! From a model and its kernels to Rust.
+
+pub mod expression;
+pub mod kernel;
+pub mod number;

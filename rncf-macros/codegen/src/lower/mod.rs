@@ -1,1 +1,15 @@
-//! lower
+//! From energies and motions to kernels: everything that is derived is derived here, and the
+//! cheapest form is chosen by counted operations.
+
+pub mod choose;
+pub mod elastic;
+pub mod inertia;
+pub mod invariants;
+pub mod kernel;
+pub mod quadratic;
+mod signature;
+pub mod variant;
+
+pub use choose::{ElasticKernels, elastic_kernels};
+pub use kernel::{Kernel, PointLoop};
+pub use variant::Variant;

@@ -1,0 +1,198 @@
+//! Graph nodes as Rust statements: a node that is used once and has no name becomes part of the
+//! expression that uses it, every other one a `let`.
+
+use std::collections::{HashMap, HashSet};
+
+use super::number::number;
+use crate::model::{Comparison, Function};
+use crate::symbolic::{Graph, Id, Node};
+
+/// Operations in one expression beyond which a part gets a name: a line should be readable.
+const LONGEST_EXPRESSION: usize = 9;
+
+/// How tightly the outermost operation of a text binds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Sign,
+    Atom,
+}
+
+#[derive(Clone)]
+struct Text {
+    text: String,
+    binding: Binding,
+    operations: usize,
+}
+
+/// Writes statements for parts of one graph in one function.
+pub struct Writer<'g> {
+    graph: &'g Graph,
+    uses: HashMap<Id, usize>,
+    texts: HashMap<Id, Text>,
+    taken: HashSet<String>,
+}
+
+impl<'g> Writer<'g> {
+    /// A writer for a function that evaluates `nodes` (topological order) and reads `roots` at the end.
+    pub fn new(graph: &'g Graph, nodes: &[Id], roots: impl IntoIterator<Item = Id>) -> Self {
+        let mut uses: HashMap<Id, usize> = HashMap::new();
+        let mut taken = HashSet::new();
+        for &id in nodes {
+            for child in graph.children(id) {
+                *uses.entry(child).or_default() += 1;
+            }
+            if let Node::Symbol(_) = graph.node(id) {
+                taken.insert(graph.symbol_text(id).to_string());
+            }
+        }
+        for root in roots {
+            *uses.entry(root).or_default() += 1;
+        }
+        Self { graph, uses, texts: HashMap::new(), taken }
+    }
+
+    /// Takes a name so that no variable gets it.
+    pub fn reserve(&mut self, name: &str) {
+        self.taken.insert(name.to_string());
+    }
+
+    /// Statements that evaluate the given nodes; nodes that become parts of others write nothing.
+    /// `bind` forces a name for nodes that are read outside of this block.
+    pub fn statements(&mut self, nodes: &[Id], bind: &HashSet<Id>, out: &mut Vec<String>) {
+        for &id in nodes {
+            let text = self.build(id);
+            let is_atom = matches!(self.graph.node(id), Node::Number(_) | Node::Symbol(_));
+            let shared = self.uses.get(&id).copied().unwrap_or(0) > 1 && text.operations > 0;
+            let named = self.graph.name_of(id).is_some() && text.operations > 0;
+            let long = text.operations >= LONGEST_EXPRESSION;
+            if !is_atom && (shared || named || long || (bind.contains(&id) && text.operations > 0)) {
+                let name = self.fresh(id);
+                out.push(format!("let {name} = {};", text.text));
+                self.texts.insert(id, Text { text: name, binding: Binding::Atom, operations: 0 });
+            } else {
+                self.texts.insert(id, text);
+            }
+        }
+    }
+
+    /// Text of an evaluated node.
+    pub fn text(&self, id: Id) -> &str {
+        &self.texts[&id].text
+    }
+
+    fn fresh(&mut self, id: Id) -> String {
+        let wanted = match self.graph.name_of(id) {
+            Some(name) => name.to_string(),
+            None => format!("t{}", self.taken.len()),
+        };
+        let mut name = wanted.clone();
+        let mut count = 2;
+        while !self.taken.insert(name.clone()) {
+            name = format!("{wanted}_{count}");
+            count += 1;
+        }
+        name
+    }
+
+    fn operand(&self, id: Id, least: Binding) -> (String, usize) {
+        let part = &self.texts[&id];
+        let text = if part.binding < least { format!("({})", part.text) } else { part.text.clone() };
+        (text, part.operations)
+    }
+
+    fn infix(&self, a: Id, operator: &str, b: Id, binding: Binding) -> Text {
+        // The left operand may bind as loosely, the right one must bind more tightly: the text then
+        // means the same order of rounding as the graph.
+        let right_least = if binding == Binding::Sum { Binding::Product } else { Binding::Sign };
+        let (left, m) = self.operand(a, binding);
+        let (right, n) = self.operand(b, right_least);
+        let right = if right.starts_with('-') { format!("({right})") } else { right };
+        Text { text: format!("{left} {operator} {right}"), binding, operations: m + n + 1 }
+    }
+
+    fn build(&self, id: Id) -> Text {
+        let atom = |text: String| Text { text, binding: Binding::Atom, operations: 0 };
+        match self.graph.node(id) {
+            Node::Number(bits) => {
+                let value = f64::from_bits(bits);
+                let binding = if value < 0.0 { Binding::Sign } else { Binding::Atom };
+                Text { text: number(value), binding, operations: 0 }
+            }
+            Node::Symbol(_) => atom(self.graph.symbol_text(id).to_string()),
+            Node::Add(a, b) => self.infix(a, "+", b, Binding::Sum),
+            Node::Subtract(a, b) => self.infix(a, "-", b, Binding::Sum),
+            Node::Multiply(a, b) => self.infix(a, "*", b, Binding::Product),
+            Node::Divide(a, b) => self.infix(a, "/", b, Binding::Product),
+            Node::Negate(a) => {
+                let (text, operations) = self.operand(a, Binding::Product);
+                Text { text: format!("-{text}"), binding: Binding::Sign, operations }
+            }
+            Node::Power(a, n) => {
+                let (base, operations) = self.operand(a, Binding::Atom);
+                let repeatable = operations == 0 && !base.contains('(') && n <= 3;
+                if repeatable {
+                    let text = vec![base; n as usize].join(" * ");
+                    return Text { text, binding: Binding::Product, operations: n as usize - 1 };
+                }
+                Text { text: format!("{base}.powi({n})"), binding: Binding::Atom, operations: operations + 1 }
+            }
+            Node::Call(function, a) => {
+                let (argument, operations) = self.operand(a, Binding::Atom);
+                let argument = if self.graph.value(a).is_some() { format!("({argument}_f64)") } else { argument };
+                Text {
+                    text: format!("{argument}.{}()", method(function)),
+                    binding: Binding::Atom,
+                    operations: operations + 1,
+                }
+            }
+            Node::Call2(function, a, b) => {
+                let (left, m) = self.operand(a, Binding::Atom);
+                let left = if self.graph.value(a).is_some() { format!("({left}_f64)") } else { left };
+                let (right, n) = self.operand(b, Binding::Sum);
+                let text = format!("{left}.{}({right})", method(function));
+                Text { text, binding: Binding::Atom, operations: m + n + 1 }
+            }
+            Node::Select(comparison, operands) => {
+                let parts = operands.map(|operand| self.operand(operand, Binding::Sum));
+                let [(left, a), (right, b), (then, c), (otherwise, d)] = parts;
+                let text = format!(
+                    "if {left} {} {right} {{ {then} }} else {{ {otherwise} }}",
+                    operator(comparison)
+                );
+                Text { text: format!("({text})"), binding: Binding::Atom, operations: a + b + c + d + 1 }
+            }
+        }
+    }
+}
+
+fn operator(comparison: Comparison) -> &'static str {
+    match comparison {
+        Comparison::Less => "<",
+        Comparison::LessEqual => "<=",
+        Comparison::Greater => ">",
+        Comparison::GreaterEqual => ">=",
+    }
+}
+
+fn method(function: Function) -> &'static str {
+    match function {
+        Function::Sin => "sin",
+        Function::Cos => "cos",
+        Function::Tan => "tan",
+        Function::Asin => "asin",
+        Function::Acos => "acos",
+        Function::Atan => "atan",
+        Function::Sinh => "sinh",
+        Function::Cosh => "cosh",
+        Function::Tanh => "tanh",
+        Function::Exp => "exp",
+        Function::Ln => "ln",
+        Function::Sqrt => "sqrt",
+        Function::Abs => "abs",
+        Function::Min => "min",
+        Function::Max => "max",
+        Function::Atan2 => "atan2",
+    }
+}

@@ -1,0 +1,88 @@
+//! A kernel as a Rust function.
+
+use std::collections::HashSet;
+use std::fmt::Write;
+
+use super::expression::Writer;
+use super::number::number;
+use crate::lower::Kernel;
+use crate::lower::kernel::{PointLoop, Stage};
+use crate::symbolic::Id;
+
+/// The function's text, documentation with operation counts included.
+pub fn function(kernel: &Kernel) -> String {
+    let mut text = documentation(kernel.doc.iter().map(String::as_str));
+    let _ = writeln!(text, "///\n/// Operations: {}.", kernel.cost());
+    let _ = writeln!(text, "pub fn {}({}) {{", kernel.name, kernel.arguments.join(", "));
+    for statement in body(kernel) {
+        let _ = writeln!(text, "    {statement}");
+    }
+    text + "}\n"
+}
+
+/// Paragraphs as documentation lines.
+pub fn documentation<'a>(paragraphs: impl Iterator<Item = &'a str>) -> String {
+    let blocks: Vec<String> =
+        paragraphs.map(|paragraph| paragraph.lines().map(|line| format!("/// {line}\n")).collect()).collect();
+    blocks.join("///\n")
+}
+
+/// Statements of the function.
+fn body(kernel: &Kernel) -> Vec<String> {
+    let graph = &kernel.graph;
+    let schedule = kernel.schedule();
+    let at = |stage: Stage| -> Vec<Id> {
+        schedule.iter().filter(|&&(_, place)| place == stage).map(|&(id, _)| id).collect()
+    };
+    let (before, inside, after) = (at(Stage::Before), at(Stage::Inside), at(Stage::After));
+    let all: Vec<Id> = schedule.iter().map(|&(id, _)| id).collect();
+    let summands = kernel.points.iter().flat_map(|points| points.sums.iter().map(|&(_, summand)| summand));
+    let roots = kernel.outputs.iter().map(|&(_, id)| id).chain(summands);
+    let mut writer = Writer::new(graph, &all, roots);
+    for word in ["q", "v", "a", "row", "frame", "force", "stiffness", "damping_matrix", "energy", "reference", "table", "point"] {
+        writer.reserve(word);
+    }
+    let mut out = kernel.bindings.clone();
+    // What the loop or the outputs read again must have a name, or would be evaluated repeatedly.
+    let needed_inside: HashSet<Id> = inside.iter().flat_map(|&id| graph.children(id)).collect();
+    writer.statements(&before, &needed_inside, &mut out);
+    if let Some(points) = &kernel.points {
+        for &(sum, _) in &points.sums {
+            out.push(format!("let mut {} = 0.0;", graph.symbol_text(sum)));
+        }
+        out.push(table(points));
+        out.push("for (point, table) in TABLE.iter().enumerate() {".to_string());
+        writer.statements(&inside, &HashSet::new(), &mut out);
+        for &(sum, summand) in &points.sums {
+            out.push(format!("{} += {};", graph.symbol_text(sum), writer.text(summand)));
+        }
+        out.push("}".to_string());
+    }
+    writer.statements(&after, &HashSet::new(), &mut out);
+    for (place, id) in &kernel.outputs {
+        if !kernel.assign && graph.is_zero(*id) {
+            continue;
+        }
+        let value = writer.text(*id);
+        out.push(match value.strip_prefix('-') {
+            Some(positive) if !kernel.assign && !positive.contains([' ', '-']) => format!("{place} -= {positive};"),
+            _ => format!("{place} {} {value};", if kernel.assign { "=" } else { "+=" }),
+        });
+    }
+    out
+}
+
+/// The table of integration points, one row a point.
+fn table(points: &PointLoop) -> String {
+    let width = points.columns.len();
+    let mut text = format!(
+        "/// Columns: {}.\nconst TABLE: [[f64; {width}]; {}] = [\n",
+        points.columns.join(", "),
+        points.count
+    );
+    for row in &points.table {
+        let row: Vec<String> = row.iter().map(|&value| number(value)).collect();
+        let _ = writeln!(text, "[{}],", row.join(", "));
+    }
+    text + "];"
+}

@@ -1,0 +1,96 @@
+//! The cheapest form of the elastic kernels by counted operations (DESIGN 2: measured limits).
+
+use super::elastic::{Form, Quantity, kernel};
+use super::kernel::Kernel;
+use super::variant::Variant;
+use crate::elements::Library;
+use crate::model::Evaluation;
+use crate::symbolic::Cost;
+
+/// Unrolled code beyond this many operations in one function costs more compile time than it saves.
+const UNROLL_LIMIT: usize = 3000;
+
+/// A loop over points runs 1.3 times slower than its operations unrolled.
+const LOOP_PENALTY: (usize, usize) = (13, 10);
+
+/// The elastic kernels of a variant in the chosen form.
+#[derive(Clone, Debug)]
+pub struct ElasticKernels {
+    /// Chosen form.
+    pub form: Form,
+    /// Force.
+    pub force: Kernel,
+    /// Tangent.
+    pub tangent: Kernel,
+    /// Energy.
+    pub energy: Kernel,
+    /// Values in the stress-free shape, for curved axes, and their number per element.
+    pub reference: Option<(Kernel, usize)>,
+    /// The choice and what it was made from.
+    pub choice: String,
+}
+
+/// Derives the kernels in every form and keeps the cheapest, or the one that the user asked for.
+pub fn elastic_kernels(variant: &Variant, library: &Library) -> ElasticKernels {
+    let mut candidates = Vec::new();
+    for form in [Form::Tensor, Form::Points, Form::Loop] {
+        let force = kernel(variant, library, form, Quantity::Force);
+        let tangent = kernel(variant, library, form, Quantity::Tangent);
+        if let (Some(force), Some(tangent)) = (force, tangent) {
+            candidates.push((form, force, tangent));
+        }
+    }
+    let wanted = match variant.evaluation {
+        Evaluation::Automatic => None,
+        Evaluation::Tensor => Some(Form::Tensor),
+        Evaluation::Points => Some(Form::Points),
+        Evaluation::Loop => Some(Form::Loop),
+    };
+    let counts: Vec<String> = candidates
+        .iter()
+        .map(|(form, force, tangent)| {
+            format!("{}: {} and {}", form_name(*form), operations(force.cost()), operations(tangent.cost()))
+        })
+        .collect();
+    let best = (0..candidates.len())
+        .min_by_key(|&index| {
+            let (form, force, tangent) = &candidates[index];
+            let unwanted = wanted.is_some_and(|wanted| wanted != *form);
+            let too_long = *form != Form::Loop && tangent.size() > UNROLL_LIMIT;
+            let cost = (force.cost() + tangent.cost()).weighted();
+            let cost = if *form == Form::Loop { cost * LOOP_PENALTY.0 / LOOP_PENALTY.1 } else { cost };
+            (unwanted, too_long, cost)
+        })
+        .unwrap_or(0);
+    let (form, force, tangent) = candidates.swap_remove(best);
+    let reason = match wanted {
+        Some(wanted) if wanted == form => "as asked for",
+        Some(_) => "the form asked for does not exist for this energy",
+        None => "the cheapest",
+    };
+    let choice = format!(
+        "Form: {} ({reason}; operations of force and tangent: {}; a loop counts 1.3 times).",
+        form_name(form),
+        counts.join("; ")
+    );
+    let reference = variant
+        .curved
+        .then(|| kernel(variant, library, form, Quantity::Reference))
+        .flatten()
+        .map(|kernel| (kernel.outputs.len(), kernel))
+        .map(|(count, kernel)| (kernel, count));
+    let energy = kernel(variant, library, form, Quantity::Energy).expect("a form that has a force has an energy");
+    ElasticKernels { form, force, tangent, energy, reference, choice }
+}
+
+fn form_name(form: Form) -> &'static str {
+    match form {
+        Form::Tensor => "constant tensor",
+        Form::Points => "points unrolled",
+        Form::Loop => "loop over points",
+    }
+}
+
+fn operations(cost: Cost) -> usize {
+    cost.additions + cost.multiplications + cost.divisions + cost.functions
+}

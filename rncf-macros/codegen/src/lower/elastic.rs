@@ -1,0 +1,650 @@
+//! Elastic kernels of an element: force, tangent, energy and reference values, as a constant tensor
+//! or by integration points, unrolled or in a loop.
+
+use std::collections::HashMap;
+
+use super::invariants::{Blocks, Invariant, Response, invariants, mirror, zero_blocks};
+use super::kernel::{Kernel, PointLoop};
+use super::quadratic::{base_vector, field_invariants, relative_shapes, tensor_terms};
+use super::signature::Signature;
+use super::variant::Variant;
+use crate::elements::{Density, Element, Library};
+use crate::model::Quadrature;
+use crate::symbolic::{Graph, Id, linear::Vector};
+use crate::tensors::{Rule, gauss_rule};
+
+/// How the strain energy is integrated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Constant tensor, unrolled.
+    Tensor,
+    /// Integration points, unrolled.
+    Points,
+    /// Integration points in a loop.
+    Loop,
+}
+
+/// What a kernel computes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Generalised elastic and damping force.
+    Force,
+    /// Its derivatives with respect to positions and velocities.
+    Tangent,
+    /// Strain energy.
+    Energy,
+    /// Values in the stress-free shape that the other kernels subtract.
+    Reference,
+}
+
+/// Number of integration points of the rule, exact or not.
+pub fn points(element: &Element, quadrature: Quadrature) -> usize {
+    match quadrature {
+        Quadrature::Exact => element.default_points,
+        Quadrature::Gauss(points) => points,
+    }
+}
+
+/// The kernel of one quantity in one form; `None` where the form does not exist (a tensor of an
+/// energy that is not quadratic).
+pub fn kernel(variant: &Variant, library: &Library, form: Form, quantity: Quantity) -> Option<Kernel> {
+    // Reference values are computed once, so that nothing is gained by a loop.
+    let form = if (form, quantity) == (Form::Loop, Quantity::Reference) { Form::Points } else { form };
+    let mut builder = Builder::new(variant, library, form, quantity);
+    match form {
+        Form::Tensor => builder.tensor()?,
+        Form::Points | Form::Loop => builder.points(),
+    }
+    Some(builder.finish())
+}
+
+/// A stress state: on which invariants, of which vectors, and what it adds up to.
+struct State {
+    invariants: Vec<Invariant>,
+    stress: Vec<Id>,
+    stiffness: Vec<Vec<Id>>,
+    viscosity: Vec<Vec<Id>>,
+    energy: Id,
+}
+
+struct Builder<'a> {
+    variant: &'a Variant,
+    library: &'a Library,
+    element: &'a Element,
+    form: Form,
+    quantity: Quantity,
+    graph: Graph,
+    inverse_length: Id,
+    length: Id,
+    damping: Id,
+    coefficients: HashMap<&'static str, Id>,
+    /// Relative vectors and their rates.
+    vectors: Vec<Vector>,
+    rates: Vec<Vector>,
+    force: Vec<Vector>,
+    stiffness: Blocks,
+    viscosity: Option<Blocks>,
+    energy: Id,
+    references: Vec<Id>,
+    points: Option<PointLoop>,
+}
+
+impl<'a> Builder<'a> {
+    fn new(variant: &'a Variant, library: &'a Library, form: Form, quantity: Quantity) -> Self {
+        let element = variant.declaration(library);
+        let mut graph = Graph::new();
+        let length = graph.symbol("length");
+        let one = graph.one();
+        let inverse_length = graph.divide(one, length);
+        graph.name(inverse_length, "inverse_length");
+        let damping = graph.symbol("damping");
+        let coefficients = element.coefficients.iter().map(|c| (c.name, graph.symbol(c.name))).collect();
+        let mut builder = Self {
+            variant,
+            library,
+            element,
+            form,
+            quantity,
+            inverse_length,
+            length,
+            damping,
+            coefficients,
+            vectors: Vec::new(),
+            rates: Vec::new(),
+            force: Vec::new(),
+            stiffness: Vec::new(),
+            viscosity: None,
+            energy: graph.zero(),
+            references: Vec::new(),
+            points: None,
+            graph,
+        };
+        builder.vectors = builder.relative_vectors("");
+        if variant.damped && matches!(quantity, Quantity::Force | Quantity::Tangent) {
+            builder.rates = builder.relative_vectors("v_");
+        }
+        builder
+    }
+
+    /// Relative vectors from nodal ones: differences of positions over the length, slopes.
+    fn relative_vectors(&mut self, prefix: &str) -> Vec<Vector> {
+        let names = self.variant.component_names(self.library, prefix);
+        let nodal: Vec<Vector> =
+            names.iter().map(|list| list.iter().map(|name| self.graph.symbol(name.clone())).collect()).collect();
+        let base = base_vector(self.element);
+        let mut relative = Vec::new();
+        for (index, vector) in self.element.vectors.iter().enumerate() {
+            if index == base {
+                continue;
+            }
+            if vector.order == 0 {
+                let difference = self.graph.subtract_vectors(&nodal[index], &nodal[base]);
+                let scaled = self.graph.scale(self.inverse_length, &difference);
+                for (c, &id) in scaled.iter().enumerate() {
+                    self.graph.name(id, format!("{prefix}d_{}", ["x", "y", "z"][c]));
+                }
+                relative.push(scaled);
+            } else {
+                relative.push(nodal[index].clone());
+            }
+        }
+        relative
+    }
+
+    /// Names of the relative vectors for documentation and variables.
+    fn relative_names(&self) -> Vec<String> {
+        let base = base_vector(self.element);
+        let vectors = self.element.vectors.iter().enumerate().filter(|&(index, _)| index != base);
+        vectors.map(|(_, vector)| if vector.order == 0 { "d".to_string() } else { vector.name.to_string() }).collect()
+    }
+
+    fn length_power(&mut self, power: i32) -> Id {
+        if power >= 0 {
+            self.graph.power(self.length, power)
+        } else {
+            self.graph.power(self.inverse_length, -power)
+        }
+    }
+
+    fn reference_symbol(&mut self, index: usize) -> Id {
+        while self.references.len() <= index {
+            let next = self.references.len();
+            let symbol = self.graph.symbol(format!("reference[{next}]"));
+            self.references.push(symbol);
+        }
+        self.references[index]
+    }
+
+    fn tensor(&mut self) -> Option<()> {
+        let variant = self.variant;
+        let terms = tensor_terms(self.element, variant.dimension, &variant.options, variant.quadrature)?;
+        let all = invariants(self.vectors.len(), variant.dimension);
+        let names = self.relative_names();
+        let used: Vec<usize> = (0..all.len())
+            .filter(|&a| terms.iter().any(|term| term.tensor[a].iter().any(|&value| value != 0.0)))
+            .collect();
+        let count = used.len();
+        let zero = self.graph.zero();
+        let mut state = State {
+            invariants: used.iter().map(|&a| all[a]).collect(),
+            stress: vec![zero; count],
+            stiffness: vec![vec![zero; count]; count],
+            viscosity: if self.rates.is_empty() { Vec::new() } else { vec![vec![zero; count]; count] },
+            energy: zero,
+        };
+        let vectors = self.vectors.clone();
+        let mut plain = Vec::new();
+        let mut changes = Vec::new();
+        let mut damped = Vec::new();
+        for (place, &a) in used.iter().enumerate() {
+            let value = all[a].value(&mut self.graph, &vectors);
+            self.graph.name(value, all[a].name(&names));
+            if self.quantity == Quantity::Reference {
+                self.references.push(value);
+                continue;
+            }
+            let reference =
+                if variant.curved { self.reference_symbol(place) } else { self.graph.number(all[a].straight()) };
+            let change = self.graph.subtract(value, reference);
+            plain.push(value);
+            changes.push(change);
+            damped.push(if self.rates.is_empty() {
+                change
+            } else {
+                let rates = self.rates.clone();
+                let rate = all[a].rate(&mut self.graph, &vectors, &rates);
+                let viscous = self.graph.multiply(self.damping, rate);
+                self.graph.add(change, viscous)
+            });
+        }
+        if self.quantity == Quantity::Reference {
+            return Some(());
+        }
+        for term in &terms {
+            let coefficient = self.coefficients[term.coefficient];
+            let power = self.length_power(term.power);
+            let scale = self.graph.multiply(coefficient, power);
+            let (inputs, strains) = if term.is_measure { (&damped, &changes) } else { (&plain, &plain) };
+            for (row, &a) in used.iter().enumerate() {
+                let numbers: Vec<Id> = used.iter().map(|&b| self.graph.number(term.tensor[a][b])).collect();
+                let unscaled = self.graph.dot(&numbers, inputs);
+                let stress = self.graph.multiply(scale, unscaled);
+                state.stress[row] = self.graph.add(state.stress[row], stress);
+                let unscaled = self.graph.dot(&numbers, strains);
+                let product = self.graph.multiply(unscaled, strains[row]);
+                let half = self.graph.number(0.5);
+                let half_scale = self.graph.multiply(half, scale);
+                let energy = self.graph.multiply(half_scale, product);
+                state.energy = self.graph.add(state.energy, energy);
+                for (column, &number) in numbers.iter().enumerate() {
+                    let entry = self.graph.multiply(scale, number);
+                    state.stiffness[row][column] = self.graph.add(state.stiffness[row][column], entry);
+                    if term.is_measure && !self.rates.is_empty() {
+                        let viscous = self.graph.multiply(self.damping, entry);
+                        state.viscosity[row][column] = self.graph.add(state.viscosity[row][column], viscous);
+                    }
+                }
+            }
+        }
+        for (row, &a) in used.iter().enumerate() {
+            self.graph.name(state.stress[row], format!("stress_{}", all[a].name(&names)));
+        }
+        self.energy = state.energy;
+        let rates = self.rates.clone();
+        let response = Response {
+            invariants: &state.invariants,
+            stress: &state.stress,
+            stiffness: &state.stiffness,
+            viscosity: &state.viscosity,
+            vectors: &vectors,
+            rates: &rates,
+        };
+        match self.quantity {
+            Quantity::Force => self.force = response.force(&mut self.graph),
+            Quantity::Tangent => (self.stiffness, self.viscosity) = response.tangent(&mut self.graph),
+            Quantity::Energy | Quantity::Reference => {}
+        }
+        Some(())
+    }
+
+    fn points(&mut self) {
+        let rule = gauss_rule(points(self.element, self.variant.quadrature));
+        let shapes = relative_shapes(self.element);
+        // table[point] = weight, then for each field the shape derivatives of the relative vectors.
+        let row = |rule: &Rule, point: usize| {
+            let mut row = vec![rule.weights[point]];
+            for field in self.element.fields {
+                row.extend(shapes.iter().map(|(_, shape)| shape.derivative(field.order).at(rule.points[point])));
+            }
+            row
+        };
+        let table: Vec<Vec<f64>> = (0..rule.points.len()).map(|point| row(&rule, point)).collect();
+        self.start_sums();
+        if self.form == Form::Points {
+            for (point, row) in table.iter().enumerate() {
+                let row: Vec<Id> = row.iter().map(|&value| self.graph.number(value)).collect();
+                let partial = self.point(&row, point);
+                self.add_point(partial);
+            }
+            return;
+        }
+        let row: Vec<Id> = (0..table[0].len()).map(|k| self.graph.symbol(format!("table[{k}]"))).collect();
+        let partial = self.point(&row, 0);
+        let mut varying = row;
+        if self.quantity != Quantity::Reference {
+            varying.extend(self.references.iter().copied());
+        }
+        let names = self.relative_names();
+        let mut columns = vec!["weight".to_string()];
+        for field in self.element.fields {
+            columns.extend(names.iter().map(|name| format!("{}[{name}]", field.name)));
+        }
+        self.points = Some(PointLoop { count: table.len(), columns, table, varying, sums: Vec::new() });
+        self.add_point(partial);
+    }
+
+    fn start_sums(&mut self) {
+        let (count, dimension) = (self.vectors.len(), self.variant.dimension);
+        self.force = vec![vec![self.graph.zero(); dimension]; count];
+        self.stiffness = zero_blocks(&mut self.graph, count, dimension);
+        if !self.rates.is_empty() {
+            self.viscosity = Some(zero_blocks(&mut self.graph, count, dimension));
+        }
+    }
+
+    /// Reference value of measure `index` at a point.
+    fn point_reference(&mut self, measures: usize, index: usize, point: usize) -> Id {
+        if self.form == Form::Points {
+            return self.reference_symbol(point * measures + index);
+        }
+        while self.references.len() <= index {
+            let next = self.references.len();
+            let symbol = self.graph.symbol(format!("reference[point * {measures} + {next}]"));
+            self.references.push(symbol);
+        }
+        self.references[index]
+    }
+
+    /// Contribution of one point: fields, stress, and its projection on the relative vectors.
+    fn point(&mut self, row: &[Id], point: usize) -> Contribution {
+        let count = self.vectors.len();
+        let weight = self.graph.multiply(row[0], self.length);
+        let shape = |field: usize, vector: usize| row[1 + field * count + vector];
+        let (vectors, rates) = (self.vectors.clone(), self.rates.clone());
+        let fields = self.fields(&vectors, &shape, "");
+        let field_rates = if rates.is_empty() { Vec::new() } else { self.fields(&rates, &shape, "v_") };
+        let state = self.field_state(&fields, &field_rates, point, weight);
+        let response = Response {
+            invariants: &state.invariants,
+            stress: &state.stress,
+            stiffness: &state.stiffness,
+            viscosity: &state.viscosity,
+            vectors: &fields,
+            rates: &field_rates,
+        };
+        let mut contribution =
+            Contribution { energy: state.energy, force: Vec::new(), stiffness: Vec::new(), viscosity: None };
+        match self.quantity {
+            Quantity::Energy | Quantity::Reference => {}
+            Quantity::Force => {
+                let force = response.force(&mut self.graph);
+                let scaled = self.scale_by_order(force);
+                for vector in 0..count {
+                    let mut sum = vec![self.graph.zero(); self.variant.dimension];
+                    for (field, force) in scaled.iter().enumerate() {
+                        let term = self.graph.scale(shape(field, vector), force);
+                        sum = self.graph.add_vectors(&sum, &term);
+                    }
+                    contribution.force.push(sum);
+                }
+            }
+            Quantity::Tangent => {
+                let symmetric = state.viscosity.is_empty();
+                let (stiffness, viscosity) = response.tangent(&mut self.graph);
+                contribution.stiffness = self.project(&stiffness, &shape, symmetric);
+                contribution.viscosity = viscosity.map(|blocks| self.project(&blocks, &shape, false));
+            }
+        }
+        contribution
+    }
+
+    /// Fields `r_x, r_xx, ..` at a point from relative vectors.
+    fn fields(&mut self, vectors: &[Vector], shape: &impl Fn(usize, usize) -> Id, prefix: &str) -> Vec<Vector> {
+        let mut fields = Vec::new();
+        for (index, field) in self.element.fields.iter().enumerate() {
+            let mut sum = vec![self.graph.zero(); self.variant.dimension];
+            for (place, vector) in vectors.iter().enumerate() {
+                let term = self.graph.scale(shape(index, place), vector);
+                sum = self.graph.add_vectors(&sum, &term);
+            }
+            let scale = self.length_power(1 - field.order as i32);
+            let scaled = self.graph.scale(scale, &sum);
+            for (c, &id) in scaled.iter().enumerate() {
+                if self.form == Form::Loop {
+                    self.graph.name(id, format!("{prefix}{}_{}", field.name, ["x", "y", "z"][c]));
+                }
+            }
+            fields.push(scaled);
+        }
+        fields
+    }
+
+    /// Stress on the invariants of the fields, times the weight.
+    fn field_state(&mut self, fields: &[Vector], rates: &[Vector], point: usize, weight: Id) -> State {
+        let variant = self.variant;
+        let (symbols, list) = field_invariants(&mut self.graph, self.element, variant.dimension);
+        let terms = (self.element.energy)(&mut self.graph, &symbols, &variant.options);
+        let rate_symbols: Vec<Id> = list.iter().map(|_| self.graph.symbol("rate")).collect();
+        let measures = terms.iter().filter(|term| matches!(term.density, Density::Measure(_))).count();
+        let mut real: HashMap<Id, Id> = HashMap::new();
+        let mut straight: HashMap<Id, Id> = HashMap::new();
+        for (&(invariant, symbol), &rate_symbol) in list.iter().zip(&rate_symbols) {
+            real.insert(symbol, invariant.value(&mut self.graph, fields));
+            if !rates.is_empty() {
+                real.insert(rate_symbol, invariant.rate(&mut self.graph, fields, rates));
+            }
+            let tangents = self.element.fields[invariant.i].order == 1 && self.element.fields[invariant.j].order == 1;
+            let value = if tangents { invariant.straight() } else { 0.0 };
+            straight.insert(symbol, self.graph.number(value));
+        }
+        let mut stress = vec![self.graph.zero(); list.len()];
+        let mut energy = self.graph.zero();
+        let mut measure_index = 0;
+        for term in &terms {
+            let coefficient = self.coefficients[term.coefficient];
+            let factor = self.graph.multiply(coefficient, weight);
+            match term.density {
+                Density::Measure(measure) => {
+                    if self.quantity == Quantity::Reference {
+                        let value = self.graph.substitute(measure, &real);
+                        self.references.push(value);
+                        continue;
+                    }
+                    let reference = if variant.curved {
+                        self.point_reference(measures, measure_index, point)
+                    } else {
+                        self.graph.substitute(measure, &straight)
+                    };
+                    measure_index += 1;
+                    let change = self.graph.subtract(measure, reference);
+                    let mut strain = change;
+                    if !rates.is_empty() {
+                        let chain = list.iter().zip(&rate_symbols).map(|(&(_, s), &rate)| (s, rate)).collect();
+                        let rate = self.graph.differentiate(measure, &chain);
+                        let viscous = self.graph.multiply(self.damping, rate);
+                        strain = self.graph.add(change, viscous);
+                    }
+                    let scaled = self.graph.multiply(factor, strain);
+                    for (index, &(_, symbol)) in list.iter().enumerate() {
+                        let slope = self.graph.partial(measure, symbol);
+                        let part = self.graph.multiply(scaled, slope);
+                        stress[index] = self.graph.add(stress[index], part);
+                    }
+                    let (half, square) = (self.graph.number(0.5), self.graph.power(change, 2));
+                    let half_factor = self.graph.multiply(half, factor);
+                    let part = self.graph.multiply(half_factor, square);
+                    energy = self.graph.add(energy, part);
+                }
+                Density::Energy(density) => {
+                    for (index, &(_, symbol)) in list.iter().enumerate() {
+                        let slope = self.graph.partial(density, symbol);
+                        let part = self.graph.multiply(factor, slope);
+                        stress[index] = self.graph.add(stress[index], part);
+                    }
+                    let part = self.graph.multiply(factor, density);
+                    energy = self.graph.add(energy, part);
+                }
+            }
+        }
+        let used: Vec<usize> = (0..list.len()).filter(|&index| !self.graph.is_zero(stress[index])).collect();
+        let matrix = |builder: &mut Self, with: &dyn Fn(usize) -> Id| -> Vec<Vec<Id>> {
+            let entry = |builder: &mut Self, row: usize, column: usize| {
+                let derivative = builder.graph.partial(stress[row], with(column));
+                builder.graph.substitute(derivative, &real)
+            };
+            used.iter().map(|&row| used.iter().map(|&column| entry(builder, row, column)).collect()).collect()
+        };
+        let stiffness = matrix(self, &|column| list[column].1);
+        let viscosity = if rates.is_empty() { Vec::new() } else { matrix(self, &|column| rate_symbols[column]) };
+        State {
+            invariants: used.iter().map(|&index| list[index].0).collect(),
+            stress: used.iter().map(|&index| self.graph.substitute(stress[index], &real)).collect(),
+            stiffness,
+            viscosity,
+            energy: self.graph.substitute(energy, &real),
+        }
+    }
+
+    /// Powers of the length that belong to the fields, applied to forces on them.
+    fn scale_by_order(&mut self, force: Vec<Vector>) -> Vec<Vector> {
+        let mut scaled = Vec::new();
+        for (field, force) in self.element.fields.iter().zip(force) {
+            let scale = self.length_power(1 - field.order as i32);
+            scaled.push(self.graph.scale(scale, &force));
+        }
+        scaled
+    }
+
+    /// Blocks on fields projected on relative vectors.
+    fn project(&mut self, blocks: &Blocks, shape: &impl Fn(usize, usize) -> Id, symmetric: bool) -> Blocks {
+        let (count, dimension) = (self.vectors.len(), self.variant.dimension);
+        let fields = self.element.fields.len();
+        let mut result = zero_blocks(&mut self.graph, count, dimension);
+        for f in 0..fields {
+            // half[j] = sum_g l^.. block(f, g) shape(g, j)
+            let mut half = vec![vec![vec![self.graph.zero(); dimension]; dimension]; count];
+            for g in 0..fields {
+                let orders = self.element.fields[f].order + self.element.fields[g].order;
+                let scale = self.length_power(2 - orders as i32);
+                for r in 0..dimension {
+                    for c in 0..dimension {
+                        let entry = self.graph.multiply(scale, blocks[f][g][r][c]);
+                        for j in 0..count {
+                            let term = self.graph.multiply(shape(g, j), entry);
+                            half[j][r][c] = self.graph.add(half[j][r][c], term);
+                        }
+                    }
+                }
+            }
+            for i in 0..count {
+                for j in if symmetric { i } else { 0 }..count {
+                    for r in 0..dimension {
+                        for c in if symmetric && i == j { r } else { 0 }..dimension {
+                            let term = self.graph.multiply(shape(f, i), half[j][r][c]);
+                            result[i][j][r][c] = self.graph.add(result[i][j][r][c], term);
+                        }
+                    }
+                }
+            }
+        }
+        if symmetric {
+            mirror(&mut result);
+        }
+        result
+    }
+
+    /// Adds a point: directly where unrolled, as a sum over the loop otherwise.
+    fn add_point(&mut self, point: Contribution) {
+        let graph = &mut self.graph;
+        let mut loops = self.points.as_mut();
+        let mut seen: HashMap<Id, Id> = HashMap::new();
+        let mut add = |graph: &mut Graph, sum: Id, term: Id, name: String| match loops.as_mut() {
+            None => graph.add(sum, term),
+            Some(_) if graph.is_zero(term) => sum,
+            Some(points) => *seen.entry(term).or_insert_with(|| {
+                let symbol = graph.symbol(name);
+                points.sums.push((symbol, term));
+                symbol
+            }),
+        };
+        self.energy = add(graph, self.energy, point.energy, "energy_sum".to_string());
+        for (i, vector) in point.force.iter().enumerate() {
+            for (c, &term) in vector.iter().enumerate() {
+                self.force[i][c] = add(graph, self.force[i][c], term, format!("force_{i}_{c}"));
+            }
+        }
+        let mut add_blocks = |graph: &mut Graph, sums: &mut Blocks, blocks: &Blocks, name: &str| {
+            for (i, row) in blocks.iter().enumerate() {
+                for (j, block) in row.iter().enumerate() {
+                    for (r, line) in block.iter().enumerate() {
+                        for (c, &term) in line.iter().enumerate() {
+                            let name = format!("{name}_{i}{j}_{r}{c}");
+                            sums[i][j][r][c] = add(graph, sums[i][j][r][c], term, name);
+                        }
+                    }
+                }
+            }
+        };
+        add_blocks(graph, &mut self.stiffness, &point.stiffness, "stiffness");
+        if let (Some(sums), Some(blocks)) = (&mut self.viscosity, &point.viscosity) {
+            add_blocks(graph, sums, blocks, "damping");
+        }
+    }
+
+    /// Back to nodal vectors, and the function around it.
+    fn finish(mut self) -> Kernel {
+        let outputs = match self.quantity {
+            Quantity::Energy => vec![("*energy".to_string(), self.energy)],
+            Quantity::Reference => {
+                self.references.iter().enumerate().map(|(index, &id)| (format!("reference[{index}]"), id)).collect()
+            }
+            Quantity::Force => self.nodal_force(),
+            Quantity::Tangent => {
+                let stiffness = std::mem::take(&mut self.stiffness);
+                let mut outputs = self.nodal_blocks(&stiffness, "stiffness");
+                if let Some(viscosity) = self.viscosity.take() {
+                    outputs.extend(self.nodal_blocks(&viscosity, "damping_matrix"));
+                }
+                outputs
+            }
+        };
+        let signature = Signature { variant: self.variant, library: self.library, references: self.references.len() };
+        signature.elastic(self.form, self.quantity, self.graph, self.points, outputs)
+    }
+
+    /// For every nodal vector the relative vectors that it moves and the factor.
+    fn nodal_map(&mut self) -> Vec<Vec<(usize, Id)>> {
+        let base = base_vector(self.element);
+        let relative: Vec<usize> = (0..self.element.vectors.len()).filter(|&index| index != base).collect();
+        let mut map = vec![Vec::new(); self.element.vectors.len()];
+        let minus = self.graph.negate(self.inverse_length);
+        for (place, &index) in relative.iter().enumerate() {
+            if self.element.vectors[index].order == 0 {
+                map[index].push((place, self.inverse_length));
+                map[base].push((place, minus));
+            } else {
+                map[index].push((place, self.graph.one()));
+            }
+        }
+        map
+    }
+
+    fn nodal_force(&mut self) -> Vec<(String, Id)> {
+        let dimension = self.variant.dimension;
+        let map = self.nodal_map();
+        let mut outputs = Vec::new();
+        for (index, parts) in map.iter().enumerate() {
+            for c in 0..dimension {
+                let terms: Vec<Id> =
+                    parts.iter().map(|&(place, factor)| self.graph.multiply(factor, self.force[place][c])).collect();
+                let sum = self.graph.sum(&terms);
+                outputs.push((format!("force[{}]", index * dimension + c), sum));
+            }
+        }
+        outputs
+    }
+
+    fn nodal_blocks(&mut self, blocks: &Blocks, name: &str) -> Vec<(String, Id)> {
+        let dimension = self.variant.dimension;
+        let map = self.nodal_map();
+        let size = map.len() * dimension;
+        let mut outputs = Vec::new();
+        for (i, left) in map.iter().enumerate() {
+            for r in 0..dimension {
+                for (j, right) in map.iter().enumerate() {
+                    for c in 0..dimension {
+                        let mut sum = self.graph.zero();
+                        for &(p, a) in left {
+                            for &(q, b) in right {
+                                let factor = self.graph.multiply(a, b);
+                                let term = self.graph.multiply(factor, blocks[p][q][r][c]);
+                                sum = self.graph.add(sum, term);
+                            }
+                        }
+                        let place = (i * dimension + r) * size + j * dimension + c;
+                        outputs.push((format!("{name}[{place}]"), sum));
+                    }
+                }
+            }
+        }
+        outputs
+    }
+}
+
+/// What one point adds.
+struct Contribution {
+    energy: Id,
+    force: Vec<Vector>,
+    stiffness: Blocks,
+    viscosity: Option<Blocks>,
+}

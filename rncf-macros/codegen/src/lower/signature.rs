@@ -1,0 +1,186 @@
+//! Names, arguments and documentation of the kernels of an element.
+
+use super::elastic::{Form, Quantity, points};
+use super::kernel::{Kernel, PointLoop};
+use super::variant::Variant;
+use crate::elements::Library;
+use crate::symbolic::{Graph, Id};
+
+/// What the signatures of an element's kernels depend on.
+pub(super) struct Signature<'a> {
+    pub variant: &'a Variant,
+    pub library: &'a Library,
+    /// Reference symbols that the kernel made.
+    pub references: usize,
+}
+
+impl Signature<'_> {
+    /// The row's fields and the nodal components, bound to the names that the symbols have.
+    fn bindings(&self, coefficients: bool, states: &[(&str, &str)]) -> Vec<String> {
+        let element = self.variant.declaration(self.library);
+        let mut fields = vec!["length"];
+        if coefficients {
+            fields.extend(element.coefficients.iter().map(|c| c.name).filter(|&name| name != element.inertia));
+            if self.variant.damped {
+                fields.push("damping");
+            }
+        } else {
+            fields.push(element.inertia);
+        }
+        let mut bindings = vec![format!("let {} {{ {}, .. }} = *row;", self.row(), fields.join(", "))];
+        for (argument, prefix) in states {
+            let names = self.variant.component_names(self.library, prefix).concat();
+            bindings.push(format!("let [{}] = *{argument};", names.join(", ")));
+        }
+        bindings
+    }
+
+    /// Name of the struct with the constants of an element.
+    pub fn row(&self) -> String {
+        camel_case(&self.variant.name(self.library))
+    }
+
+    /// Number of reference values of an element.
+    fn reference_count(&self, form: Form) -> usize {
+        let element = self.variant.declaration(self.library);
+        match form {
+            Form::Loop => self.references * points(element, self.variant.quadrature),
+            Form::Tensor | Form::Points => self.references,
+        }
+    }
+
+    /// Wraps the expressions of an elastic kernel.
+    pub fn elastic(
+        &self,
+        form: Form,
+        quantity: Quantity,
+        graph: Graph,
+        points: Option<PointLoop>,
+        outputs: Vec<(String, Id)>,
+    ) -> Kernel {
+        let size = self.variant.size(self.library);
+        let name = self.variant.name(self.library);
+        let with_rates = self.variant.damped && matches!(quantity, Quantity::Force | Quantity::Tangent);
+        let mut arguments = vec![format!("row: &{}", self.row())];
+        if self.variant.curved && quantity != Quantity::Reference {
+            arguments.push(format!("reference: &[f64; {}]", self.reference_count(form)));
+        }
+        arguments.push(format!("q: &[f64; {size}]"));
+        let mut states = vec![("q", "")];
+        if with_rates {
+            arguments.push(format!("v: &[f64; {size}]"));
+            states.push(("v", "v_"));
+        }
+        let (suffix, what) = match quantity {
+            Quantity::Force => {
+                arguments.push(format!("force: &mut [f64; {size}]"));
+                ("elastic_force", "Adds the generalised elastic force F_e = dU/dq (N on positions, N m on slopes)")
+            }
+            Quantity::Tangent => {
+                arguments.push(format!("stiffness: &mut [f64; {}]", size * size));
+                if with_rates {
+                    arguments.push(format!("damping_matrix: &mut [f64; {}]", size * size));
+                }
+                ("elastic_tangent", "Adds the exact tangent dF_e/dq (and dF_e/dq' where damped), rows first")
+            }
+            Quantity::Energy => {
+                arguments.push("energy: &mut f64".to_string());
+                ("strain_energy", "Adds the strain energy U (J)")
+            }
+            Quantity::Reference => {
+                arguments.push(format!("reference: &mut [f64; {}]", self.references));
+                ("reference", "Values in the stress-free shape, which the other kernels subtract")
+            }
+        };
+        Kernel {
+            name: format!("{name}_{suffix}"),
+            doc: vec![format!("{what} of one element."), self.energy_text(), self.form_text(form)],
+            arguments,
+            bindings: self.bindings(quantity != Quantity::Reference, &states),
+            graph,
+            points,
+            outputs,
+            assign: quantity == Quantity::Reference,
+        }
+    }
+
+    /// Wraps the expressions of an inertia kernel.
+    pub fn inertia(&self, suffix: &str, doc: Vec<String>, graph: Graph, outputs: Vec<(String, Id)>) -> Kernel {
+        let size = self.variant.size(self.library);
+        let element = self.variant.declaration(self.library);
+        let mut arguments = vec![format!("row: &{}", self.row())];
+        let mut bindings = self.bindings(false, &[]);
+        let assign = suffix == "mass";
+        if assign {
+            arguments.push(format!("mass: &mut [f64; {}]", element.vectors.len() * element.vectors.len()));
+        } else {
+            arguments.push("frame: &::rncf::mesh::FrameAction".to_string());
+            bindings.extend(frame_bindings(self.variant.dimension, suffix));
+            if suffix.ends_with("tangent") {
+                arguments.push(format!("stiffness: &mut [f64; {}]", size * size));
+                arguments.push(format!("damping_matrix: &mut [f64; {}]", size * size));
+            } else {
+                let states: &[(&str, &str)] =
+                    if suffix.starts_with("absolute") { &[("a", "a_")] } else { &[("q", ""), ("v", "v_"), ("a", "a_")] };
+                for (argument, prefix) in states {
+                    arguments.push(format!("{argument}: &[f64; {size}]"));
+                    let names = self.variant.component_names(self.library, prefix).concat();
+                    bindings.push(format!("let [{}] = *{argument};", names.join(", ")));
+                }
+                arguments.push(format!("force: &mut [f64; {size}]"));
+            }
+        }
+        let name = format!("{}_{suffix}", self.variant.name(self.library));
+        Kernel { name, doc, arguments, bindings, graph, points: None, outputs, assign }
+    }
+
+    /// The strain energy in words: terms, coefficients, damping.
+    fn energy_text(&self) -> String {
+        let element = self.variant.declaration(self.library);
+        let choices: Vec<String> = element
+            .options
+            .iter()
+            .zip(&self.variant.options)
+            .map(|(option, &choice)| format!("{} = {}", option.name, option.values[choice]))
+            .collect();
+        format!("{}; {}.", element.doc, choices.join(", "))
+    }
+
+    fn form_text(&self, form: Form) -> String {
+        let element = self.variant.declaration(self.library);
+        let count = points(element, self.variant.quadrature);
+        let exact = self.variant.quadrature == crate::model::Quadrature::Exact;
+        match form {
+            Form::Tensor if exact => "Constant tensor, integrated exactly, unrolled.".to_string(),
+            Form::Tensor => format!("Constant tensor of the {count}-point Gauss rule, unrolled."),
+            Form::Points => format!("{count} Gauss points, unrolled."),
+            Form::Loop => format!("{count} Gauss points, in a loop."),
+        }
+    }
+}
+
+fn frame_bindings(dimension: usize, suffix: &str) -> Vec<String> {
+    let acceleration = if dimension == 2 { "let [e_x, e_y, _] = frame.acceleration;" } else { "let [e_x, e_y, e_z] = frame.acceleration;" };
+    let spin = if dimension == 2 {
+        "let ([w, ..], [dw, ..]) = (frame.spin, frame.spin_rate);"
+    } else {
+        "let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);"
+    };
+    let mut bindings = Vec::new();
+    if !suffix.ends_with("tangent") {
+        bindings.push(acceleration.to_string());
+    }
+    if !suffix.starts_with("absolute") {
+        bindings.push(spin.to_string());
+    }
+    bindings
+}
+
+/// `cable_planar` to `CablePlanar`.
+pub fn camel_case(name: &str) -> String {
+    let words = name.split('_').map(|word| {
+        let mut letters = word.chars();
+        letters.next().map(|first| first.to_uppercase().chain(letters).collect::<String>()).unwrap_or_default()
+    });
+    words.collect()
+}

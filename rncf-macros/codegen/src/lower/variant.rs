@@ -1,0 +1,101 @@
+//! What distinguishes one emitted element from another: one set of kernels serves every body that
+//! agrees in all of this, whatever its lengths, stiffnesses and densities.
+
+use crate::elements::{Element, Library, Node};
+use crate::model::{Body, ElementId, Evaluation, Expr, Line, Quadrature};
+
+/// A specialised element.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Variant {
+    /// Element of the library.
+    pub element: ElementId,
+    /// Components of a nodal vector: 2 or 3.
+    pub dimension: usize,
+    /// Chosen values of the element's options.
+    pub options: Vec<usize>,
+    /// Integration rule of the strain energy.
+    pub quadrature: Quadrature,
+    /// Wanted form of the elastic kernels.
+    pub evaluation: Evaluation,
+    /// Whether the material has damping that may differ from zero.
+    pub damped: bool,
+    /// Whether the stress-free axis is curved.
+    pub curved: bool,
+}
+
+/// Words for the components of a vector in generated code.
+const COMPONENTS: [&str; 3] = ["x", "y", "z"];
+
+impl Variant {
+    /// The variant that a body needs.
+    pub fn of(body: &Body, library: &Library) -> Self {
+        let damping = body.properties.get(library.elements[body.element.0].damping);
+        Self {
+            element: body.element,
+            dimension: body.space.dimension(),
+            options: body.options.clone(),
+            quadrature: body.quadrature,
+            evaluation: body.evaluation,
+            damped: damping.is_some_and(|value| *value != Expr::Number(0.0)),
+            curved: matches!(body.line, Line::Arc { .. }),
+        }
+    }
+
+    /// The element's declaration.
+    pub fn declaration<'l>(&self, library: &'l Library) -> &'l Element {
+        &library.elements[self.element.0]
+    }
+
+    /// Name in generated code, e.g. `cable_planar_exact_damped`.
+    pub fn name(&self, library: &Library) -> String {
+        let element = self.declaration(library);
+        let mut name = format!("{}_{}", element.names[0], if self.dimension == 2 { "planar" } else { "spatial" });
+        for (option, &choice) in element.options.iter().zip(&self.options) {
+            if choice > 0 {
+                name += &format!("_{}", option.values[choice]);
+            }
+        }
+        if let Quadrature::Gauss(points) = self.quadrature {
+            name += &format!("_gauss{points}");
+        }
+        name += match self.evaluation {
+            Evaluation::Automatic => "",
+            Evaluation::Tensor => "_tensor",
+            Evaluation::Points => "_points",
+            Evaluation::Loop => "_loop",
+        };
+        if self.curved {
+            name += "_curved";
+        }
+        if self.damped {
+            name += "_damped";
+        }
+        name
+    }
+
+    /// Degrees of freedom of one element.
+    pub fn size(&self, library: &Library) -> usize {
+        self.declaration(library).vectors.len() * self.dimension
+    }
+
+    /// Names of all components of the nodal vectors with a prefix, e.g. `r0_x, r0_y, s0_x, ..`.
+    pub fn component_names(&self, library: &Library, prefix: &str) -> Vec<Vec<String>> {
+        let component = |name: &str, c: usize| format!("{prefix}{name}_{}", COMPONENTS[c]);
+        let vectors = self.declaration(library).vectors.iter();
+        vectors.map(|vector| (0..self.dimension).map(|c| component(vector.name, c)).collect()).collect()
+    }
+
+    /// Place of each local nodal vector relative to the first vector of the element's first node,
+    /// and the number of vectors of a node.
+    pub fn connectivity(&self, library: &Library) -> (Vec<usize>, usize) {
+        let vectors = self.declaration(library).vectors;
+        let per_node = vectors.iter().filter(|vector| vector.node == Node::Start).count();
+        let mut counts = [0, 0];
+        let places = vectors.iter().map(|vector| {
+            let end = usize::from(vector.node == Node::End);
+            counts[end] += 1;
+            end * per_node + counts[end] - 1
+        });
+        (places.collect(), per_node)
+    }
+}
