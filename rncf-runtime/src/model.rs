@@ -167,7 +167,7 @@ pub trait Scene: System + Send {
 
     /// The same bodies in referenced coordinates: positions and velocities of all nodal vectors in
     /// the bodies' frames, for carrying a state from one formulation to the other.
-    fn to_frame(&self, state: &State) -> FrameState;
+    fn to_frame(&mut self, state: &State) -> FrameState;
 
     /// The state with the nodal vectors of `frame`; accelerations and multipliers zero.
     fn from_frame(&self, frame: &FrameState) -> State;

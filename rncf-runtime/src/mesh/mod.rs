@@ -1,1 +1,19 @@
-//! Meshed bodies: from element kernels to a system.
+//! Meshed bodies: from emitted element kernels to a [`crate::System`].
+//!
+//! The generator emits a [`Parts`]: kernels, frames, conditions and outputs of one model. Everything
+//! here is the same for all models: numbering, assembly, elimination, initial states.
+
+mod assembly;
+mod conditions;
+mod frame;
+mod layout;
+mod line;
+mod parts;
+mod scene;
+mod steady;
+
+pub use frame::{FrameAction, FrameMotion};
+pub use layout::{Layout, VectorKind};
+pub use line::Line;
+pub use parts::{BodySpec, JointData, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed};
+pub use scene::MeshScene;

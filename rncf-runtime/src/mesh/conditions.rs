@@ -1,0 +1,100 @@
+//! Joints: which of their conditions are eliminated and which keep multipliers.
+
+use super::frame::{FrameMotion, cross, norm};
+use super::layout::VectorKind;
+use super::parts::{BodySpec, JointData, JointKind, JointSpec};
+use crate::model::Joints;
+
+/// A joint on its node.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// Joint.
+    pub joint: usize,
+    /// Global numbers of the node's position and slope.
+    pub position: usize,
+    /// Global number of the node's slope.
+    pub slope: usize,
+    /// Constants in the joint's frame.
+    pub data: JointData,
+    /// Whether the body's vectors are in the inertial frame.
+    pub absolute: bool,
+    /// Whether the position is eliminated.
+    pub position_eliminated: bool,
+    /// What is eliminated of the slope.
+    pub slope_kind: VectorKind,
+    /// Rows of the joint's conditions that keep multipliers.
+    pub rows: Vec<usize>,
+}
+
+/// Number of condition rows of a joint: position, then direction or slope.
+pub fn row_count(kind: JointKind, dimension: usize) -> usize {
+    match kind {
+        JointKind::Pin => dimension,
+        JointKind::Clamp => 2 * dimension - 1,
+        JointKind::ClampFull => 2 * dimension,
+    }
+}
+
+/// Constants of a joint from the undeformed body at t = 0.
+pub fn joint_data(joint: &JointSpec, body: &BodySpec, frames: &[FrameMotion]) -> JointData {
+    let (point, tangent) = body.line.at(if joint.at_end { 1.0 } else { 0.0 });
+    let mut normal = [0.0; 3];
+    if let [first, second] = *body.axes {
+        normal[3 - first - second] = 1.0;
+    }
+    let (mut point, mut tangent) = (point, tangent);
+    if joint.frame != body.frame {
+        let (own, other) = (&frames[body.frame], &frames[joint.frame]);
+        point = other.point_to_frame(own.point_to_inertial(point));
+        tangent = other.direction_to_frame(own.direction_to_inertial(tangent));
+        normal = other.direction_to_frame(own.direction_to_inertial(normal));
+    }
+    let first = if body.dimension() == 2 { cross(normal, tangent) } else { perpendicular(tangent) };
+    JointData { point: joint.point.unwrap_or(point), tangent, normals: [first, cross(tangent, first)] }
+}
+
+/// A unit vector normal to `t`.
+fn perpendicular(t: [f64; 3]) -> [f64; 3] {
+    let smallest = (0..3).min_by(|&i, &j| t[i].abs().total_cmp(&t[j].abs())).unwrap_or(0);
+    let mut axis = [0.0; 3];
+    axis[smallest] = 1.0;
+    let normal = cross(t, axis);
+    let size = norm(normal);
+    normal.map(|x| x / size)
+}
+
+/// What a joint does to its node: eliminated where the direction does not turn in the body's frame.
+pub fn condition(
+    index: usize,
+    joint: &JointSpec,
+    body: &BodySpec,
+    first_vector: usize,
+    data: JointData,
+    absolute: bool,
+    joints: Joints,
+) -> Condition {
+    let node = first_vector + if joint.at_end { body.count * body.vectors_per_node } else { 0 };
+    let place = |order: usize| {
+        let local = body.orders.iter().position(|&other| other == order).unwrap_or(0);
+        node + body.connectivity[local]
+    };
+    let (position, slope) = (place(0), place(1));
+    let dimension = body.dimension();
+    let all = row_count(joint.kind, dimension);
+    let own_frame = if absolute { 0 } else { body.frame };
+    let turns = joint.frame != own_frame;
+    let (position_eliminated, slope_kind, rows) = match (joints, joint.kind) {
+        (Joints::Multipliers, _) => (false, VectorKind::Free, (0..all).collect()),
+        (Joints::Eliminated, JointKind::Pin) => (true, VectorKind::Free, Vec::new()),
+        (Joints::Eliminated, JointKind::ClampFull) => (true, VectorKind::Prescribed, Vec::new()),
+        (Joints::Eliminated, JointKind::Clamp) if turns => (true, VectorKind::Free, (dimension..all).collect()),
+        (Joints::Eliminated, JointKind::Clamp) => {
+            let mut direction = [0.0; 3];
+            for (component, &axis) in body.axes.iter().enumerate() {
+                direction[component] = data.tangent[axis];
+            }
+            (true, VectorKind::Directed(direction), Vec::new())
+        }
+    };
+    Condition { joint: index, position, slope, data, absolute, position_eliminated, slope_kind, rows }
+}

@@ -1,0 +1,126 @@
+//! Prescribed frames: what they do at one time.
+
+/// Motion of a prescribed frame at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameMotion {
+    /// Origin, m, inertial axes.
+    pub position: [f64; 3],
+    /// Velocity of the origin, m/s, inertial axes.
+    pub velocity: [f64; 3],
+    /// Acceleration of the origin, m/s^2, inertial axes.
+    pub acceleration: [f64; 3],
+    /// Rotation matrix A, rows first; its columns are the frame's axes in the inertial frame.
+    pub rotation: [[f64; 3]; 3],
+    /// Angular velocity, rad/s, frame axes.
+    pub spin: [f64; 3],
+    /// Its time derivative, rad/s^2, frame axes.
+    pub spin_rate: [f64; 3],
+}
+
+/// What a moving frame does to a body in it, in the order of the body's axes (planar bodies: spin
+/// about the normal first).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FrameAction {
+    /// Acceleration of the origin minus gravity, m/s^2.
+    pub acceleration: [f64; 3],
+    /// Angular velocity, rad/s.
+    pub spin: [f64; 3],
+    /// Angular acceleration, rad/s^2.
+    pub spin_rate: [f64; 3],
+}
+
+impl FrameMotion {
+    /// The inertial frame.
+    pub const INERTIAL: FrameMotion = FrameMotion {
+        position: [0.0; 3],
+        velocity: [0.0; 3],
+        acceleration: [0.0; 3],
+        rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        spin: [0.0; 3],
+        spin_rate: [0.0; 3],
+    };
+
+    /// A direction in frame axes, given in inertial axes: `A^T d`.
+    pub fn direction_to_frame(&self, d: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| self.rotation[0][i] * d[0] + self.rotation[1][i] * d[1] + self.rotation[2][i] * d[2])
+    }
+
+    /// A direction in inertial axes, given in frame axes: `A d`.
+    pub fn direction_to_inertial(&self, d: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| self.rotation[i][0] * d[0] + self.rotation[i][1] * d[1] + self.rotation[i][2] * d[2])
+    }
+
+    /// A point in the frame, given in the inertial frame: `A^T (x - r)`.
+    pub fn point_to_frame(&self, x: [f64; 3]) -> [f64; 3] {
+        self.direction_to_frame(subtract(x, self.position))
+    }
+
+    /// A point in the inertial frame, given in the frame: `r + A p`.
+    pub fn point_to_inertial(&self, p: [f64; 3]) -> [f64; 3] {
+        add(self.position, self.direction_to_inertial(p))
+    }
+
+    /// Rate of a direction that changes in inertial axes, seen in the frame: `A^T d' - w x A^T d`.
+    pub fn rate_to_frame(&self, d: [f64; 3], rate: [f64; 3]) -> [f64; 3] {
+        subtract(self.direction_to_frame(rate), cross(self.spin, self.direction_to_frame(d)))
+    }
+
+    /// Rate in inertial axes of a direction that changes in the frame: `A (d' + w x d)`.
+    pub fn rate_to_inertial(&self, d: [f64; 3], rate: [f64; 3]) -> [f64; 3] {
+        self.direction_to_inertial(add(rate, cross(self.spin, d)))
+    }
+
+    /// What the frame does to a body with the given axes under gravity (m/s^2, inertial axes).
+    pub fn action(&self, axes: &[usize], gravity: [f64; 3]) -> FrameAction {
+        let acceleration = self.direction_to_frame(subtract(self.acceleration, gravity));
+        let mut action = FrameAction::default();
+        for (place, &axis) in axes.iter().enumerate() {
+            action.acceleration[place] = acceleration[axis];
+        }
+        if let [first, second] = *axes {
+            let normal = 3 - first - second;
+            action.spin[0] = self.spin[normal];
+            action.spin_rate[0] = self.spin_rate[normal];
+        } else {
+            (action.spin, action.spin_rate) = (self.spin, self.spin_rate);
+        }
+        action
+    }
+
+    /// The frame in steady rotation: `scale` times its spin, which does not change; the origin's
+    /// acceleration scales with the square, as in a uniform rotation.
+    pub fn steady(&self, scale: f64) -> FrameMotion {
+        FrameMotion {
+            velocity: self.velocity.map(|v| scale * v),
+            acceleration: self.acceleration.map(|a| scale * scale * a),
+            spin: self.spin.map(|w| scale * w),
+            spin_rate: [0.0; 3],
+            ..*self
+        }
+    }
+}
+
+/// `a + b`
+pub(crate) fn add(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] + b[i])
+}
+
+/// `a - b`
+pub(crate) fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
+/// `a x b`
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// `a . b`
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// `|a|`
+pub(crate) fn norm(a: [f64; 3]) -> f64 {
+    dot(a, a).sqrt()
+}

@@ -1,0 +1,107 @@
+//! Numbering: which components of the nodal vectors are unknowns. Conditions that are linear in a
+//! vector are eliminated, `q = qbar(t) + E x` (THEORY 6): every component depends on at most one
+//! unknown.
+
+/// What is unknown of a nodal vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum VectorKind {
+    /// All components.
+    Free,
+    /// The norm along a constant unit vector (components in the body's order).
+    Directed([f64; 3]),
+    /// Nothing: the vector is a given function of time.
+    Prescribed,
+}
+
+/// Numbering of all nodal vectors.
+#[derive(Clone, Debug)]
+pub struct Layout {
+    kinds: Vec<VectorKind>,
+    /// First component of every vector in the full arrays, and their length at the end.
+    offsets: Vec<usize>,
+    /// For every component: the unknown it depends on and the factor.
+    map: Vec<Option<(usize, f64)>>,
+    unknowns: usize,
+}
+
+impl Layout {
+    /// Numbers vectors of the given dimensions in order.
+    pub fn new(dimensions: &[usize], kinds: Vec<VectorKind>) -> Self {
+        let mut offsets = vec![0];
+        let mut map = Vec::new();
+        let mut unknowns = 0;
+        for (&dimension, kind) in dimensions.iter().zip(&kinds) {
+            for component in 0..dimension {
+                map.push(match kind {
+                    VectorKind::Free => Some((unknowns + component, 1.0)),
+                    VectorKind::Directed(direction) => Some((unknowns, direction[component])),
+                    VectorKind::Prescribed => None,
+                });
+            }
+            unknowns += match kind {
+                VectorKind::Free => dimension,
+                VectorKind::Directed(_) => 1,
+                VectorKind::Prescribed => 0,
+            };
+            offsets.push(map.len());
+        }
+        Self { kinds, offsets, map, unknowns }
+    }
+
+    /// Number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.unknowns
+    }
+
+    /// Number of components of all vectors.
+    pub fn components(&self) -> usize {
+        self.map.len()
+    }
+
+    /// First component of a vector in the full arrays.
+    pub fn offset(&self, vector: usize) -> usize {
+        self.offsets[vector]
+    }
+
+    /// Kind of a vector.
+    pub fn kind(&self, vector: usize) -> VectorKind {
+        self.kinds[vector]
+    }
+
+    /// The unknown that a component depends on, and the factor.
+    pub fn unknown(&self, component: usize) -> Option<(usize, f64)> {
+        self.map[component]
+    }
+
+    /// `full = E x` on components that depend on an unknown; the others stay.
+    pub fn expand(&self, x: &[f64], full: &mut [f64]) {
+        for (value, entry) in full.iter_mut().zip(&self.map) {
+            if let Some((unknown, factor)) = entry {
+                *value = factor * x[*unknown];
+            }
+        }
+    }
+
+    /// `x = E^T full`: forces on unknowns, and the unknowns of vectors that satisfy the conditions.
+    pub fn project(&self, full: &[f64], x: &mut [f64]) {
+        x.fill(0.0);
+        for (value, entry) in full.iter().zip(&self.map) {
+            if let Some((unknown, factor)) = entry {
+                x[*unknown] += factor * value;
+            }
+        }
+    }
+
+    /// The vector and component of every unknown; component 0 stands for the norm of a directed one.
+    pub fn origins(&self) -> Vec<(usize, usize)> {
+        let mut origins = vec![(0, 0); self.unknowns];
+        for vector in (0..self.kinds.len()).rev() {
+            for component in (self.offsets[vector]..self.offsets[vector + 1]).rev() {
+                if let Some((unknown, _)) = self.map[component] {
+                    origins[unknown] = (vector, component - self.offsets[vector]);
+                }
+            }
+        }
+        origins
+    }
+}

@@ -1,0 +1,83 @@
+//! Stress-free axes of bodies.
+
+use super::frame::{add, cross, norm, subtract};
+
+/// Stress-free axis of a body, in its declared frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Line {
+    /// From a point to a point, m.
+    Straight {
+        /// Start.
+        from: [f64; 3],
+        /// End.
+        to: [f64; 3],
+    },
+    /// A circular arc.
+    Arc {
+        /// Start, m.
+        from: [f64; 3],
+        /// Tangent at the start; its norm does not matter.
+        direction: [f64; 3],
+        /// Unit normal of the plane; a positive angle turns counter-clockwise about it.
+        normal: [f64; 3],
+        /// Radius, m.
+        radius: f64,
+        /// Subtended angle, rad.
+        angle: f64,
+    },
+}
+
+impl Line {
+    /// Arclength, m.
+    pub fn length(&self) -> f64 {
+        match *self {
+            Line::Straight { from, to } => norm(subtract(to, from)),
+            Line::Arc { radius, angle, .. } => radius * angle.abs(),
+        }
+    }
+
+    /// Position (m) and unit tangent at the fraction `u` in [0, 1] of the arclength.
+    pub fn at(&self, u: f64) -> ([f64; 3], [f64; 3]) {
+        match *self {
+            Line::Straight { from, to } => {
+                let whole = subtract(to, from);
+                let length = norm(whole);
+                // Both ends exactly as declared.
+                let point = if u < 0.5 {
+                    add(from, whole.map(|x| u * x))
+                } else {
+                    subtract(to, whole.map(|x| (1.0 - u) * x))
+                };
+                (point, whole.map(|x| x / length))
+            }
+            Line::Arc { from, direction, normal, radius, angle } => {
+                let size = norm(direction);
+                let tangent = direction.map(|x| x / size);
+                // Centre to the left of the tangent for a positive angle.
+                let side = cross(normal, tangent).map(|x| x * angle.signum());
+                let turn = (angle * u).abs();
+                let (sine, cosine) = turn.sin_cos();
+                let along = tangent.map(|x| radius * sine * x);
+                // 1 - cos without cancellation
+                let across = side.map(|x| radius * 2.0 * (0.5 * turn).sin().powi(2) * x);
+                let here = add(tangent.map(|x| cosine * x), side.map(|x| sine * x));
+                (add(from, add(along, across)), here)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_arc_ends_where_trigonometry_says() {
+        let arc =
+            Line::Arc { from: [0.0; 3], direction: [2.0, 0.0, 0.0], normal: [0.0, 0.0, 1.0], radius: 16.0, angle: -0.5 };
+        let (tip, tangent) = arc.at(1.0);
+        assert!((tip[0] - 7.67081).abs() < 1e-5 && (tip[1] + 1.95868).abs() < 1e-5, "{tip:?}");
+        assert!((tangent[1] + 0.5f64.sin()).abs() < 1e-15);
+        assert_eq!(arc.length(), 8.0);
+    }
+}
