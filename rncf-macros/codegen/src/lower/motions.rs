@@ -1,0 +1,273 @@
+//! Motions of prescribed frames: poses as expressions of t, their derivatives, and kinks.
+
+use std::collections::HashMap;
+
+use super::kernel::Kernel;
+use crate::model::{Binary, Expr, Frame, FrameId, INERTIAL, Model, Observable};
+use crate::symbolic::linear::{Matrix3, Vector};
+use crate::symbolic::{Graph, Id, Node};
+
+/// A graph with the time and the parameters of a model.
+pub struct Time<'m> {
+    /// The model.
+    pub model: &'m Model,
+    /// The graph.
+    pub graph: Graph,
+    /// Time.
+    pub t: Id,
+    params: Vec<Id>,
+    /// Symbols of what outputs observe, in order of first use.
+    pub observed: Vec<(Observable, Id)>,
+}
+
+impl<'m> Time<'m> {
+    /// A graph for expressions of this model.
+    pub fn new(model: &'m Model) -> Self {
+        let mut graph = Graph::new();
+        let t = graph.symbol("t");
+        let params = model.params.iter().map(|param| {
+            let field = format!("model.{}", param.name);
+            graph.symbol(if param.is_count { format!("({field} as f64)") } else { field })
+        });
+        let params = params.collect();
+        Self { model, graph, t, params, observed: Vec::new() }
+    }
+
+    /// An expression at the model's time.
+    pub fn expression(&mut self, expr: &Expr) -> Id {
+        self.expression_at(expr, self.t)
+    }
+
+    /// Three expressions at the model's time.
+    pub fn vector(&mut self, exprs: &[Expr; 3]) -> Vector {
+        exprs.iter().map(|expr| self.expression(expr)).collect()
+    }
+
+    fn expression_at(&mut self, expr: &Expr, t: Id) -> Id {
+        match expr {
+            Expr::Number(value) => self.graph.number(*value),
+            Expr::Param(param) => self.params[param.0],
+            Expr::Time => t,
+            Expr::Motion(motion, argument) => {
+                let argument = self.expression_at(argument, t);
+                let motion = &self.model.motions[motion.0];
+                let value = self.expression_at(&motion.value, argument);
+                self.graph.name(value, motion.name.clone())
+            }
+            Expr::Negate(a) => {
+                let a = self.expression_at(a, t);
+                self.graph.negate(a)
+            }
+            Expr::Binary(operator, a, b) => {
+                let (a, b) = (self.expression_at(a, t), self.expression_at(b, t));
+                match operator {
+                    Binary::Add => self.graph.add(a, b),
+                    Binary::Subtract => self.graph.subtract(a, b),
+                    Binary::Multiply => self.graph.multiply(a, b),
+                    Binary::Divide => self.graph.divide(a, b),
+                }
+            }
+            Expr::Power(base, exponent) => {
+                let (base, exponent) = (self.expression_at(base, t), self.expression_at(exponent, t));
+                self.graph.general_power(base, exponent)
+            }
+            Expr::Call(function, arguments) => {
+                let arguments: Vec<Id> = arguments.iter().map(|argument| self.expression_at(argument, t)).collect();
+                match arguments[..] {
+                    [a, b] => self.graph.call2(*function, a, b),
+                    _ => self.graph.call(*function, arguments[0]),
+                }
+            }
+            Expr::If(comparison, left, right, then, otherwise) => {
+                let [left, right, then, otherwise] =
+                    [left, right, then, otherwise].map(|part| self.expression_at(part, t));
+                self.graph.select(*comparison, left, right, then, otherwise)
+            }
+            Expr::Observed(observable) => {
+                if let Some(&(_, symbol)) = self.observed.iter().find(|(other, _)| other == observable) {
+                    return symbol;
+                }
+                let symbol = self.graph.symbol(format!("observed[{}]", self.observed.len()));
+                self.observed.push((observable.clone(), symbol));
+                symbol
+            }
+        }
+    }
+
+    /// Time derivative, t being the only thing that changes.
+    pub fn derivative(&mut self, id: Id) -> Id {
+        let derivative = self.graph.partial(id, self.t);
+        if let Some(name) = self.graph.name_of(id).map(|name| format!("{name}_t")) {
+            self.graph.name(derivative, name);
+        }
+        derivative
+    }
+
+    fn derivatives(&mut self, ids: &[Id]) -> Vector {
+        ids.iter().map(|&id| self.derivative(id)).collect()
+    }
+
+    fn frame(&self, frame: FrameId) -> &'m Frame {
+        &self.model.frames[frame.0]
+    }
+
+    /// Rotation matrix and origin of a frame in the inertial frame.
+    pub fn pose(&mut self, frame: FrameId) -> (Matrix3, Vector) {
+        if frame == INERTIAL {
+            let zero = self.graph.zero();
+            return (self.graph.identity(), vec![zero; 3]);
+        }
+        let declaration = self.frame(frame);
+        let (parent, position) = self.pose(declaration.parent);
+        let origin = self.vector(&declaration.origin);
+        let moved = self.graph.apply(&parent, &origin);
+        let position = self.graph.add_vectors(&position, &moved);
+        let Some(rotation) = &declaration.rotation else { return (parent, position) };
+        let angle = self.expression(&rotation.angle);
+        let own = self.graph.rotation(unit(rotation.axis), angle);
+        (self.graph.multiply_matrices(&parent, &own), position)
+    }
+
+    /// Angular velocity of a frame in its own axes.
+    pub fn spin(&mut self, frame: FrameId) -> Vector {
+        if frame == INERTIAL {
+            let zero = self.graph.zero();
+            return vec![zero; 3];
+        }
+        let declaration = self.frame(frame);
+        let parent = self.spin(declaration.parent);
+        let Some(rotation) = &declaration.rotation else { return parent };
+        let axis = unit(rotation.axis);
+        let angle = self.expression(&rotation.angle);
+        let rate = self.derivative(angle);
+        let own = self.graph.rotation(axis, angle);
+        let carried = self.graph.apply_transposed(&own, &parent);
+        let axis: Vector = axis.iter().map(|&x| self.graph.number(x)).collect();
+        let turning = self.graph.scale(rate, &axis);
+        self.graph.add_vectors(&carried, &turning)
+    }
+
+    /// Pose of a frame relative to another.
+    pub fn relative_pose(&mut self, of: FrameId, to: FrameId) -> (Matrix3, Vector) {
+        if of == to {
+            let zero = self.graph.zero();
+            return (self.graph.identity(), vec![zero; 3]);
+        }
+        let (rotation, position) = self.pose(of);
+        if to == INERTIAL {
+            return (rotation, position);
+        }
+        let (base, origin) = self.pose(to);
+        let back = crate::symbolic::linear::transpose(&base);
+        let offset = self.graph.subtract_vectors(&position, &origin);
+        (self.graph.multiply_matrices(&back, &rotation), self.graph.apply(&back, &offset))
+    }
+}
+
+fn unit(axis: [f64; 3]) -> [f64; 3] {
+    let size = (axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]).sqrt();
+    axis.map(|x| x / size)
+}
+
+/// Motion of a frame: pose, velocity, acceleration, spin and its rate.
+pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
+    let mut time = Time::new(model);
+    let (rotation, position) = time.pose(frame);
+    let velocity = time.derivatives(&position);
+    let acceleration = time.derivatives(&velocity);
+    let spin = time.spin(frame);
+    let spin_rate = time.derivatives(&spin);
+    let mut outputs = Vec::new();
+    for (name, vector) in [
+        ("position", &position),
+        ("velocity", &velocity),
+        ("acceleration", &acceleration),
+        ("spin", &spin),
+        ("spin_rate", &spin_rate),
+    ] {
+        outputs.extend(vector.iter().enumerate().map(|(i, &id)| (format!("motion.{name}[{i}]"), id)));
+    }
+    for (i, row) in rotation.iter().enumerate() {
+        outputs.extend(row.iter().enumerate().map(|(j, &id)| (format!("motion.rotation[{i}][{j}]"), id)));
+    }
+    let declaration = &model.frames[frame.0];
+    let title = format!("Motion of frame `{}` and its first two derivatives.", declaration.name);
+    let mut kernel = time.kernel(format!("frame_{}", declaration.name), title, outputs);
+    kernel.arguments.push("motion: &mut ::rncf::mesh::FrameMotion".to_string());
+    if !declaration.doc.is_empty() {
+        kernel.doc.push(declaration.doc.clone());
+    }
+    kernel
+}
+
+impl Time<'_> {
+    /// A kernel of the model's parameters and t that overwrites its outputs.
+    pub fn kernel(self, name: String, title: String, outputs: Vec<(String, Id)>) -> Kernel {
+        Kernel {
+            name,
+            doc: vec![title],
+            arguments: vec![format!("model: &super::{}", self.model.name), "t: f64".to_string()],
+            bindings: Vec::new(),
+            graph: self.graph,
+            points: None,
+            outputs,
+            assign: true,
+        }
+    }
+}
+
+/// Times at which a motion or load changes its branch: every `if` compares expressions that are
+/// linear in t, so that the difference vanishes at `-g(0) / g'`.
+pub fn kinks_kernel(model: &Model) -> (Kernel, usize) {
+    let mut time = Time::new(model);
+    let mut roots = Vec::new();
+    for index in 0..model.frames.len() {
+        let (rotation, position) = time.pose(FrameId(index));
+        roots.extend(rotation.iter().flatten().copied().chain(position));
+    }
+    for load in &model.loads {
+        let (crate::model::LoadKind::Gravity(components)
+        | crate::model::LoadKind::Force { components, .. }
+        | crate::model::LoadKind::Moment { components, .. }) = &load.kind;
+        roots.extend(time.vector(components));
+    }
+    let zero = time.graph.zero();
+    let start = HashMap::from([(time.t, zero)]);
+    let mut kinks = Vec::new();
+    for id in time.graph.reachable(&roots) {
+        let Node::Select(_, [left, right, ..]) = time.graph.node(id) else { continue };
+        let gap = time.graph.subtract(left, right);
+        let slope = time.graph.partial(gap, time.t);
+        if time.graph.is_zero(slope) || time.graph.depends_on(slope, &[time.t]) {
+            continue;
+        }
+        let first = time.graph.substitute(gap, &start);
+        let ratio = time.graph.divide(first, slope);
+        let kink = time.graph.negate(ratio);
+        if !kinks.contains(&kink) {
+            kinks.push(kink);
+        }
+    }
+    let count = kinks.len();
+    let outputs = kinks.into_iter().enumerate().map(|(index, id)| (format!("kinks[{index}]"), id)).collect();
+    let title = "Times at which a derivative of a motion or load may jump (s).".to_string();
+    let mut kernel = time.kernel("kinks".to_string(), title, outputs);
+    kernel.arguments.remove(1);
+    kernel.arguments.push(format!("kinks: &mut [f64; {count}]"));
+    (kernel, count)
+}
+
+/// Whether a frame moves at all.
+pub fn moves(model: &Model, frame: FrameId) -> bool {
+    let mut time = Time::new(model);
+    let (rotation, position) = time.pose(frame);
+    let t = time.t;
+    rotation.iter().flatten().chain(&position).any(|&id| time.graph.depends_on(id, &[t]))
+}
+
+/// Whether a vector of expressions depends on time.
+pub fn varies(model: &Model, exprs: &[Expr; 3]) -> bool {
+    let mut time = Time::new(model);
+    let t = time.t;
+    time.vector(exprs).into_iter().any(|id| time.graph.depends_on(id, &[t]))
+}
