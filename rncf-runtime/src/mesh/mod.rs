@@ -4,6 +4,7 @@
 //! here is the same for all models: numbering, assembly, elimination, initial states.
 
 mod assembly;
+mod checks;
 mod conditions;
 mod frame;
 mod layout;
@@ -12,6 +13,7 @@ mod parts;
 mod scene;
 mod steady;
 
+pub use checks::{array, array_mut, check_params, non_negative, poisson, positive};
 pub use frame::{FrameAction, FrameMotion};
 pub use layout::{Layout, VectorKind};
 pub use line::Line;

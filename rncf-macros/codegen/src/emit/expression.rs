@@ -196,3 +196,14 @@ fn method(function: Function) -> &'static str {
         Function::Atan2 => "atan2",
     }
 }
+
+/// An expression in one piece, without variables.
+pub fn inline(graph: &Graph, id: Id) -> String {
+    let nodes = graph.reachable(&[id]);
+    let mut writer = Writer::new(graph, &[], []);
+    for node in nodes {
+        let text = writer.build(node);
+        writer.texts.insert(node, text);
+    }
+    writer.text(id).to_string()
+}

@@ -1,5 +1,46 @@
-//! From a model and its kernels to Rust.
+//! From a model and its kernels to Rust: one function for each kind of thing, text first, tokens at
+//! the end.
 
+pub mod declaration;
+pub mod equations;
 pub mod expression;
 pub mod kernel;
 pub mod number;
+pub mod parts;
+
+use crate::elements::Library;
+use crate::model::Model;
+
+/// The whole expansion of a model as Rust text: the struct, its [`Model`] implementation and the
+/// module with its equations.
+pub fn model(model: &Model, library: &Library) -> String {
+    let equations = equations::Equations::derive(model, library);
+    let mut text = declaration::declaration(model, &equations);
+    text += &format!(
+        "/// Equations of [`{0}`]: derived, checked and written by the generator.\n\
+         #[allow(missing_docs, non_snake_case, unused_variables, unused_mut, unused_parens, clippy::all)]\n\
+         {1}mod {2} {{\n",
+        model.name,
+        visibility(model),
+        module_name(model),
+    );
+    text += &equations.functions();
+    text += &parts::parts(model, library, &equations);
+    text + "}\n"
+}
+
+fn visibility(model: &Model) -> String {
+    if model.visibility.is_empty() { String::new() } else { format!("{} ", model.visibility) }
+}
+
+/// Module of the equations: `SpinUp` to `spin_up_equations`.
+pub fn module_name(model: &Model) -> String {
+    let mut name = String::new();
+    for (index, letter) in model.name.chars().enumerate() {
+        if letter.is_uppercase() && index > 0 && !name.ends_with('_') {
+            name.push('_');
+        }
+        name.extend(letter.to_lowercase());
+    }
+    name + "_equations"
+}

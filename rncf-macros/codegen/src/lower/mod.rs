@@ -15,4 +15,5 @@ pub mod variant;
 
 pub use choose::{ElasticKernels, elastic_kernels};
 pub use kernel::{Kernel, PointLoop};
+pub use signature::camel_case;
 pub use variant::Variant;

@@ -1,0 +1,122 @@
+//! The generated struct and its `Model` implementation.
+
+use std::fmt::Write;
+
+use super::equations::Equations;
+use super::kernel::documentation;
+use super::number::number;
+use super::{module_name, visibility};
+use crate::model::{Model, Space};
+
+/// The struct, its defaults and what it says of itself.
+pub fn declaration(model: &Model, equations: &Equations) -> String {
+    let name = &model.name;
+    let mut text = documentation(std::iter::once(if model.doc.is_empty() { name } else { &model.doc }.as_str()));
+    let _ = writeln!(text, "#[derive(Clone, Debug, PartialEq)]\n#[allow(non_snake_case)]\n{}struct {name} {{", visibility(model));
+    for param in &model.params {
+        let kind = if param.is_count { "usize" } else { "f64" };
+        let unit = if param.is_count { "count".to_string() } else { format!("SI; declared in {}", param.unit) };
+        let doc = if param.doc.is_empty() { format!("`{}`, {unit}.", param.name) } else { format!("{} ({unit})", param.doc) };
+        let _ = writeln!(text, "{}pub {}: {kind},", documentation(std::iter::once(doc.as_str())), param.name);
+    }
+    text += "}\n";
+    let _ = writeln!(text, "impl Default for {name} {{\nfn default() -> Self {{\nSelf {{");
+    for param in &model.params {
+        let value = if param.is_count { format!("{}", param.default as usize) } else { number(param.default) };
+        let _ = writeln!(text, "{}: {value},", param.name);
+    }
+    text += "}\n}\n}\n";
+    text + &implementation(model, equations)
+}
+
+fn implementation(model: &Model, equations: &Equations) -> String {
+    let (name, module) = (&model.name, module_name(model));
+    let notes: Vec<String> = notes(model, equations).iter().map(|note| format!("{note:?}")).collect();
+    let mut text = format!(
+        "#[allow(clippy::all)]\nimpl ::rncf::Model for {name} {{\n\
+         const NAME: &'static str = {name:?};\n\
+         const DOC: &'static str = {:?};\n\
+         const SOURCE: &'static str = {:?};\n\
+         const NOTES: &'static [&'static str] = &[{}];\n",
+        model.doc,
+        model.source,
+        notes.join(", ")
+    );
+    text += "fn params() -> &'static [::rncf::Param] {\n&[\n";
+    for param in &model.params {
+        let _ = writeln!(
+            text,
+            "::rncf::Param {{ name: {:?}, kind: ::rncf::ParamKind::{}, unit: {:?}, unit_si: {}, dimension: {:?}, default: {}, doc: {:?} }},",
+            param.name,
+            if param.is_count { "Count" } else { "Quantity" },
+            param.unit,
+            number(param.unit_si),
+            param.dimension,
+            number(param.default),
+            param.doc
+        );
+    }
+    text += "]\n}\nfn outputs() -> &'static [::rncf::Output] {\n&[\n";
+    for output in &model.outputs {
+        let scalar = output.components.len() == 1 && output.components[0].0.is_empty();
+        let components: Vec<&String> = output.components.iter().map(|(suffix, _)| suffix).collect();
+        let components = if scalar { "[]".to_string() } else { format!("{components:?}") };
+        let _ = writeln!(
+            text,
+            "::rncf::Output {{ name: {:?}, unit: {:?}, components: &{components}, doc: {:?} }},",
+            output.name, output.unit, output.doc
+        );
+    }
+    text += "]\n}\n";
+    let arms = |template: &dyn Fn(usize, &crate::model::Param) -> String| -> String {
+        model.params.iter().enumerate().map(|(index, param)| template(index, param)).collect()
+    };
+    let get = arms(&|index, param| {
+        let cast = if param.is_count { " as f64" } else { "" };
+        format!("{index} => self.{}{cast},\n", param.name)
+    });
+    let set = arms(&|index, param| {
+        let cast = if param.is_count { " as usize" } else { "" };
+        format!("{index} => self.{} = value{cast},\n", param.name)
+    });
+    let count = model.params.len();
+    let _ = writeln!(
+        text,
+        "fn get(&self, index: usize) -> f64 {{\nmatch index {{\n{get}_ => panic!(\"{name} has {count} parameters, not {{index}}\"),\n}}\n}}"
+    );
+    let _ = writeln!(
+        text,
+        "fn set(&mut self, index: usize, value: f64) {{\nmatch index {{\n{set}_ => panic!(\"{name} has {count} parameters, not {{index}}\"),\n}}\n}}"
+    );
+    let _ = writeln!(
+        text,
+        "fn run(&self) -> ::rncf::RunDefaults {{\nlet mut run = ::rncf::RunDefaults {{ t_end: 0.0, every: 0.0 }};\n{module}::run_defaults(self, &mut run);\nrun\n}}"
+    );
+    let _ = writeln!(
+        text,
+        "fn build(&self, formulation: ::rncf::Formulation, joints: ::rncf::Joints) -> ::std::result::Result<::std::boxed::Box<dyn ::rncf::Scene>, ::rncf::ModelError> {{\n\
+         ::rncf::mesh::check_params(self)?;\n\
+         let equations = {module}::Equations::new(self);\n\
+         Ok(::std::boxed::Box::new(::rncf::mesh::MeshScene::new(equations, formulation, joints)?))\n}}\n}}"
+    );
+    text
+}
+
+/// What was chosen and left out, and why.
+fn notes(model: &Model, equations: &Equations) -> Vec<String> {
+    let mut notes = Vec::new();
+    for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
+        let variant = &equations.variants[variant];
+        notes.push(format!("Body `{}` uses `{}`. {}", body.name, variant.name, variant.elastic.choice));
+        if let Space::Planar { .. } = body.space {
+            notes.push(format!("Body `{}` is planar: two components a vector, no motion along the normal.", body.name));
+        }
+        if body.frame != crate::model::INERTIAL {
+            notes.push(format!(
+                "Body `{}` moves in the prescribed frame `{}`: no unknowns for the frame, its reactions are evaluated.",
+                body.name, model.frames[body.frame.0].name
+            ));
+        }
+    }
+    notes
+}

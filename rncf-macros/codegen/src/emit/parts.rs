@@ -1,0 +1,383 @@
+//! The `Parts` implementation: specifications, and one dispatch for each kind of kernel.
+
+use std::fmt::Write;
+
+use super::equations::Equations;
+use super::expression::inline;
+use crate::elements::Library;
+use crate::lower::camel_case;
+use crate::lower::joints::LEVELS;
+use crate::lower::motions::Time;
+use crate::model::{
+    Body, Expr, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity, Space,
+};
+use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
+
+/// The struct with the constants of all bodies and its implementation.
+pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String {
+    let mut text = "/// Constants of all bodies.\n#[derive(Clone, Debug)]\npub struct Equations {\n".to_string();
+    let _ = writeln!(text, "pub model: super::{},", model.name);
+    for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
+        let variant = &equations.variants[variant];
+        let _ = writeln!(text, "pub row_{}: {},", body.name, camel_case(&variant.name));
+        if let Some((_, count)) = &variant.elastic.reference {
+            let _ = writeln!(text, "pub reference_{}: ::std::vec::Vec<[f64; {count}]>,", body.name);
+        }
+    }
+    let _ = writeln!(text, "}}\nimpl Equations {{\n/// Constants for the given parameters; filled in when the bodies are meshed.\npub fn new(model: &super::{}) -> Self {{\nSelf {{ model: model.clone(),", model.name);
+    for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
+        let _ = writeln!(text, "row_{}: Default::default(),", body.name);
+        if equations.variants[variant].elastic.reference.is_some() {
+            let _ = writeln!(text, "reference_{}: ::std::vec::Vec::new(),", body.name);
+        }
+    }
+    text += "}\n}\n}\nimpl ::rncf::mesh::Parts for Equations {\n";
+    let writer = Parts { model, library, equations };
+    text += &writer.bodies();
+    text += &writer.joints();
+    text += &writer.loads();
+    text += &writer.observed();
+    text += &writer.facts();
+    text += &writer.prepare();
+    text += &writer.time_functions();
+    text += &writer.element_functions();
+    text += &writer.moments();
+    text += &writer.conditions();
+    text + "}\n"
+}
+
+struct Parts<'a> {
+    model: &'a Model,
+    library: &'a Library,
+    equations: &'a Equations,
+}
+
+impl Parts<'_> {
+    /// Text of an expression of the parameters, with `model` in scope.
+    fn expr(&self, expr: &Expr) -> String {
+        let mut time = Time::new(self.model);
+        let id = time.expression(expr);
+        inline(&time.graph, id)
+    }
+
+    fn vector(&self, exprs: &[Expr; 3]) -> String {
+        format!("[{}]", exprs.iter().map(|expr| self.expr(expr)).collect::<Vec<_>>().join(", "))
+    }
+
+    fn place(&self, location: &Location) -> String {
+        match location {
+            Location::Start => "::rncf::mesh::Place::Start".to_string(),
+            Location::End => "::rncf::mesh::Place::End".to_string(),
+            Location::At(expr) => format!("::rncf::mesh::Place::At({})", self.expr(expr)),
+        }
+    }
+
+    fn line(&self, body: &Body) -> String {
+        match &body.line {
+            Line::Straight { from, to } => {
+                format!("::rncf::mesh::Line::Straight {{ from: {}, to: {} }}", self.vector(from), self.vector(to))
+            }
+            Line::Arc { from, direction, radius, angle } => {
+                let normal = match body.space {
+                    Space::Planar { normal } => normal,
+                    Space::Spatial => 2,
+                };
+                let normal: [f64; 3] = std::array::from_fn(|axis| f64::from(u8::from(axis == normal)));
+                format!(
+                    "::rncf::mesh::Line::Arc {{ from: {}, direction: {}, normal: {normal:?}, radius: {}, angle: {} }}",
+                    self.vector(from),
+                    self.vector(direction),
+                    self.expr(radius),
+                    self.expr(angle)
+                )
+            }
+        }
+    }
+
+    fn bodies(&self) -> String {
+        let mut text = "fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {\nlet model = &self.model;\n::std::vec![\n".to_string();
+        for (body, &variant) in self.model.bodies.iter().zip(&self.equations.variant_of) {
+            let variant = &self.equations.variants[variant].variant;
+            let (connectivity, vectors_per_node) = variant.connectivity(self.library);
+            let vectors = variant.declaration(self.library).vectors;
+            let meanings: Vec<&str> = vectors.iter().map(|vector| vector.meaning).collect();
+            let orders: Vec<usize> = vectors.iter().map(|vector| vector.order).collect();
+            let count = match &body.count {
+                Expr::Number(value) => format!("{}", *value as usize),
+                // A count that is computed is rounded down, and a negative one refused as zero.
+                other => format!("{} as usize", self.expr(other)),
+            };
+            let _ = writeln!(
+                text,
+                "::rncf::mesh::BodySpec {{ name: {:?}, frame: {}, axes: &{:?}, line: {}, count: {count}, meanings: &{meanings:?}, orders: &{orders:?}, connectivity: &{connectivity:?}, vectors_per_node: {vectors_per_node} }},",
+                body.name,
+                body.frame.0,
+                body.space.axes(),
+                self.line(body),
+            );
+        }
+        text + "]\n}\n"
+    }
+
+    fn joints(&self) -> String {
+        let mut text = "fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {\nlet model = &self.model;\n::std::vec![\n".to_string();
+        for joint in &self.model.joints {
+            let kind = match joint.kind {
+                JointKind::Clamp => "Clamp",
+                JointKind::ClampFull => "ClampFull",
+                JointKind::Pin => "Pin",
+            };
+            let point = match &joint.point {
+                Some(point) => format!("Some({})", self.vector(point)),
+                None => "None".to_string(),
+            };
+            let _ = writeln!(
+                text,
+                "::rncf::mesh::JointSpec {{ name: {:?}, kind: ::rncf::mesh::JointKind::{kind}, body: {}, at_end: {}, frame: {}, point: {point} }},",
+                joint.name,
+                joint.body.0,
+                joint.at == Location::End,
+                joint.frame.0
+            );
+        }
+        text + "]\n}\n"
+    }
+
+    fn loads(&self) -> String {
+        let mut text = "fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {\nlet model = &self.model;\n::std::vec![\n".to_string();
+        for load in &self.model.loads {
+            let (kind, frame) = match &load.kind {
+                LoadKind::Gravity(_) => ("Gravity".to_string(), 0),
+                LoadKind::Force { body, at, frame, .. } => {
+                    (format!("Force {{ body: {}, at: {} }}", body.0, self.place(at)), frame.0)
+                }
+                LoadKind::Moment { body, at, frame, .. } => {
+                    (format!("Moment {{ body: {}, at: {} }}", body.0, self.place(at)), frame.0)
+                }
+            };
+            let _ = writeln!(
+                text,
+                "::rncf::mesh::LoadSpec {{ name: {:?}, kind: ::rncf::mesh::LoadKind::{kind}, frame: {frame} }},",
+                load.name
+            );
+        }
+        text + "]\n}\n"
+    }
+
+    fn observed(&self) -> String {
+        let mut text = "fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {\nlet model = &self.model;\n::std::vec![\n".to_string();
+        for observable in &self.equations.outputs.1 {
+            let spec = match observable {
+                Observable::Point { body, at, what, component } => {
+                    let what = match what {
+                        PointQuantity::Position => "Position",
+                        PointQuantity::Velocity => "Velocity",
+                        PointQuantity::Slope => "Slope",
+                    };
+                    format!(
+                        "Point {{ body: {}, at: {}, what: ::rncf::mesh::PointQuantity::{what}, component: {component} }}",
+                        body.0,
+                        self.place(at)
+                    )
+                }
+                Observable::Reaction { joint, moment, component } => {
+                    format!("Reaction {{ joint: {}, moment: {moment}, component: {component} }}", joint.0)
+                }
+            };
+            let _ = writeln!(text, "::rncf::mesh::ObservedSpec::{spec},");
+        }
+        text + "]\n}\n"
+    }
+
+    fn facts(&self) -> String {
+        let names: Vec<&String> = self.model.frames.iter().map(|frame| &frame.name).collect();
+        let columns: usize = self.model.outputs.iter().map(|output| output.components.len()).sum();
+        let kinks = self.equations.kinks.1;
+        format!(
+            "fn output_columns(&self) -> usize {{ {columns} }}\n\
+             fn frame_count(&self) -> usize {{ {} }}\n\
+             fn frame_name(&self, frame: usize) -> &'static str {{ {names:?}[frame] }}\n\
+             fn conservative(&self) -> bool {{ {} }}\n\
+             fn kinks(&self) -> ::std::vec::Vec<f64> {{\nlet mut times = [0.0; {kinks}];\nkinks(&self.model, &mut times);\ntimes.to_vec()\n}}\n",
+            names.len(),
+            self.equations.conservative
+        )
+    }
+
+    /// One arm for each body; the last one takes the rest.
+    fn by_body(&self, arm: impl Fn(usize, &Body) -> String) -> String {
+        let last = self.model.bodies.len() - 1;
+        let arms = self.model.bodies.iter().enumerate().map(|(index, body)| {
+            let pattern = if index == last { "_".to_string() } else { index.to_string() };
+            format!("{pattern} => {{\n{}\n}}\n", arm(index, body))
+        });
+        format!("match body {{\n{}}}\n", arms.collect::<String>())
+    }
+
+    fn variant(&self, body: usize) -> &super::equations::VariantKernels {
+        &self.equations.variants[self.equations.variant_of[body]]
+    }
+
+    fn prepare(&self) -> String {
+        let arms = self.by_body(|index, body| {
+            let variant = self.variant(index);
+            let element = variant.variant.declaration(self.library);
+            let mut text = String::new();
+            let vocabularies = [(MATERIAL, "material", &body.material_name), (SECTION, "section", &body.section_name)];
+            for (vocabulary, kind, owner) in vocabularies {
+                for property in vocabulary {
+                    if let Some(value) = body.properties.get(property.name) {
+                        let value = self.expr(value);
+                        let _ = writeln!(text, "let {} = {};", property.name, check(property, kind, owner, &value));
+                    }
+                }
+            }
+            let mut fields = vec!["length".to_string()];
+            for coefficient in element.coefficients {
+                fields.push(format!("{}: {}", coefficient.name, coefficient.factors.join(" * ")));
+            }
+            if body.properties.contains_key(element.damping) {
+                fields.push(format!("damping: {}", element.damping));
+            } else {
+                fields.push("damping: 0.0".to_string());
+            }
+            let _ = writeln!(text, "self.row_{} = {} {{ {} }};", body.name, camel_case(&variant.name), fields.join(", "));
+            if let Some((kernel, count)) = &variant.elastic.reference {
+                let size = variant.variant.size(self.library);
+                let _ = writeln!(
+                    text,
+                    "self.reference_{0} = shape.chunks_exact({size}).map(|shape| {{\nlet mut reference = [0.0; {count}];\n{1}(&self.row_{0}, ::rncf::mesh::array(shape), &mut reference);\nreference\n}}).collect();",
+                    body.name, kernel.name
+                );
+            }
+            text
+        });
+        format!(
+            "fn prepare(&mut self, body: usize, length: f64, shape: &[f64]) -> ::std::result::Result<(), ::rncf::ModelError> {{\nlet model = &self.model;\n{arms}Ok(())\n}}\n"
+        )
+    }
+
+    fn time_functions(&self) -> String {
+        let mut text = "fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {\nmotions[0] = ::rncf::mesh::FrameMotion::INERTIAL;\n".to_string();
+        for (index, kernel) in self.equations.frames.iter().enumerate() {
+            let _ = writeln!(text, "{}(&self.model, t, &mut motions[{}]);", kernel.name, index + 1);
+        }
+        text += "}\nfn load(&self, load: usize, t: f64) -> [f64; 3] {\nlet mut value = [0.0; 3];\nmatch load {\n";
+        for (index, kernel) in self.equations.loads.iter().enumerate() {
+            let _ = writeln!(text, "{index} => {}(&self.model, t, &mut value),", kernel.name);
+        }
+        text += "_ => {}\n}\nvalue\n}\n";
+        text + "fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {\noutputs(&self.model, t, observed, out);\n}\n"
+    }
+
+    fn element_functions(&self) -> String {
+        let reference = |index: usize, body: &Body| match &self.variant(index).elastic.reference {
+            Some(_) => format!("&self.reference_{}[element], ", body.name),
+            None => String::new(),
+        };
+        let mass = self.by_body(|index, body| {
+            format!("{}_mass(&self.row_{}, ::rncf::mesh::array_mut(mass));", self.variant(index).name, body.name)
+        });
+        let force = self.by_body(|index, body| {
+            let (name, row, reference) = (&self.variant(index).name, &body.name, reference(index, body));
+            let v = if self.variant(index).variant.damped { "v, " } else { "" };
+            let size = self.variant(index).variant.size(self.library);
+            let inertial = format!("{name}_absolute_inertia_force(&self.row_{row}, frame, a, force);");
+            let inertia = if body.frame == crate::model::INERTIAL {
+                inertial
+            } else {
+                format!("if absolute {{ {inertial} }} else {{ {name}_inertia_force(&self.row_{row}, frame, q, v, a, force); }}")
+            };
+            format!(
+                "let [q, v, a]: [&[f64; {size}]; 3] = [q, v, a].map(::rncf::mesh::array);\nlet force = ::rncf::mesh::array_mut(force);\n{name}_elastic_force(&self.row_{row}, {reference}q, {v}force);\n{inertia}"
+            )
+        });
+        let tangent = self.by_body(|index, body| {
+            let (name, row, reference) = (&self.variant(index).name, &body.name, reference(index, body));
+            let size = self.variant(index).variant.size(self.library);
+            let damped = self.variant(index).variant.damped;
+            let (v, damping) = if damped { ("v, ", ", damping_matrix") } else { ("", "") };
+            let inertia = if body.frame == crate::model::INERTIAL {
+                String::new()
+            } else {
+                format!("if !absolute {{ {name}_inertia_tangent(&self.row_{row}, frame, stiffness, damping_matrix); }}")
+            };
+            format!(
+                "let [q, v]: [&[f64; {size}]; 2] = [q, v].map(::rncf::mesh::array);\nlet stiffness = ::rncf::mesh::array_mut(stiffness);\nlet damping_matrix = ::rncf::mesh::array_mut(damping);\n{name}_elastic_tangent(&self.row_{row}, {reference}q, {v}stiffness{damping});\n{inertia}"
+            )
+        });
+        let energy = self.by_body(|index, body| {
+            let (name, reference) = (&self.variant(index).name, reference(index, body));
+            format!("{name}_strain_energy(&self.row_{}, {reference}::rncf::mesh::array(q), &mut energy);", body.name)
+        });
+        let shapes = self.by_body(|index, body| {
+            format!(
+                "{}_shapes(self.row_{}.length, xi, ::rncf::mesh::array_mut(values), ::rncf::mesh::array_mut(slopes));",
+                self.variant(index).name,
+                body.name
+            )
+        });
+        format!(
+            "fn mass(&self, body: usize, mass: &mut [f64]) {{\n{mass}}}\n\
+             fn force(&self, body: usize, element: usize, absolute: bool, frame: &::rncf::mesh::FrameAction, q: &[f64], v: &[f64], a: &[f64], force: &mut [f64]) {{\n{force}}}\n\
+             fn tangent(&self, body: usize, element: usize, absolute: bool, frame: &::rncf::mesh::FrameAction, q: &[f64], v: &[f64], stiffness: &mut [f64], damping: &mut [f64]) {{\n{tangent}}}\n\
+             fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {{\nlet mut energy = 0.0;\n{energy}energy\n}}\n\
+             fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]) {{\n{shapes}}}\n"
+        )
+    }
+
+    fn moments(&self) -> String {
+        let mut text = String::new();
+        for (which, name, argument) in [(0, "moment", "force"), (1, "moment_tangent", "tangent")] {
+            let arms: String = self
+                .equations
+                .moments
+                .iter()
+                .map(|(dimension, kernels)| format!("{dimension} => {}(slope, moment, {argument}),\n", kernels[which].name))
+                .collect();
+            let _ = writeln!(
+                text,
+                "fn {name}(&self, dimension: usize, slope: &[f64], moment: [f64; 3], {argument}: &mut [f64]) {{\nmatch dimension {{\n{arms}_ => {{}}\n}}\n}}"
+            );
+        }
+        text
+    }
+
+    /// Dispatch over joints and formulations.
+    fn by_joint(&self, call: impl Fn(&crate::lower::joints::JointKernels) -> String) -> String {
+        let mut arms = String::new();
+        for (index, (referenced, absolute)) in self.equations.joints.iter().enumerate() {
+            if let Some(kernels) = referenced {
+                let _ = writeln!(arms, "({index}, false) => {{ {} }}", call(kernels));
+            }
+            let _ = writeln!(arms, "({index}, _) => {{ {} }}", call(absolute));
+        }
+        format!("match (joint, absolute) {{\n{arms}_ => {{}}\n}}\n")
+    }
+
+    fn conditions(&self) -> String {
+        let condition = self.by_joint(|kernels| {
+            let levels = kernels.levels.iter().zip(LEVELS).map(|(kernel, level)| {
+                format!("::rncf::system::ConstraintLevel::{} => {}(&self.model, t, data, q, v, a, rows),\n", camel_case(level), kernel.name)
+            });
+            format!("match level {{\n{}}}", levels.collect::<String>())
+        });
+        let jacobian = self.by_joint(|kernels| format!("{}(&self.model, t, data, jacobian);", kernels.jacobian.name));
+        let prescribed = self.by_joint(|kernels| format!("{}(&self.model, t, data, prescribed);", kernels.prescribed.name));
+        format!(
+            "fn condition(&self, joint: usize, absolute: bool, level: ::rncf::system::ConstraintLevel, t: f64, data: &::rncf::mesh::JointData, q: &[f64], v: &[f64], a: &[f64], rows: &mut [f64]) {{\n{condition}}}\n\
+             fn condition_jacobian(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::mesh::JointData, jacobian: &mut [f64]) {{\n{jacobian}}}\n\
+             fn prescribed(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::mesh::JointData, prescribed: &mut ::rncf::mesh::Prescribed) {{\n{prescribed}}}\n"
+        )
+    }
+}
+
+/// A property's value, checked when the model is built.
+fn check(property: &Property, kind: &str, owner: &str, value: &str) -> String {
+    let function = match property.range {
+        Range::Positive => "positive",
+        Range::NonNegative => "non_negative",
+        Range::Poisson => "poisson",
+    };
+    format!("::rncf::mesh::{function}(\"{kind} `{owner}`\", \"{}\", {value}, \"{}\")?", property.name, property.unit)
+}
