@@ -12,9 +12,12 @@
 pub mod check;
 pub mod elements;
 pub mod emit;
+pub mod errors;
 pub mod lower;
 pub mod model;
 pub mod parse;
+pub mod stub;
+mod suggest;
 pub mod symbolic;
 pub mod tensors;
 pub mod units;

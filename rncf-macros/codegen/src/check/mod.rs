@@ -1,1 +1,241 @@
-//! check
+//! Syntax tree to [`Model`]: names resolved, units in SI, every rule of the language checked. All
+//! mistakes are reported at once; what depends on something already reported stays silent.
+
+mod body;
+mod expr;
+mod fold;
+mod frame;
+mod joint;
+mod load;
+mod messages;
+mod observe;
+mod output;
+mod param;
+mod plane;
+mod quantity;
+mod unit;
+
+#[cfg(test)]
+mod tests;
+
+use std::collections::HashMap;
+
+use proc_macro2::Span;
+
+use crate::elements::Library;
+use crate::errors::{Area, Errors};
+use crate::model::{Frame, FrameId, Model, MotionId};
+use crate::parse::tree::{Argument, Call, Expr, Item, ItemKind, Keyword, Name, Tree};
+use crate::suggest;
+use messages as say;
+use quantity::Typed;
+
+/// Where the user wrote the names that generated code uses, for spans of identifiers.
+#[derive(Clone, Debug)]
+pub struct Spans {
+    /// Of the model's name.
+    pub name: Span,
+    /// Of each parameter, in the order of [`Model::params`].
+    pub params: Vec<Span>,
+}
+
+impl Spans {
+    /// Of a tree that has passed [`check`].
+    pub fn of(tree: &Tree) -> Self {
+        let params = tree.items.iter().filter(|item| item.keyword == Keyword::Param);
+        Self { name: tree.name.span, params: params.map(|item| item.name.span).collect() }
+    }
+}
+
+/// Checks a declaration against the element library. All mistakes go to `errors`; a model comes
+/// back only where there are none (those of reading included).
+pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Model> {
+    let before = errors.len();
+    let mut check = Check::new(tree, library, errors);
+    check.names();
+    check.params();
+    check.motions();
+    check.frames();
+    check.bodies();
+    check.joints();
+    check.loads();
+    check.outputs();
+    check.run();
+    let model = std::mem::take(&mut check.model);
+    (tree.complete && errors.len() == before).then_some(model)
+}
+
+/// What the checks know so far.
+struct Check<'a> {
+    tree: &'a Tree,
+    library: &'a Library,
+    errors: &'a mut Errors,
+    /// Everything with a name, outputs apart.
+    names: HashMap<&'a str, &'a Item>,
+    /// Resolved values of constants and parameters; `None`: reported.
+    values: HashMap<&'a str, Option<Typed>>,
+    motions: HashMap<&'a str, Option<(MotionId, Typed)>>,
+    frames: HashMap<&'a str, Option<FrameId>>,
+    bodies: HashMap<&'a str, body::Known>,
+    joints: HashMap<&'a str, joint::Known>,
+    /// Names that are being resolved, against recursion.
+    stack: Vec<&'a str>,
+    model: Model,
+}
+
+/// Names with a meaning of their own.
+const RESERVED: &[&str] = &["t", "pi", "inertial"];
+
+/// Longest chain of names that are defined by each other.
+const LONGEST_CHAIN: usize = 64;
+
+impl<'a> Check<'a> {
+    fn new(tree: &'a Tree, library: &'a Library, errors: &'a mut Errors) -> Self {
+        let model = Model {
+            name: tree.name.text.clone(),
+            visibility: tree.visibility.to_string().replace(' ', ""),
+            doc: tree.doc.clone(),
+            source: tree.source.clone(),
+            frames: vec![inertial()],
+            ..Model::default()
+        };
+        Self {
+            tree,
+            library,
+            errors,
+            names: HashMap::new(),
+            values: HashMap::new(),
+            motions: HashMap::new(),
+            frames: HashMap::new(),
+            bodies: HashMap::new(),
+            joints: HashMap::new(),
+            stack: Vec::new(),
+            model,
+        }
+    }
+
+    /// Collects the names; outputs have a name space of their own.
+    fn names(&mut self) {
+        let mut outputs: HashMap<&str, &Item> = HashMap::new();
+        for item in &self.tree.items {
+            let name = item.name.text.as_str();
+            if RESERVED.contains(&name) || expr::function(name).is_some() {
+                self.errors.at(item.name.span, say::reserved(name));
+            }
+            let names = if item.keyword == Keyword::Output { &mut outputs } else { &mut self.names };
+            if let Some(first) = names.get(name) {
+                let (kind, line) = (first.keyword.word(), Area::from(first.name.span).line());
+                self.errors.at(item.name.span, say::duplicate(name, kind, &line.to_string()));
+            } else {
+                names.insert(name, item);
+            }
+        }
+    }
+
+    /// Items with a keyword, in order; of two with the same name the first.
+    fn items(&self, keyword: Keyword) -> Vec<&'a Item> {
+        let is_first = |item: &&Item| {
+            keyword == Keyword::Output
+                || self.names.get(item.name.text.as_str()).is_some_and(|first| std::ptr::eq(*first, *item))
+        };
+        self.tree.items.iter().filter(|item| item.keyword == keyword).filter(is_first).collect()
+    }
+
+    /// The declared names of some kinds.
+    fn known(&self, keywords: &[Keyword]) -> Vec<&'a str> {
+        let items = self.tree.items.iter().filter(|item| keywords.contains(&item.keyword));
+        items.map(|item| item.name.text.as_str()).collect()
+    }
+
+    /// The item that a name refers to, of the kind that is expected here.
+    fn item(&mut self, name: &Name, keyword: Keyword) -> Option<&'a Item> {
+        match self.names.get(name.text.as_str()) {
+            Some(item) if item.keyword == keyword => Some(item),
+            Some(item) => {
+                let message = say::wrong_kind(&name.text, item.keyword.word(), keyword.word());
+                self.errors.at(name.span, message);
+                None
+            }
+            None => {
+                let message = suggest::unknown(keyword.word(), &name.text, self.known(&[keyword]));
+                self.errors.at(name.span, message);
+                None
+            }
+        }
+    }
+
+    /// Marks a name as being resolved; refuses recursion.
+    fn enter(&mut self, name: &'a str, area: Area) -> bool {
+        if let Some(at) = self.stack.iter().position(|other| *other == name) {
+            let chain = self.stack[at..].iter().chain([&name]).copied().collect::<Vec<_>>().join(" -> ");
+            self.errors.at(area, say::recursion(name, &chain));
+            return false;
+        }
+        if self.stack.len() >= LONGEST_CHAIN {
+            self.errors.at(area, say::LONG_CHAIN);
+            return false;
+        }
+        self.stack.push(name);
+        true
+    }
+
+    fn leave(&mut self) {
+        self.stack.pop();
+    }
+
+    /// Sorts the arguments of a call into the positional and the named ones that it takes.
+    fn arguments(&mut self, call: &'a Call, shape: &Shape) -> Option<Arguments<'a>> {
+        let before = self.errors.len();
+        let mut found = Arguments { positional: Vec::new(), named: HashMap::new() };
+        for Argument { name, value } in &call.arguments {
+            match name {
+                None if found.positional.len() < shape.positional => found.positional.push(value),
+                None => self.errors.at(value.area, say::surplus(&call.name.text, shape.usage)),
+                Some(name) => {
+                    let text = name.text.as_str();
+                    if !shape.named.contains(&text) {
+                        let kind = format!("argument of `{}`", call.name.text);
+                        self.errors.at(name.span, suggest::unknown(&kind, text, shape.named.iter().copied()));
+                    } else if found.named.insert(text, value).is_some() {
+                        self.errors.at(name.span, say::twice(text));
+                    }
+                }
+            }
+        }
+        let is_missing = found.positional.len() < shape.positional
+            || shape.required.iter().any(|name| !found.named.contains_key(name));
+        if is_missing && self.errors.len() == before {
+            self.errors.at(call.area, say::usage(&call.name.text, shape.usage));
+        }
+        (self.errors.len() == before).then_some(found)
+    }
+
+    fn is_broken(item: &Item) -> bool {
+        matches!(item.kind, ItemKind::Broken)
+    }
+}
+
+/// The arguments that a call takes.
+struct Shape {
+    positional: usize,
+    named: &'static [&'static str],
+    required: &'static [&'static str],
+    usage: &'static str,
+}
+
+/// The arguments that a call has.
+struct Arguments<'a> {
+    positional: Vec<&'a Expr>,
+    named: HashMap<&'a str, &'a Expr>,
+}
+
+fn inertial() -> Frame {
+    let zero = || crate::model::Expr::Number(0.0);
+    Frame {
+        name: "inertial".into(),
+        doc: String::new(),
+        parent: crate::model::INERTIAL,
+        origin: [zero(), zero(), zero()],
+        rotation: None,
+    }
+}

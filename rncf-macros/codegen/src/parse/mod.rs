@@ -1,1 +1,119 @@
-//! parse
+//! Tokens to syntax tree. Reading goes on after a mistake with the next statement, so that one
+//! build reports all of them. This grammar is the reference of the language:
+//!
+//! ```text
+//! declaration = { doc } [ visibility ] "model" NAME "{" { item } "}"
+//! item        = { doc } ( param | const | material | section | motion | frame | body | joint
+//!                       | load | output | run )
+//! param       = "param" NAME [ ":" "count" ] "=" right ";"
+//! const       = "const" NAME "=" right ";"
+//! material    = "material" NAME fields          // density young poisson damping
+//! section     = "section" NAME fields           // area second_moment
+//! motion      = "motion" NAME "(" "t" ")" "=" right ";"
+//! frame       = "frame" NAME [ "in" FRAME ] "=" call ";"
+//!                   // rotating(axis = x|y|z|vector, angle = expr [, origin = vector])
+//!                   // moving(origin = vector)
+//! body        = "body" NAME [ "in" FRAME ] "{" { statement } "}"
+//! statement   = "planar" ( "xy" | "yz" | "zx" ) ";"
+//!             | "spatial" ";"
+//!             | "line" "from" vector "to" vector ";"
+//!             | "arc" "from" vector "direction" vector "radius" expr "angle" expr ";"
+//!             | "mesh" primary "*" call ";"     // cable(section, material [, option = value])
+//! joint       = "joint" NAME "=" call ";"       // clamp|clamp_full|pin(BODY.end, FRAME [, at = vector])
+//! load        = "load" NAME "=" call ";"        // gravity(vector)
+//!                   // force|moment(BODY.end|BODY.at(expr), vector [, in = FRAME])
+//! output      = "output" NAME "=" right ";"
+//! run         = "run" fields                    // t_end every
+//! fields      = "{" { NAME "=" right ";" } "}"
+//!
+//! right       = [ "-" ] NUMBER unit | expr      // a whole right side may be literal plus any unit
+//! expr        = product { ( "+" | "-" ) product }
+//! product     = signed { ( "*" | "/" ) signed }
+//! signed      = "-" signed | power
+//! power       = member [ "^" signed ]           // binds tightest, from the right
+//! member      = primary { "." NAME [ "(" arguments ")" ] }
+//! primary     = NUMBER [ SYMBOL | "[" unit "]" ] // in an expression: one symbol, or brackets
+//!             | NAME | call | "(" expr ")" | vector | if
+//! if          = "if" expr ( "<" | "<=" | ">" | ">=" ) expr "{" expr "}" "else" ( "{" expr "}" | if )
+//! vector      = "[" expr "," expr "," expr "]" [ unit ]
+//! call        = NAME "(" arguments ")"
+//! arguments   = [ argument { "," argument } [ "," ] ]
+//! argument    = [ NAME "=" ] expr
+//! unit        = factor { ( "*" | "/" | nothing ) factor }   // nothing: not behind a "/"
+//! factor      = SYMBOL [ "^" [ "-" ] WHOLE ] | "1" | "(" unit ")"
+//! ```
+
+pub mod ascii;
+mod cursor;
+mod expr;
+mod item;
+mod messages;
+mod source;
+pub mod tree;
+mod unit;
+
+#[cfg(test)]
+mod tests;
+
+use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
+
+use crate::errors::{Errors, Mistake};
+use cursor::{Cursor, Parsed};
+use messages as say;
+use tree::{Name, Tree};
+
+/// Reads a declaration; all mistakes go to `errors`. A tree comes back as soon as the model's name
+/// could be read, with all items that could be; `None` where not even that.
+pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Tree> {
+    let mut cursor = Cursor::new(tokens, Span::call_site());
+    let before = errors.len();
+    let mut tree = match head(&mut cursor, errors) {
+        Ok(tree) => tree,
+        Err(mistake) => {
+            errors.push(mistake);
+            return None;
+        }
+    };
+    match body(&mut cursor, &tree.name) {
+        Ok(group) => {
+            item::items(&mut Cursor::of(&group), &mut tree, errors);
+            tree.source = source::declaration(&tree, &group);
+        }
+        Err(mistake) => errors.push(mistake),
+    }
+    if !cursor.is_empty() && errors.len() == before {
+        errors.at(cursor.here(), say::after_model(&cursor.found()));
+    }
+    tree.complete = errors.len() == before;
+    Some(tree)
+}
+
+/// Documentation, visibility, `model`, name.
+fn head(cursor: &mut Cursor, errors: &mut Errors) -> Parsed<Tree> {
+    let doc = item::documentation(cursor, errors);
+    let visibility = visibility(cursor);
+    if !cursor.eat_word("model") {
+        return Err(cursor.expected("`model Name { .. }`"));
+    }
+    let name = cursor.expect_name("the name of the model")?;
+    item::check_name(&name)?;
+    let (items, runs) = (Vec::new(), Vec::new());
+    Ok(Tree { doc, visibility, name, items, runs, source: String::new(), complete: false })
+}
+
+fn body(cursor: &mut Cursor, name: &Name) -> Parsed<Group> {
+    cursor.eat_group(Delimiter::Brace).ok_or_else(|| {
+        let place = if cursor.is_empty() { name.span } else { cursor.here() };
+        Mistake::new(place, say::expected(&format!("`{{` after `model {}`", name.text), &cursor.found()))
+    })
+}
+
+/// `pub`, `pub(crate)`, `pub(in path)` or nothing.
+fn visibility(cursor: &mut Cursor) -> TokenStream {
+    let mut tokens = Vec::new();
+    if cursor.is_word("pub") {
+        tokens.extend(cursor.next());
+        tokens.extend(cursor.eat_group(Delimiter::Parenthesis).map(TokenTree::Group));
+    }
+    tokens.into_iter().collect()
+}

@@ -1,0 +1,341 @@
+//! Expressions: names, dimensions, functions.
+
+use super::quantity::{Nature, Typed, bare_literal};
+use super::{Check, fold, say};
+use crate::model::{self, Binary, Function, ParamId};
+use crate::parse::ascii;
+use crate::parse::tree::{Call, Expr, ExprKind, If, ItemKind, Keyword, Name};
+use crate::suggest;
+use crate::units::{self, Compound, Dimension, Fraction};
+
+/// What an expression may refer to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Scope {
+    /// Known at build time: constants.
+    Constant,
+    /// Known when a model is built: parameters, too.
+    Parameter,
+    /// Prescribed: time and motions, too; smooth.
+    Prescribed,
+    /// Everything, bodies and joints included.
+    Output,
+}
+
+/// Functions of the language.
+#[rustfmt::skip]
+const FUNCTIONS: &[(&str, Function, usize)] = &[
+    ("sin", Function::Sin, 1), ("cos", Function::Cos, 1), ("tan", Function::Tan, 1),
+    ("asin", Function::Asin, 1), ("acos", Function::Acos, 1), ("atan", Function::Atan, 1),
+    ("sinh", Function::Sinh, 1), ("cosh", Function::Cosh, 1), ("tanh", Function::Tanh, 1),
+    ("exp", Function::Exp, 1), ("ln", Function::Ln, 1), ("sqrt", Function::Sqrt, 1),
+    ("abs", Function::Abs, 1), ("min", Function::Min, 2), ("max", Function::Max, 2), ("atan2", Function::Atan2, 2),
+];
+
+/// The function with this name and its number of arguments.
+pub fn function(name: &str) -> Option<(Function, usize)> {
+    FUNCTIONS.iter().find(|(word, ..)| *word == name).map(|(_, function, arity)| (*function, *arity))
+}
+
+/// What the argument of a motion must be.
+const TIME: super::quantity::Wanted =
+    super::quantity::Wanted { what: "the argument of a motion", dimension: [0, 0, 1, 0, 0, 0], unit: "s" };
+
+impl<'a> Check<'a> {
+    /// Resolves an expression; `None` where something in it has been reported.
+    pub(super) fn expr(&mut self, expr: &'a Expr, scope: Scope) -> Option<Typed> {
+        match &expr.kind {
+            ExprKind::Number { text, unit } => {
+                let compound = unit.as_ref().map_or(Some(Compound::ONE), |unit| self.unit(unit))?;
+                let value = self.number(text, compound, expr.area)?;
+                let hertz = unit.iter().flat_map(|unit| &unit.factors).any(|(name, _)| name.text.ends_with("Hz"));
+                let nature = Nature { angle: compound.dimension[5] != 0, hertz, pi: false };
+                let dimension = Dimension::of(compound.dimension);
+                Some(Typed { value: model::Expr::Number(value), dimension, nature })
+            }
+            ExprKind::Name(name) => self.name(name, scope),
+            ExprKind::Member { .. } => self.member(expr, scope),
+            ExprKind::Call(call) => self.call(call, scope),
+            ExprKind::Negate(inner) => {
+                let inner = self.expr(inner, scope)?;
+                Some(Typed { value: model::Expr::Negate(Box::new(inner.value)), ..inner })
+            }
+            ExprKind::Binary(operator, left, right) => self.binary(*operator, left, right, scope),
+            ExprKind::Power(base, exponent) => self.power(base, exponent, scope),
+            ExprKind::If(inner) => self.conditional(inner, scope),
+            ExprKind::Vector { .. } => {
+                self.errors.at(expr.area, say::VECTOR_IN_EXPRESSION);
+                None
+            }
+        }
+    }
+
+    fn name(&mut self, name: &'a Name, scope: Scope) -> Option<Typed> {
+        let text = name.text.as_str();
+        if text == "pi" {
+            let nature = Nature { angle: true, hertz: false, pi: true };
+            let value = model::Expr::Number(std::f64::consts::PI);
+            return Some(Typed { value, dimension: Dimension::NONE, nature });
+        }
+        if text == "t" {
+            if scope >= Scope::Prescribed {
+                return Some(Typed::new(model::Expr::Time, Dimension::of([0, 0, 1, 0, 0, 0])));
+            }
+            self.errors.at(name.span, say::NO_TIME);
+            return None;
+        }
+        let Some(item) = self.names.get(text).copied() else {
+            let message = self.unknown_value(text);
+            self.errors.at(name.span, message);
+            return None;
+        };
+        match item.keyword {
+            Keyword::Const => self.constant(item, name),
+            Keyword::Param if scope == Scope::Constant => {
+                self.errors.at(name.span, say::param_in_constant(text));
+                None
+            }
+            Keyword::Param => self.values.get(text).cloned().flatten(),
+            Keyword::Motion => {
+                self.errors.at(name.span, say::motion_without_time(text));
+                None
+            }
+            _ if Self::is_broken(item) => None,
+            Keyword::Body | Keyword::Joint if scope == Scope::Output => {
+                let example = if item.keyword == Keyword::Body { "end.x" } else { "force.x" };
+                self.errors.at(name.span, say::whole_thing(text, item.keyword.word(), example));
+                None
+            }
+            keyword => {
+                self.errors.at(name.span, say::not_a_value(text, keyword.word()));
+                None
+            }
+        }
+    }
+
+    fn unknown_value(&self, text: &str) -> String {
+        if let Some(plain) = ascii::suggestion(text) {
+            return say::not_ascii(text, &plain);
+        }
+        if function(text).is_some() {
+            return say::function_without_argument(text);
+        }
+        if units::find(text).is_some() {
+            return say::stray_unit(text);
+        }
+        let mut known = self.known(&[Keyword::Param, Keyword::Const, Keyword::Motion]);
+        known.extend(["pi", "t"]);
+        suggest::unknown("name", text, known)
+    }
+
+    /// Value of a constant, computed at its first use.
+    fn constant(&mut self, item: &'a crate::parse::tree::Item, used: &Name) -> Option<Typed> {
+        let text = item.name.text.as_str();
+        if let Some(known) = self.values.get(text) {
+            return known.clone();
+        }
+        let ItemKind::Const(value) = &item.kind else {
+            return None;
+        };
+        if !self.enter(text, used.span.into()) {
+            return None;
+        }
+        let folded = self.folded(value);
+        self.leave();
+        self.values.insert(text, folded.clone());
+        folded
+    }
+
+    /// An expression of constants as a number.
+    pub(super) fn folded(&mut self, expr: &'a Expr) -> Option<Typed> {
+        let typed = self.expr(expr, Scope::Constant)?;
+        match fold::constant(&typed.value).filter(|value| value.is_finite()) {
+            Some(value) => Some(Typed { value: model::Expr::Number(value), ..typed }),
+            None => {
+                self.errors.at(expr.area, say::NOT_FINITE);
+                None
+            }
+        }
+    }
+
+    /// Checks constants that nothing uses.
+    pub(super) fn constants(&mut self) {
+        for item in self.items(Keyword::Const) {
+            self.constant(item, &item.name);
+        }
+    }
+
+    /// A reference to a parameter.
+    pub(super) fn reference(id: ParamId, dimension: [i8; 6], hertz: bool) -> Typed {
+        let nature = Nature { angle: dimension[5] != 0, hertz, pi: false };
+        Typed { value: model::Expr::Param(id), dimension: Dimension::of(dimension), nature }
+    }
+
+    fn call(&mut self, call: &'a Call, scope: Scope) -> Option<Typed> {
+        let name = call.name.text.as_str();
+        if let Some(named) = call.arguments.iter().find_map(|argument| argument.name.as_ref()) {
+            self.errors.at(named.span, say::named_argument(name));
+            return None;
+        }
+        if let Some((function, arity)) = function(name) {
+            return self.function(call, function, arity, scope);
+        }
+        let Some(item) = self.names.get(name).copied() else {
+            let known = FUNCTIONS.iter().map(|(word, ..)| *word).chain(self.known(&[Keyword::Motion]));
+            let message = suggest::unknown("function", name, known.collect::<Vec<_>>());
+            self.errors.at(call.name.span, message);
+            return None;
+        };
+        if item.keyword != Keyword::Motion {
+            self.errors.at(call.name.span, say::not_a_function(name, item.keyword.word()));
+            return None;
+        }
+        let [argument] = call.arguments.as_slice() else {
+            self.errors.at(call.area, say::arity(name, "1", &call.arguments.len().to_string()));
+            return None;
+        };
+        let at = self.expr(&argument.value, scope);
+        let (id, motion) = self.motion(item, call.name.span.into())?;
+        let at = at?;
+        let is_time = self.is_wanted(&argument.value, &at, TIME);
+        is_time.then(|| Typed { value: model::Expr::Motion(id, Box::new(at.value)), ..motion })
+    }
+
+    fn function(&mut self, call: &'a Call, function: Function, arity: usize, scope: Scope) -> Option<Typed> {
+        let name = call.name.text.as_str();
+        let has_kink = matches!(function, Function::Abs | Function::Min | Function::Max | Function::Atan2);
+        if has_kink && matches!(scope, Scope::Prescribed | Scope::Parameter) {
+            self.errors.at(call.name.span, say::kink(name));
+            return None;
+        }
+        if call.arguments.len() != arity {
+            self.errors.at(call.area, say::arity(name, &arity.to_string(), &call.arguments.len().to_string()));
+            return None;
+        }
+        let arguments: Vec<_> = call.arguments.iter().map(|argument| self.expr(&argument.value, scope)).collect();
+        let arguments: Vec<Typed> = arguments.into_iter().collect::<Option<_>>()?;
+        let first = &arguments[0];
+        if let Some(second) = arguments.get(1)
+            && first.dimension != second.dimension
+        {
+            let message = say::unlike(&second.describe(), &first.describe());
+            self.errors.at(call.arguments[1].value.area, message);
+            return None;
+        }
+        let half = Fraction { over: 1, under: 2 };
+        let angle = Nature { angle: true, ..Nature::default() };
+        let (dimension, nature) = match function {
+            Function::Abs | Function::Min | Function::Max => {
+                (first.dimension, arguments.iter().fold(first.nature, |all, argument| all.with(argument.nature)))
+            }
+            Function::Atan2 => (Dimension::NONE, angle),
+            Function::Sqrt => (self.raised(first.dimension, half, call.area)?, Nature::default()),
+            _ => {
+                let argument = &call.arguments[0].value;
+                if !first.dimension.is_none() {
+                    self.errors.at(argument.area, say::function_of(name, &first.describe()));
+                    return None;
+                }
+                let is_trigonometric = matches!(function, Function::Sin | Function::Cos | Function::Tan);
+                if is_trigonometric && first.nature.hertz {
+                    self.errors.at(argument.area, say::HERTZ);
+                    return None;
+                }
+                let is_inverse = matches!(function, Function::Asin | Function::Acos | Function::Atan);
+                (Dimension::NONE, if is_inverse { angle } else { Nature::default() })
+            }
+        };
+        let values = arguments.into_iter().map(|argument| argument.value).collect();
+        Some(Typed { value: model::Expr::Call(function, values), dimension, nature })
+    }
+
+    fn binary(&mut self, operator: Binary, left: &'a Expr, right: &'a Expr, scope: Scope) -> Option<Typed> {
+        let (a, b) = (self.expr(left, scope), self.expr(right, scope));
+        let (a, b) = (a?, b?);
+        let dimension = match operator {
+            Binary::Multiply => a.dimension.multiply(b.dimension),
+            Binary::Divide => a.dimension.divide(b.dimension),
+            Binary::Add | Binary::Subtract if a.dimension == b.dimension => Some(a.dimension),
+            Binary::Add | Binary::Subtract => {
+                self.unlike_terms(left, &a, right, &b);
+                return None;
+            }
+        };
+        let Some(dimension) = dimension else {
+            self.errors.at(left.area.to(right.area), say::EXPONENT_RANGE);
+            return None;
+        };
+        let nature = a.nature.with(b.nature);
+        Some(Typed { value: model::Expr::Binary(operator, Box::new(a.value), Box::new(b.value)), dimension, nature })
+    }
+
+    /// Reports two terms of different dimensions, at the one that lacks a unit, else at the second.
+    fn unlike_terms(&mut self, left: &Expr, a: &Typed, right: &Expr, b: &Typed) {
+        let (wrong, own, other) = if bare_literal(left).is_some() { (left, a, b) } else { (right, b, a) };
+        let message = match bare_literal(wrong) {
+            Some(text) => say::unlike_literal(&text, &other.describe(), &other.dimension.symbol(other.nature.angle)),
+            None => say::unlike(&own.describe(), &other.describe()),
+        };
+        self.errors.at(wrong.area, message);
+    }
+
+    fn raised(&mut self, dimension: Dimension, exponent: Fraction, area: crate::errors::Area) -> Option<Dimension> {
+        let raised = dimension.power(exponent);
+        if raised.is_none() {
+            self.errors.at(area, say::EXPONENT_RANGE);
+        }
+        raised
+    }
+
+    fn power(&mut self, base: &'a Expr, exponent: &'a Expr, scope: Scope) -> Option<Typed> {
+        let (a, b) = (self.expr(base, scope), self.expr(exponent, scope));
+        let (a, b) = (a?, b?);
+        if !b.dimension.is_none() {
+            self.errors.at(exponent.area, say::exponent_dimension(&b.describe()));
+            return None;
+        }
+        let dimension = if a.dimension.is_none() {
+            a.dimension
+        } else {
+            let Some(fraction) = fold::constant(&b.value).and_then(Fraction::of) else {
+                self.errors.at(exponent.area, say::exponent_constant(&a.describe()));
+                return None;
+            };
+            self.raised(a.dimension, fraction, base.area.to(exponent.area))?
+        };
+        let value = model::Expr::Power(Box::new(a.value), Box::new(b.value));
+        Some(Typed { value, dimension, nature: a.nature })
+    }
+
+    fn conditional(&mut self, inner: &'a If, scope: Scope) -> Option<Typed> {
+        let [left, right, then, otherwise] =
+            [&inner.left, &inner.right, &inner.then, &inner.otherwise].map(|expr| self.expr(expr, scope));
+        let condition = match (left, right) {
+            (Some(left), Some(right)) => self.condition(inner, left, right, scope),
+            _ => None,
+        };
+        let (then, otherwise) = (then?, otherwise?);
+        if then.dimension != otherwise.dimension {
+            let message = say::unlike_cases(&otherwise.describe(), &then.describe());
+            self.errors.at(inner.otherwise.area, message);
+            return None;
+        }
+        let (left, right) = condition?;
+        let nature = then.nature.with(otherwise.nature);
+        let [left, right, a, b] = [left.value, right.value, then.value, otherwise.value].map(Box::new);
+        Some(Typed { value: model::Expr::If(inner.comparison, left, right, a, b), dimension: then.dimension, nature })
+    }
+
+    /// Both sides alike; where time decides, linear in it, so that the switch is a step boundary.
+    fn condition(&mut self, inner: &If, left: Typed, right: Typed, scope: Scope) -> Option<(Typed, Typed)> {
+        if left.dimension != right.dimension {
+            self.unlike_terms(&inner.left, &left, &inner.right, &right);
+            return None;
+        }
+        let is_linear = fold::is_linear_in_time(&left.value) && fold::is_linear_in_time(&right.value);
+        if scope == Scope::Prescribed && !is_linear {
+            self.errors.at(inner.left.area.to(inner.right.area), say::CONDITION);
+            return None;
+        }
+        Some((left, right))
+    }
+}

@@ -1,0 +1,92 @@
+//! Constant values, and dependence on time.
+
+use crate::model::{Binary, Comparison, Expr, Function};
+
+/// Value of an expression of numbers only.
+pub fn constant(expr: &Expr) -> Option<f64> {
+    Some(match expr {
+        Expr::Number(value) => *value,
+        Expr::Param(_) | Expr::Time | Expr::Motion(..) | Expr::Observed(_) => return None,
+        Expr::Negate(inner) => -constant(inner)?,
+        Expr::Binary(operator, left, right) => {
+            let (left, right) = (constant(left)?, constant(right)?);
+            match operator {
+                Binary::Add => left + right,
+                Binary::Subtract => left - right,
+                Binary::Multiply => left * right,
+                Binary::Divide => left / right,
+            }
+        }
+        Expr::Power(base, exponent) => power(constant(base)?, constant(exponent)?),
+        Expr::Call(function, arguments) => {
+            let values = arguments.iter().map(constant).collect::<Option<Vec<_>>>()?;
+            call(*function, &values)?
+        }
+        Expr::If(comparison, left, right, then, otherwise) => {
+            let (left, right) = (constant(left)?, constant(right)?);
+            let holds = match comparison {
+                Comparison::Less => left < right,
+                Comparison::LessEqual => left <= right,
+                Comparison::Greater => left > right,
+                Comparison::GreaterEqual => left >= right,
+            };
+            constant(if holds { then } else { otherwise })?
+        }
+    })
+}
+
+fn power(base: f64, exponent: f64) -> f64 {
+    if exponent == exponent.trunc() && exponent.abs() <= 64.0 {
+        base.powi(exponent as i32)
+    } else {
+        base.powf(exponent)
+    }
+}
+
+fn call(function: Function, values: &[f64]) -> Option<f64> {
+    let x = *values.first()?;
+    Some(match function {
+        Function::Sin => x.sin(),
+        Function::Cos => x.cos(),
+        Function::Tan => x.tan(),
+        Function::Asin => x.asin(),
+        Function::Acos => x.acos(),
+        Function::Atan => x.atan(),
+        Function::Sinh => x.sinh(),
+        Function::Cosh => x.cosh(),
+        Function::Tanh => x.tanh(),
+        Function::Exp => x.exp(),
+        Function::Ln => x.ln(),
+        Function::Sqrt => x.sqrt(),
+        Function::Abs => x.abs(),
+        Function::Min => x.min(*values.get(1)?),
+        Function::Max => x.max(*values.get(1)?),
+        Function::Atan2 => x.atan2(*values.get(1)?),
+    })
+}
+
+/// Whether nothing in the expression depends on time.
+pub fn is_free_of_time(expr: &Expr) -> bool {
+    match expr {
+        Expr::Number(_) | Expr::Param(_) => true,
+        Expr::Time | Expr::Observed(_) => false,
+        Expr::Motion(_, inner) | Expr::Negate(inner) => is_free_of_time(inner),
+        Expr::Binary(_, left, right) | Expr::Power(left, right) => is_free_of_time(left) && is_free_of_time(right),
+        Expr::Call(_, arguments) => arguments.iter().all(is_free_of_time),
+        Expr::If(_, left, right, then, otherwise) => [left, right, then, otherwise].into_iter().all(|e| is_free_of_time(e)),
+    }
+}
+
+/// Whether the expression is linear in time by its structure (possibly constant).
+pub fn is_linear_in_time(expr: &Expr) -> bool {
+    match expr {
+        Expr::Time => true,
+        Expr::Negate(inner) => is_linear_in_time(inner),
+        Expr::Binary(Binary::Add | Binary::Subtract, left, right) => is_linear_in_time(left) && is_linear_in_time(right),
+        Expr::Binary(Binary::Multiply, left, right) => {
+            (is_linear_in_time(left) && is_free_of_time(right)) || (is_free_of_time(left) && is_linear_in_time(right))
+        }
+        Expr::Binary(Binary::Divide, left, right) => is_linear_in_time(left) && is_free_of_time(right),
+        other => is_free_of_time(other),
+    }
+}

@@ -1,0 +1,109 @@
+//! Loads: gravity, dead forces and moments.
+
+use super::expr::Scope;
+use super::joint::Place;
+use super::plane::{AXES, is_parallel, normal, plane};
+use super::quantity::{Vector, Wanted};
+use super::{Check, Shape, fold, say};
+use crate::model::{FrameId, INERTIAL, Load, LoadKind, Space};
+use crate::parse::tree::{Call, Item, ItemKind, Keyword};
+use crate::suggest;
+
+const GRAVITY: Wanted = Wanted { what: "gravity", dimension: [1, 0, -2, 0, 0, 0], unit: "m/s^2" };
+const FORCE: Wanted = Wanted { what: "a force", dimension: [1, 1, -2, 0, 0, 0], unit: "N" };
+const MOMENT: Wanted = Wanted { what: "a moment", dimension: [2, 1, -2, 0, 0, 0], unit: "N m" };
+
+impl<'a> Check<'a> {
+    pub(super) fn loads(&mut self) {
+        for item in self.items(Keyword::Load) {
+            if let ItemKind::Load(call) = &item.kind {
+                self.load(item, call);
+            }
+        }
+    }
+
+    fn load(&mut self, item: &Item, call: &'a Call) {
+        let kind = match call.name.text.as_str() {
+            "gravity" => self.gravity(call),
+            "force" => self.point_load(call, false),
+            "moment" => self.point_load(call, true),
+            other => {
+                let message = suggest::unknown("load", other, ["gravity", "force", "moment"]);
+                self.errors.at(call.name.span, message);
+                None
+            }
+        };
+        if let Some(kind) = kind {
+            self.model.loads.push(Load { name: item.name.text.clone(), doc: item.doc.clone(), kind });
+        }
+    }
+
+    fn gravity(&mut self, call: &'a Call) -> Option<LoadKind> {
+        let shape = Shape { positional: 1, named: &[], required: &[], usage: "gravity([0, 0, -9.81] m/s^2)" };
+        let arguments = self.arguments(call, &shape)?;
+        let vector = self.vector(arguments.positional[0], Scope::Prescribed, GRAVITY)?;
+        // One message for each plane that it leaves, however many bodies move in it.
+        let mut normals: Vec<usize> = self.bodies.values().filter_map(|body| normal(body.space?)).collect();
+        normals.sort_unstable();
+        normals.dedup();
+        for normal in normals {
+            self.in_plane(&vector, Space::Planar { normal }, "gravity", false);
+        }
+        Some(LoadKind::Gravity(vector.values))
+    }
+
+    fn point_load(&mut self, call: &'a Call, is_moment: bool) -> Option<LoadKind> {
+        let usage = if is_moment { "moment(beam.end, [0, 0, 3] N*m)" } else { "force(beam.end, [0, 10, 0] N)" };
+        let shape = Shape { positional: 2, named: &["in"], required: &[], usage };
+        let arguments = self.arguments(call, &shape)?;
+        let [place, components] = arguments.positional.as_slice() else {
+            return None;
+        };
+        let place = self.place(place);
+        let vector = self.vector(components, Scope::Prescribed, if is_moment { MOMENT } else { FORCE });
+        let frame_argument = arguments.named.get("in").copied();
+        let frame = frame_argument.map_or(Some(INERTIAL), |frame| self.frame_argument(frame));
+        let (Place { body, at }, vector, frame) = (place?, vector?, frame?);
+        if let Some(space) = body.space {
+            let area = frame_argument.map_or(components.area, |frame| frame.area);
+            let keeps = normal(space).is_none_or(|normal| self.keeps_plane(frame, normal, area));
+            match (keeps, is_moment) {
+                (false, _) => {}
+                (true, false) => self.in_plane(&vector, space, "the force", false),
+                (true, true) => self.moment_direction(&vector, space, body.tangent, body.frame, frame),
+            }
+        }
+        let (body, components) = (body.id, vector.values);
+        Some(if is_moment {
+            LoadKind::Moment { body, at, components, frame }
+        } else {
+            LoadKind::Force { body, at, components, frame }
+        })
+    }
+
+    /// In the plane a moment is along the normal; in space a constant one is not along the axis.
+    fn moment_direction(
+        &mut self,
+        vector: &Vector,
+        space: Space,
+        tangent: Option<[f64; 3]>,
+        body_frame: Option<FrameId>,
+        frame: FrameId,
+    ) {
+        if let Some(normal) = normal(space) {
+            for axis in (0..3).filter(|axis| *axis != normal) {
+                if fold::constant(&vector.values[axis]).is_some_and(|value| value != 0.0) {
+                    let message = say::moment_out_of_plane(plane(normal), AXES[normal]);
+                    self.errors.at(vector.areas[axis], message);
+                }
+            }
+            return;
+        }
+        let (Some(moment), Some(tangent), Some(body_frame)) = (vector.constant(), tangent, body_frame) else {
+            return;
+        };
+        if self.have_same_axes(body_frame, frame) && is_parallel(moment, tangent) {
+            self.errors.at(vector.area, say::TORSION);
+        }
+    }
+}

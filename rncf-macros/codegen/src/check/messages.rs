@@ -1,0 +1,93 @@
+//! What is said about a declaration that makes no sense: what is wrong, and what would be right.
+
+pub const LONG_CHAIN: &str = "too many names are defined by each other: shorten the chain";
+pub const NO_TIME: &str = "`t` has no meaning here: only motions, frames, loads and outputs change with time";
+pub const NOT_FINITE: &str = "this has no finite value";
+pub const EXPONENT_RANGE: &str = "the exponent of this unit is too large to make sense";
+pub const WHOLE_EXPONENTS: &str = "a parameter needs a unit with whole exponents";
+pub const VECTOR_IN_EXPRESSION: &str = "a vector has no place in an expression: write one expression per component";
+pub const UNIT_OF_EXPRESSION: &str = "the unit behind the brackets is for literals only: give each component its own dimension, e.g. `[x(t), 0 m, 0 m]`";
+pub const HERTZ: &str = "hertz counts cycles and is no angular velocity: write `rad/s`, `rpm` or `deg/s`, or `2*pi` times the frequency";
+pub const NOT_A_COUNT: &str = "a number of elements is a whole number of at least 1: write e.g. `6`, or a `param n: count = 6;`";
+pub const CONDITION: &str = "a condition that changes with time must be linear in `t`, so that its switch is known: write e.g. `t <= T`";
+pub const FRAME_EXPECTED: &str = "the name of a frame is expected here, e.g. `inertial`";
+pub const AXIS_CONSTANT: &str = "an axis is constant: use `x`, `y`, `z`, numbers or constants";
+pub const AXIS_ZERO: &str = "this axis has no direction";
+pub const ZERO_LENGTH: &str = "this line has no length: its start and end are the same point";
+pub const ZERO_ANGLE: &str = "this arc has no length: its angle is zero";
+pub const ZERO_DIRECTION: &str = "this vector has no direction";
+pub const ARC_IN_SPACE: &str = "an arc lies in the plane of a planar body: write `planar xy;` (or `yz`, `zx`)";
+pub const GAUSS_POINTS: &str = "`gauss` takes a literal number of points, from 1 to 20: `gauss(3)`";
+pub const POISSON: &str = "poisson must lie between -1 and 0.5";
+pub const JOINT_INSIDE: &str = "a joint holds an end of a body: use `start` or `end`, and two bodies where it must hold in between";
+pub const PLACE_EXPECTED: &str = "a place on a body is expected here: `beam.start`, `beam.end` or `beam.at(4 m)`";
+pub const TORSION: &str = "a moment along the axis would twist the body, and a centre line carries no torsion: use components across the axis";
+pub const OBSERVED_OUTSIDE_OUTPUT: &str = "only an `output` can observe bodies and joints";
+pub const NOTHING_OBSERVED: &str = "this observes nothing: write e.g. `beam.end.x`, `beam.at(4 m).velocity.y` or `root.moment.z`";
+pub const NO_OUTPUT: &str = "the model has no output: add e.g. `output u = beam.end.x;`";
+
+macro_rules! messages {
+    ($($name:ident($($argument:ident),*) = $text:literal;)*) => {
+        $(pub fn $name($($argument: &str),*) -> String {
+            format!($text)
+        })*
+    };
+}
+
+messages! {
+    reserved(name) = "`{name}` has a meaning of its own: choose another name";
+    duplicate(name, kind, line) = "`{name}` is already the name of a {kind}, declared in line {line}";
+    duplicate_statement(name, line) = "`{name}` is already given in line {line}: one is enough";
+    twice(name) = "`{name}` is given twice";
+    wrong_kind(name, kind, wanted) = "`{name}` is a {kind}; a {wanted} is expected here";
+    recursion(name, chain) = "`{name}` is defined by itself: {chain}";
+    surplus(name, usage) = "one argument too many for `{name}`: write e.g. `{usage}`";
+    usage(name, usage) = "`{name}` is not complete: write e.g. `{usage}`";
+    not_ascii(text, plain) = "`{text}` is not ASCII: write `{plain}`";
+    not_a_number(text) = "`{text}` is not a decimal number: write e.g. `8`, `0.5` or `1e-5`";
+    number_range(text) = "`{text}` with this unit is outside the range of numbers";
+    missing_star(name) = "`{name}` is no unit: a product is written with `*`";
+    unit_or_name(name, unit) = "`{name}` is read as a part of the unit `{unit}` here: put the number with its own unit in parentheses";
+    no_unit(what, kind, text, unit) = "{what} is {kind}: give the number a unit, e.g. `{text} {unit}`";
+    wrong_dimension(what, kind, found) = "{what} is {kind}, but this is {found}";
+    bare_angle(what, text) = "{what} needs a unit: `{text} rad` or `{text} deg`";
+    plain_angle(what) = "{what} must show that it is one, but this is a plain number: give it `rad` or `deg`";
+    not_a_vector(what, unit) = "{what} is a vector: write `[x, y, z] {unit}`";
+    param_in_constant(name) = "`{name}` is a parameter, known at run time only: constants and defaults are made of constants";
+    motion_without_time(name) = "`{name}` is a function of time: write `{name}(t)`";
+    whole_thing(name, kind, example) = "`{name}` is a {kind}: say what of it, e.g. `{name}.{example}`";
+    not_a_value(name, kind) = "`{name}` is a {kind} and has no value";
+    function_without_argument(name) = "`{name}` is a function: write `{name}(..)`";
+    stray_unit(name) = "unknown name `{name}`; a unit stands behind its number, and in an expression a compound one in brackets: `4 [rad/s]`";
+    named_argument(name) = "`{name}` takes no named arguments";
+    not_a_function(name, kind) = "`{name}` is a {kind}, not a function of time";
+    arity(name, wanted, found) = "`{name}` takes {wanted} argument(s), this has {found}";
+    kink(name) = "`{name}` has a kink and can be used in outputs only: a motion or load needs derivatives; use `if t < T {{ .. }} else {{ .. }}`";
+    function_of(name, found) = "`{name}` takes a plain number, but this is {found}";
+    unlike(found, wanted) = "this is {found}, but it is combined with {wanted}";
+    unlike_literal(text, wanted, unit) = "`{text}` is a plain number, but it is combined with {wanted}: give it a unit, e.g. `{text} [{unit}]`";
+    unlike_cases(found, wanted) = "this case is {found}, but the other one is {wanted}";
+    exponent_dimension(found) = "an exponent is a plain number, but this is {found}";
+    exponent_constant(found) = "the exponent of {found} must be a constant such as `2` or `(1/2)`";
+    quantity_as_count(name) = "`{name}` is a quantity; a mesh needs a count: declare `param {name}: count = 6;`";
+    positive(what) = "{what} must be greater than zero";
+    not_negative(what) = "{what} must not be negative";
+    missing_statement(body, what) = "body `{body}` lacks {what}";
+    choices(option, values) = "`{option}` is {values}";
+    too_few_points(points, least) = "{points} Gauss point(s) leave deformations without energy (a spurious zero mode): use at least `gauss({least})`";
+    missing_property(kind, name, property, element, need) = "{kind} `{name}` has no `{property}`, which `{element}` needs ({need})";
+    rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body `spatial`";
+    origin_leaves_plane(frame, plane, axis) = "frame `{frame}` leaves the {plane} plane of the body: the {axis} component of its origin must be 0, or the body `spatial`";
+    out_of_plane(what, plane, axis) = "{what} leaves the {plane} plane of the body: its {axis} component must be 0, or the body `spatial`";
+    moment_out_of_plane(plane, axis) = "a moment on a body in the {plane} plane has a {axis} component only: make this 0, or the body `spatial`";
+    floating(body, frame) = "body `{body}` floats, nothing holds it: tie an end with `clamp` or `pin`, e.g. `joint root = clamp({body}.start, {frame});`";
+    end_twice(line) = "this end is already held by the joint in line {line}";
+    no_arguments(name) = "`{name}` takes no arguments";
+    beyond(length) = "this place is not on the body: the axis goes from 0 m to {length}";
+    vector_as_number(axes) = "this is a vector: take one component, {axes}";
+    not_observable(name, kind) = "`{name}` is a {kind}: bodies and joints can be observed";
+    always_zero(axis, plane) = "the {axis} component is always zero for a body in the {plane} plane";
+    moment_always_zero(axis, plane, normal) = "the {axis} component is always zero for a body in the {plane} plane: its moment is `{normal}`";
+    pin_moment(name) = "`{name}` is a pin, and a pin carries no moment";
+    after_component(word) = "nothing can follow a component: leave out `.{word}`";
+}

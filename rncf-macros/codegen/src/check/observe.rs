@@ -1,0 +1,192 @@
+//! What outputs observe: points of bodies, reactions of joints.
+
+use super::joint::Place;
+use super::plane::{AXES, normal, plane};
+use super::quantity::Typed;
+use super::{Check, say};
+use crate::model::{self, JointKind, Observable, PointQuantity, Space};
+use crate::parse::tree::{Expr, ExprKind, Keyword, Name};
+use crate::suggest;
+use crate::units::Dimension;
+
+/// Something observed: one component, or all that there are.
+pub struct Seen {
+    /// Components with the names of their axes.
+    pub components: Vec<(&'static str, Observable)>,
+    /// Their dimension.
+    pub dimension: Dimension,
+    /// Whether a single component was asked for.
+    pub is_scalar: bool,
+}
+
+/// `base.field.field`, from the left; the first part is the shortest that names something.
+fn chain(expr: &Expr) -> (&Expr, Vec<&Name>) {
+    let mut fields = Vec::new();
+    let mut at = expr;
+    while let ExprKind::Member { base, field, .. } = &at.kind {
+        let is_place = matches!(base.kind, ExprKind::Name(_));
+        if is_place {
+            break;
+        }
+        fields.push(field);
+        at = base;
+    }
+    fields.reverse();
+    (at, fields)
+}
+
+impl<'a> Check<'a> {
+    /// A member expression as a scalar.
+    pub(super) fn member(&mut self, expr: &'a Expr, scope: super::expr::Scope) -> Option<Typed> {
+        if scope != super::expr::Scope::Output {
+            self.errors.at(expr.area, say::OBSERVED_OUTSIDE_OUTPUT);
+            return None;
+        }
+        let seen = self.observe(expr)?;
+        if !seen.is_scalar {
+            let axes: Vec<&str> = seen.components.iter().map(|(axis, _)| *axis).collect();
+            self.errors.at(expr.area, say::vector_as_number(&suggest::list(&axes)));
+            return None;
+        }
+        let (_, observable) = seen.components.into_iter().next()?;
+        Some(Typed::new(model::Expr::Observed(observable), seen.dimension))
+    }
+
+    /// Resolves what is observed.
+    pub(super) fn observe(&mut self, expr: &'a Expr) -> Option<Seen> {
+        let (first, fields) = chain(expr);
+        let ExprKind::Member { base, field, arguments } = &first.kind else {
+            self.errors.at(expr.area, say::NOTHING_OBSERVED);
+            return None;
+        };
+        let ExprKind::Name(name) = &base.kind else {
+            self.errors.at(expr.area, say::NOTHING_OBSERVED);
+            return None;
+        };
+        if has_arguments_behind(expr, first) {
+            self.errors.at(expr.area, say::NOTHING_OBSERVED);
+            return None;
+        }
+        match self.names.get(name.text.as_str()).map(|item| item.keyword) {
+            Some(Keyword::Joint) if arguments.is_none() => {
+                let mut fields = fields;
+                fields.insert(0, field);
+                self.reaction(name, &fields)
+            }
+            Some(Keyword::Body) => {
+                let place = self.place(first)?;
+                self.point(place, &fields)
+            }
+            Some(other) => {
+                self.errors.at(name.span, say::not_observable(&name.text, other.word()));
+                None
+            }
+            None => {
+                let known = self.known(&[Keyword::Body, Keyword::Joint]);
+                self.errors.at(name.span, suggest::unknown("body or joint", &name.text, known));
+                None
+            }
+        }
+    }
+
+    fn point(&mut self, place: Place, fields: &[&'a Name]) -> Option<Seen> {
+        let space = place.body.space?;
+        let (what, rest) = match fields.split_first().map(|(first, rest)| (first.text.as_str(), rest)) {
+            Some(("velocity", rest)) => (PointQuantity::Velocity, rest),
+            Some(("slope", rest)) => (PointQuantity::Slope, rest),
+            Some(("position", rest)) => (PointQuantity::Position, rest),
+            Some((word, _)) if !AXES.contains(&word) => {
+                let known = ["x", "y", "z", "velocity", "slope", "position"];
+                self.errors.at(fields[0].span, suggest::unknown("quantity of a point", word, known));
+                return None;
+            }
+            _ => (PointQuantity::Position, fields),
+        };
+        let dimension = Dimension::of(match what {
+            PointQuantity::Position => [1, 0, 0, 0, 0, 0],
+            PointQuantity::Velocity => [1, 0, -1, 0, 0, 0],
+            PointQuantity::Slope => [0; 6],
+        });
+        let axes = space.axes().to_vec();
+        let (axes, is_scalar) = self.axes(rest, &axes, |axis| match normal(space) {
+            Some(normal) => say::always_zero(AXES[axis], plane(normal)),
+            None => String::new(),
+        })?;
+        let body = place.body.id;
+        let observe = |axis| Observable::Point { body, at: place.at.clone(), what, component: axis };
+        let components = axes.into_iter().map(|axis| (AXES[axis], observe(axis))).collect();
+        Some(Seen { components, dimension, is_scalar })
+    }
+
+    fn reaction(&mut self, name: &Name, fields: &[&'a Name]) -> Option<Seen> {
+        let known = *self.joints.get(name.text.as_str())?;
+        let (first, rest) = fields.split_first()?;
+        let is_moment = match first.text.as_str() {
+            "force" => false,
+            "moment" => true,
+            other => {
+                self.errors.at(first.span, suggest::unknown("reaction", other, ["force", "moment"]));
+                return None;
+            }
+        };
+        let (kind, space) = (known.kind?, known.body?.space?);
+        if is_moment && kind == JointKind::Pin {
+            self.errors.at(first.span, say::pin_moment(&name.text));
+            return None;
+        }
+        let axes = match space {
+            Space::Planar { normal } if is_moment => vec![normal],
+            space => space.axes().to_vec(),
+        };
+        let (axes, is_scalar) = self.axes(rest, &axes, |axis| match (normal(space), is_moment) {
+            (Some(normal), true) => say::moment_always_zero(AXES[axis], plane(normal), AXES[normal]),
+            (Some(normal), false) => say::always_zero(AXES[axis], plane(normal)),
+            (None, _) => String::new(),
+        })?;
+        let dimension = Dimension::of(if is_moment { [2, 1, -2, 0, 0, 0] } else { [1, 1, -2, 0, 0, 0] });
+        let observe = |axis| Observable::Reaction { joint: known.id, moment: is_moment, component: axis };
+        let components = axes.into_iter().map(|axis| (AXES[axis], observe(axis))).collect();
+        Some(Seen { components, dimension, is_scalar })
+    }
+
+    /// The axis that the last word asks for, or all that there are.
+    fn axes(
+        &mut self,
+        fields: &[&'a Name],
+        valid: &[usize],
+        zero: impl Fn(usize) -> String,
+    ) -> Option<(Vec<usize>, bool)> {
+        let Some((first, rest)) = fields.split_first() else {
+            return Some((valid.to_vec(), false));
+        };
+        if let Some(surplus) = rest.first() {
+            self.errors.at(surplus.span, say::after_component(&surplus.text));
+            return None;
+        }
+        let Some(axis) = AXES.iter().position(|axis| *axis == first.text) else {
+            let known = valid.iter().map(|axis| AXES[*axis]).collect::<Vec<_>>();
+            self.errors.at(first.span, suggest::unknown("component", &first.text, known));
+            return None;
+        };
+        if !valid.contains(&axis) {
+            self.errors.at(first.span, zero(axis));
+            return None;
+        }
+        Some((vec![axis], true))
+    }
+}
+
+/// Whether a word behind the place is called: `beam.end.x(3)`.
+fn has_arguments_behind(expr: &Expr, first: &Expr) -> bool {
+    let mut at = expr;
+    while !std::ptr::eq(at, first) {
+        let ExprKind::Member { base, arguments, .. } = &at.kind else {
+            return false;
+        };
+        if arguments.is_some() {
+            return true;
+        }
+        at = base;
+    }
+    false
+}

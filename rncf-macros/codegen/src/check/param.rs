@@ -1,0 +1,130 @@
+//! Parameters, constants, and the defaults of a run.
+
+use super::expr::Scope;
+use super::quantity::{Typed, Wanted, bare_literal};
+use super::{Check, fold, say};
+use crate::model::{Expr as Value, Param, ParamId};
+use crate::parse::tree::{Expr, ExprKind, Item, ItemKind, Keyword, UnitText};
+use crate::suggest;
+
+const RUN_FIELDS: &[&str] = &["t_end", "every"];
+
+impl<'a> Check<'a> {
+    /// Parameters in order, then constants.
+    pub(super) fn params(&mut self) {
+        for item in self.items(Keyword::Param) {
+            let ItemKind::Param { count, value } = &item.kind else {
+                continue;
+            };
+            let param = value.as_ref().and_then(|value| {
+                if *count { self.count_param(item, value) } else { self.quantity_param(item, value) }
+            });
+            let typed = param.map(|(param, hertz)| {
+                let id = ParamId(self.model.params.len());
+                let typed = Self::reference(id, param.dimension, hertz);
+                self.model.params.push(param);
+                typed
+            });
+            self.values.insert(item.name.text.as_str(), typed);
+        }
+        self.constants();
+    }
+
+    fn quantity_param(&mut self, item: &Item, value: &'a Expr) -> Option<(Param, bool)> {
+        let typed = self.folded(value)?;
+        let Some(dimension) = typed.dimension.exponents(typed.nature.angle) else {
+            self.errors.at(value.area, say::WHOLE_EXPONENTS);
+            return None;
+        };
+        let written = literal_unit(value);
+        let (unit, unit_si, dimension) = match written.and_then(|unit| Some((unit, self.unit(unit)?))) {
+            Some((unit, compound)) => (unit.text.clone(), compound.si(), compound.dimension),
+            // Pi alone does not make a quantity an angle that the user must give as one.
+            None if bare_literal(value).is_some() => ("1".into(), 1.0, dimension),
+            None => (typed.dimension.symbol(typed.nature.angle), 1.0, dimension),
+        };
+        let default = fold::constant(&typed.value)?;
+        let (name, doc) = (item.name.text.clone(), item.doc.clone());
+        Some((Param { name, doc, unit, unit_si, dimension, default, is_count: false }, typed.nature.hertz))
+    }
+
+    fn count_param(&mut self, item: &Item, value: &'a Expr) -> Option<(Param, bool)> {
+        let typed = self.folded(value)?;
+        let default = fold::constant(&typed.value)?;
+        if !is_count(&typed, default) {
+            self.errors.at(value.area, say::NOT_A_COUNT);
+            return None;
+        }
+        let (name, doc) = (item.name.text.clone(), item.doc.clone());
+        let unit = "1".to_string();
+        Some((Param { name, doc, unit, unit_si: 1.0, dimension: [0; 6], default, is_count: true }, false))
+    }
+
+    /// The number of elements of a mesh.
+    pub(super) fn count(&mut self, expr: &'a Expr) -> Option<Value> {
+        let typed = self.expr(expr, Scope::Parameter)?;
+        match &typed.value {
+            Value::Param(id) if self.model.params[id.0].is_count => return Some(typed.value),
+            Value::Param(id) => {
+                let name = self.model.params[id.0].name.clone();
+                self.errors.at(expr.area, say::quantity_as_count(&name));
+            }
+            value => match fold::constant(value) {
+                Some(value) if is_count(&typed, value) => return Some(Value::Number(value)),
+                _ => self.errors.at(expr.area, say::NOT_A_COUNT),
+            },
+        }
+        None
+    }
+
+    /// `run { t_end = ..; every = ..; }`
+    pub(super) fn run(&mut self) {
+        for (at, run) in self.tree.runs.iter().enumerate() {
+            if at > 0 {
+                let line = self.tree.runs[0].area.line();
+                self.errors.at(run.area, say::duplicate_statement("run", &line.to_string()));
+            }
+            let mut seen: Vec<&str> = Vec::new();
+            for field in &run.fields {
+                let name = field.name.text.as_str();
+                if !RUN_FIELDS.contains(&name) {
+                    let message = suggest::unknown("field of `run`", name, RUN_FIELDS.iter().copied());
+                    self.errors.at(field.name.span, message);
+                    continue;
+                }
+                if seen.contains(&name) {
+                    self.errors.at(field.name.span, say::twice(name));
+                }
+                seen.push(name);
+                let is_end = name == "t_end";
+                let what = if is_end { "`t_end`" } else { "`every`" };
+                let wanted = Wanted { what, dimension: [0, 0, 1, 0, 0, 0], unit: "s" };
+                let Some(value) = self.quantity(&field.value, Scope::Parameter, wanted) else {
+                    continue;
+                };
+                if fold::constant(&value).is_some_and(|value| value.is_nan() || value <= 0.0) {
+                    self.errors.at(field.value.area, say::positive(what));
+                }
+                if is_end {
+                    self.model.run.t_end = value;
+                } else {
+                    self.model.run.every = value;
+                }
+            }
+        }
+    }
+}
+
+fn is_count(typed: &Typed, value: f64) -> bool {
+    let is_plain = typed.dimension.is_none() && !typed.nature.angle;
+    is_plain && (1.0..=1e9).contains(&value) && value.trunc() == value
+}
+
+/// Unit of a whole right side that is a literal.
+fn literal_unit(expr: &Expr) -> Option<&UnitText> {
+    match &expr.kind {
+        ExprKind::Number { unit, .. } => unit.as_ref(),
+        ExprKind::Negate(inner) => literal_unit(inner),
+        _ => None,
+    }
+}

@@ -1,0 +1,91 @@
+//! What keeps a planar body in its plane, and which frames have the same axes.
+
+use super::quantity::Vector;
+use super::{Check, fold, say};
+use crate::errors::Area;
+use crate::model::{Expr as Value, FrameId, INERTIAL, Space};
+
+/// Cosine of the angle between two axes that count as parallel.
+const PARALLEL: f64 = 1.0 - 1e-12;
+
+/// Names of the axes.
+pub const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Name of the plane with this normal.
+pub fn plane(normal: usize) -> &'static str {
+    ["yz", "zx", "xy"][normal]
+}
+
+/// Normal of a planar body.
+pub fn normal(space: Space) -> Option<usize> {
+    match space {
+        Space::Planar { normal } => Some(normal),
+        Space::Spatial => None,
+    }
+}
+
+impl Check<'_> {
+    /// Whether a frame and all that carry it move in the plane; reports the first that does not.
+    pub(super) fn keeps_plane(&mut self, frame: FrameId, normal: usize, area: impl Into<Area>) -> bool {
+        let mut at = frame;
+        while at != INERTIAL {
+            let frame = &self.model.frames[at.0];
+            let name = frame.name.clone();
+            let leaves = frame.rotation.as_ref().is_some_and(|rotation| rotation.axis[normal].abs() < PARALLEL);
+            let drifts = fold::constant(&frame.origin[normal]) != Some(0.0);
+            if leaves || drifts {
+                let axis = AXES[normal];
+                let message = if leaves {
+                    say::rotation_leaves_plane(&name, plane(normal), axis)
+                } else {
+                    say::origin_leaves_plane(&name, plane(normal), axis)
+                };
+                self.errors.at(area, message);
+                return false;
+            }
+            at = frame.parent;
+        }
+        true
+    }
+
+    /// Reports a component along the normal that is not zero (`strict`), or known not to be.
+    pub(super) fn in_plane(&mut self, vector: &Vector, space: Space, what: &str, strict: bool) {
+        let Some(normal) = normal(space) else {
+            return;
+        };
+        let is_out = match fold::constant(&vector.values[normal]) {
+            Some(value) => value != 0.0,
+            None => strict,
+        };
+        if is_out {
+            self.errors.at(vector.areas[normal], say::out_of_plane(what, plane(normal), AXES[normal]));
+        }
+    }
+
+    /// The next frame, from this one towards the inertial one, that rotates in its parent: frames
+    /// with the same one have parallel axes at all times.
+    fn rotating_ancestor(&self, frame: FrameId) -> FrameId {
+        let mut at = frame;
+        while at != INERTIAL && self.model.frames[at.0].rotation.is_none() {
+            at = self.model.frames[at.0].parent;
+        }
+        at
+    }
+
+    /// Whether two frames have the same axes at all times.
+    pub(super) fn have_same_axes(&self, a: FrameId, b: FrameId) -> bool {
+        self.rotating_ancestor(a) == self.rotating_ancestor(b)
+    }
+}
+
+/// Whether a vector is parallel to a unit vector, and not zero.
+pub fn is_parallel(vector: [f64; 3], unit: [f64; 3]) -> bool {
+    let norm = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let dot: f64 = vector.iter().zip(unit).map(|(a, b)| a * b).sum();
+    norm > 0.0 && dot.abs() >= norm * PARALLEL
+}
+
+/// A zero vector of constants.
+pub fn is_zero(values: &[Value; 3]) -> bool {
+    values.iter().all(|value| fold::constant(value) == Some(0.0))
+}

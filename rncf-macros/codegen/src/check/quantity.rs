@@ -1,0 +1,201 @@
+//! Values of expressions with their dimensions, and fields that ask for a certain one.
+
+use super::expr::Scope;
+use super::{Check, fold, say};
+use crate::errors::Area;
+use crate::model;
+use crate::parse::tree::{Expr, ExprKind};
+use crate::units::Dimension;
+
+/// A resolved expression and what it is.
+#[derive(Clone, Debug)]
+pub struct Typed {
+    /// Value in SI.
+    pub value: model::Expr,
+    /// Dimension; an angle is a plain number.
+    pub dimension: Dimension,
+    /// How it was written.
+    pub nature: Nature,
+}
+
+/// How a quantity was written. An angle is a plain number in the algebra; that it *is* one must
+/// show in the text.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Nature {
+    /// A unit of angle, pi or an inverse trigonometric function is a factor.
+    pub angle: bool,
+    /// Hertz is a factor, and pi is not.
+    pub hertz: bool,
+    /// Pi is a factor.
+    pub pi: bool,
+}
+
+impl Nature {
+    /// Of a product, quotient or sum.
+    #[must_use]
+    pub fn with(self, other: Nature) -> Nature {
+        let pi = self.pi || other.pi;
+        Nature { angle: self.angle || other.angle, hertz: (self.hertz || other.hertz) && !pi, pi }
+    }
+}
+
+impl Typed {
+    pub fn new(value: model::Expr, dimension: Dimension) -> Self {
+        Self { value, dimension, nature: Nature::default() }
+    }
+
+    pub fn describe(&self) -> String {
+        self.dimension.describe(self.nature.angle)
+    }
+}
+
+/// What a field asks for.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted {
+    /// The field in a sentence: `the radius`.
+    pub what: &'static str,
+    /// Exponents of m, kg, s, K, A, angle.
+    pub dimension: [i8; 6],
+    /// A unit to suggest.
+    pub unit: &'static str,
+}
+
+/// A vector and where its components stand.
+#[derive(Clone, Debug)]
+pub struct Vector {
+    /// Components in SI.
+    pub values: [model::Expr; 3],
+    /// Their places.
+    pub areas: [Area; 3],
+    /// All of it.
+    pub area: Area,
+}
+
+impl Vector {
+    /// Constant value, where it is one.
+    pub fn constant(&self) -> Option<[f64; 3]> {
+        let [x, y, z] = self.values.each_ref().map(fold::constant);
+        Some([x?, y?, z?])
+    }
+}
+
+/// The text of a literal without unit, its sign included.
+pub fn bare_literal(expr: &Expr) -> Option<String> {
+    match &expr.kind {
+        ExprKind::Number { text, unit: None } => Some(text.clone()),
+        ExprKind::Negate(inner) => bare_literal(inner).map(|text| format!("-{text}")),
+        _ => None,
+    }
+}
+
+fn is_bare_zero(expr: &Expr) -> bool {
+    bare_literal(expr).is_some_and(|text| text.parse::<f64>().is_ok_and(|value| value == 0.0))
+}
+
+impl<'a> Check<'a> {
+    /// An expression of the dimension that a field asks for.
+    pub(super) fn quantity(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<model::Expr> {
+        let typed = self.expr(expr, scope)?;
+        self.is_wanted(expr, &typed, wanted).then_some(typed.value)
+    }
+
+    /// Whether the dimension is what the field asks for; reports where it is not.
+    pub(super) fn is_wanted(&mut self, expr: &Expr, typed: &Typed, wanted: Wanted) -> bool {
+        let dimension = Dimension::of(wanted.dimension);
+        if typed.dimension == dimension {
+            return true;
+        }
+        let kind = dimension.describe(wanted.dimension[5] != 0);
+        let message = match bare_literal(expr) {
+            Some(text) => say::no_unit(wanted.what, &kind, &text, wanted.unit),
+            None => say::wrong_dimension(wanted.what, &kind, &typed.describe()),
+        };
+        self.errors.at(expr.area, message);
+        false
+    }
+
+    /// An angle: a plain number that is written as an angle.
+    pub(super) fn angle(&mut self, expr: &'a Expr, scope: Scope, what: &'static str) -> Option<model::Expr> {
+        let typed = self.expr(expr, scope)?;
+        if let Some(term) = bare_term(expr) {
+            let text = bare_literal(term).unwrap_or_default();
+            self.errors.at(term.area, say::bare_angle(what, &text));
+            return None;
+        }
+        let wanted = Wanted { what, dimension: [0, 0, 0, 0, 0, 1], unit: "rad" };
+        if !self.is_wanted(expr, &typed, wanted) {
+            return None;
+        }
+        if typed.nature.hertz {
+            self.errors.at(expr.area, say::HERTZ);
+            return None;
+        }
+        if !typed.nature.angle {
+            self.errors.at(expr.area, say::plain_angle(what));
+            return None;
+        }
+        Some(typed.value)
+    }
+
+    /// A vector of the dimension that a field asks for.
+    pub(super) fn vector(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<Vector> {
+        let ExprKind::Vector { components, unit } = &expr.kind else {
+            self.errors.at(expr.area, say::not_a_vector(wanted.what, wanted.unit));
+            return None;
+        };
+        let values: Vec<Option<model::Expr>> = match unit {
+            None => components.iter().map(|component| self.component(component, scope, wanted)).collect(),
+            Some(unit) => {
+                let compound = self.unit(unit)?;
+                if Dimension::of(compound.dimension) != Dimension::of(wanted.dimension) {
+                    let kind = Dimension::of(wanted.dimension).describe(wanted.dimension[5] != 0);
+                    let found = Dimension::of(compound.dimension).describe(compound.dimension[5] != 0);
+                    self.errors.at(unit.area, say::wrong_dimension(wanted.what, &kind, &found));
+                    return None;
+                }
+                components.iter().map(|component| self.scaled_literal(component, compound)).collect()
+            }
+        };
+        let areas: Vec<Area> = components.iter().map(|component| component.area).collect();
+        let values: Vec<model::Expr> = values.into_iter().collect::<Option<_>>()?;
+        Some(Vector { values: values.try_into().ok()?, areas: areas.try_into().ok()?, area: expr.area })
+    }
+
+    /// A component with its own unit; zero needs none.
+    fn component(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<model::Expr> {
+        if is_bare_zero(expr) {
+            return Some(model::Expr::Number(0.0));
+        }
+        self.quantity(expr, scope, wanted)
+    }
+
+    fn scaled_literal(&mut self, expr: &Expr, unit: crate::units::Compound) -> Option<model::Expr> {
+        match &expr.kind {
+            ExprKind::Number { text, unit: None } => self.number(text, unit, expr.area).map(model::Expr::Number),
+            ExprKind::Negate(inner) => {
+                let value = self.scaled_literal(inner, unit)?;
+                Some(match value {
+                    model::Expr::Number(value) => model::Expr::Number(-value),
+                    other => model::Expr::Negate(Box::new(other)),
+                })
+            }
+            _ => {
+                self.errors.at(expr.area, say::UNIT_OF_EXPRESSION);
+                None
+            }
+        }
+    }
+}
+
+/// The first literal without unit that is a term of a sum.
+fn bare_term(expr: &Expr) -> Option<&Expr> {
+    match &expr.kind {
+        ExprKind::Number { unit: None, .. } if !is_bare_zero(expr) => Some(expr),
+        ExprKind::Negate(inner) => bare_term(inner),
+        ExprKind::Binary(model::Binary::Add | model::Binary::Subtract, left, right) => {
+            bare_term(left).or_else(|| bare_term(right))
+        }
+        ExprKind::If(inner) => bare_term(&inner.then).or_else(|| bare_term(&inner.otherwise)),
+        _ => None,
+    }
+}

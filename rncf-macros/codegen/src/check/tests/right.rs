@@ -1,0 +1,181 @@
+//! Models without mistakes, and what they become.
+
+use super::*;
+use crate::model::{
+    BodyId, Comparison, Evaluation, Expr, FrameId, Function, INERTIAL, JointId, JointKind, Line, LoadKind, Location,
+    MotionId, Observable, ParamId, Quadrature, Space,
+};
+use Expr::{Binary, Call, If, Motion, Negate, Number, Observed, Param, Power, Time};
+use crate::model::Binary as Operator;
+
+fn number(value: f64) -> Box<Expr> {
+    Box::new(Number(value))
+}
+
+#[test]
+fn params_keep_unit_default_and_documentation() {
+    let model = model(SPIN_UP);
+    let [omega, elements, duration] = model.params.as_slice() else { panic!("three parameters") };
+    assert_eq!((omega.name.as_str(), omega.unit.as_str(), omega.default), ("omega_s", "rad/s", 4.0));
+    assert_eq!((omega.doc.as_str(), omega.dimension), ("Steady angular velocity.", [0, 0, -1, 0, 0, 1]));
+    assert_eq!((elements.is_count, elements.default, elements.unit.as_str()), (true, 6.0, "1"));
+    assert_eq!((duration.default, duration.unit_si, duration.is_count), (15.0, 1.0, false));
+    assert_eq!(model.visibility, "pub");
+    assert_eq!(model.doc, "Spin-up manoeuvre of a flexible beam (Ren & Yang 2021, section 4.1.1).");
+    assert!(model.source.starts_with("pub model SpinUp {\n    /// Steady"), "{}", model.source);
+    assert!(model.source.ends_with("every = 0.05 s; }\n}"));
+}
+
+#[test]
+fn the_motion_is_the_published_one() {
+    let model = model(SPIN_UP);
+    let (omega, duration) = (Box::new(Param(ParamId(0))), Box::new(Param(ParamId(2))));
+    let two_pi = || Box::new(Binary(Multiply, number(2.0), number(std::f64::consts::PI)));
+    let binary = |operator, a, b| Box::new(Binary(operator, a, b));
+    use Operator::{Add, Divide, Multiply, Subtract};
+    let cosine = Call(
+        Function::Cos,
+        vec![*binary(Divide, binary(Multiply, two_pi(), Box::new(Time)), duration.clone())],
+    );
+    let ramp = binary(
+        Multiply,
+        binary(Divide, omega.clone(), duration.clone()),
+        binary(
+            Add,
+            binary(Divide, Box::new(Power(Box::new(Time), number(2.0))), number(2.0)),
+            binary(
+                Multiply,
+                Box::new(Power(binary(Divide, duration.clone(), two_pi()), number(2.0))),
+                binary(Subtract, Box::new(cosine), number(1.0)),
+            ),
+        ),
+    );
+    let after = binary(
+        Multiply,
+        omega,
+        binary(Subtract, Box::new(Time), binary(Divide, duration.clone(), number(2.0))),
+    );
+    let want = If(Comparison::LessEqual, Box::new(Time), duration, ramp, after);
+    assert_eq!(model.motions[0].value, want);
+    assert_eq!(model.motions[0].unit, "rad");
+    let rotation = model.frames[1].rotation.clone().expect("hub turns");
+    assert_eq!(rotation.axis, [0.0, 0.0, 1.0]);
+    assert_eq!(rotation.angle, Motion(MotionId(0), Box::new(Time)));
+    assert_eq!((model.frames[0].name.as_str(), model.frames[1].name.as_str()), ("inertial", "hub"));
+}
+
+#[test]
+fn properties_are_exact_to_the_last_bit() {
+    let model = model(SPIN_UP);
+    let body = &model.bodies[0];
+    for (name, value) in [
+        ("density", 2766.67),
+        ("young", 68.95e9),
+        ("poisson", 0.3),
+        ("damping", 1e-5),
+        ("area", 0.7299e-4),
+        ("second_moment", 0.8215e-8),
+    ] {
+        let Number(found) = body.properties[name] else { panic!("{name} is a number") };
+        assert_eq!(found.to_bits(), f64::to_bits(value), "{name}");
+    }
+    assert_eq!((body.frame, body.space, &body.count), (FrameId(1), Space::Planar { normal: 2 }, &Param(ParamId(1))));
+    assert_eq!((body.material_name.as_str(), body.section_name.as_str()), ("aluminium", "tube"));
+    assert_eq!((body.quadrature, body.evaluation, &body.options), (Quadrature::Exact, Evaluation::Automatic, &vec![0]));
+    let Line::Straight { from, to } = &body.line else { panic!("straight") };
+    assert_eq!(from, &[Number(0.0), Number(0.0), Number(0.0)]);
+    assert_eq!(to, &[Number(8.0), Number(0.0), Number(0.0)]);
+}
+
+#[test]
+fn joints_loads_and_outputs_are_resolved() {
+    let model = model(SPIN_UP);
+    let joint = &model.joints[0];
+    assert_eq!((joint.kind, joint.body, &joint.at, joint.frame), (JointKind::Clamp, BodyId(0), &Location::Start, FrameId(1)));
+    assert!(joint.point.is_none());
+    let LoadKind::Gravity(gravity) = &model.loads[0].kind else { panic!("gravity") };
+    assert_eq!(gravity, &[Number(0.0), Negate(number(9.81)), Number(0.0)]);
+    let LoadKind::Force { components, frame, at, .. } = &model.loads[1].kind else { panic!("force") };
+    assert_eq!((components[1].clone(), *frame, at), (Number(10.0), FrameId(1), &Location::End));
+    let LoadKind::Moment { components, frame, .. } = &model.loads[2].kind else { panic!("moment") };
+    assert_eq!((components[2].clone(), *frame), (Number(3.0), INERTIAL));
+    let summary: Vec<_> = model
+        .outputs
+        .iter()
+        .map(|output| {
+            let suffixes: Vec<_> = output.components.iter().map(|(suffix, _)| suffix.as_str()).collect();
+            format!("{} [{}] {}", output.name, output.unit, suffixes.join(","))
+        })
+        .collect();
+    assert_eq!(summary, ["u [m] ", "tip [m] x,y", "vy [m/s] ", "s [1] ", "m_root [N m] ", "f_root [N] x,y"]);
+    assert_eq!(model.outputs[0].doc, "Elongation of the tip");
+    assert_eq!(
+        model.outputs[4].components[0].1,
+        Observed(Observable::Reaction { joint: JointId(0), moment: true, component: 2 })
+    );
+    assert_eq!((&model.run.t_end, &model.run.every), (&Number(20.0), &Number(0.05)));
+}
+
+/// A spatial model with everything that the planar one has not; names before their declarations.
+#[test]
+fn the_rest_of_the_language() {
+    let model = model(
+        "model Rest {
+            output a = wire.end.z * 2 + e;  output b = left.moment;  output c = max(abs(wire.start.y), 1 mm);
+            output d = atan2(wire.end.y, wire.end.x);
+            body wire in cart {
+                spatial;
+                line from [0, 0, 0] m to [L, 0, 0 m];
+                mesh (3) * tether(thin, steel, bending = exact, quadrature = gauss(3), evaluation = loop);
+            }
+            const e = 2 * half;  const half = 5 mm;
+            joint left = clamp_full(wire.start, cart);
+            joint right = pin(wire.end, inertial, at = [1, 0, 0] m);
+            frame cart in stage = moving(origin = [x(t), 0 m, 0]);
+            frame stage = rotating(axis = [0, 3, 4], angle = pi/2, origin = [1, 2, 3] cm);
+            motion x(t) = amplitude * sin(2*pi*f*t) + 0 m;
+            motion y(t) = x(t - 1 s);
+            param amplitude = 3 mm;  param f = 2 Hz;  param L = 1 m;
+            material steel { density = 7.85 g/cm^3; young = 210 GPa; }
+            section thin { area = pi * (1 mm)^2 / 4; second_moment = pi * (1 mm)^4 / 64; }
+            load pull = force(wire.at(L/2), [0 N, 3 N * sin(2*pi*f*t), 0], in = stage);
+        }",
+    );
+    let names: Vec<_> = model.frames.iter().map(|frame| frame.name.as_str()).collect();
+    assert_eq!(names, ["inertial", "stage", "cart"]);
+    assert_eq!(model.frames[1].rotation.as_ref().map(|rotation| rotation.axis), Some([0.0, 0.6, 0.8]));
+    assert_eq!(model.frames[1].origin, [Number(0.01), Number(0.02), Number(0.03)]);
+    assert_eq!(model.bodies[0].frame, FrameId(2));
+    assert_eq!((model.bodies[0].options.as_slice(), model.bodies[0].quadrature), (&[1][..], Quadrature::Gauss(3)));
+    assert_eq!((model.bodies[0].evaluation, &model.bodies[0].count), (Evaluation::Loop, &Number(3.0)));
+    assert_eq!(model.bodies[0].properties["density"], Number(7850.0));
+    assert_eq!(model.bodies[0].properties["damping"], Number(0.0));
+    assert_eq!(model.params[0].unit_si, 1e-3);
+    assert_eq!(model.params[0].default.to_bits(), 3e-3_f64.to_bits());
+    assert_eq!(model.outputs[1].components.len(), 3);
+    assert_eq!((model.outputs[2].unit.as_str(), model.outputs[3].unit.as_str()), ("m", "rad"));
+    assert_eq!(model.motions[1].value, Motion(MotionId(0), Box::new(Binary(Operator::Subtract, Box::new(Time), number(1.0)))));
+    assert_eq!((model.run.t_end, model.run.every), (Number(1.0), Number(0.01)));
+    assert_eq!(model.visibility, "");
+}
+
+#[test]
+fn a_planar_arc() {
+    let model = model(
+        "pub(crate) model Ring {
+            material steel { density = 7850 kg/m^3; young = 210 GPa; }
+            section thin { area = 1 mm^2; second_moment = 1 mm^4; }
+            body ring {
+                planar zx;
+                arc from [0, 0, 0] m direction [1, 0, 0] radius 16 m angle 30 deg;
+                mesh 8 * cable(thin, steel);
+            }
+            joint foot = pin(ring.start, inertial);
+            output x = ring.at(4 m).x;
+        }",
+    );
+    let Line::Arc { radius, angle, .. } = &model.bodies[0].line else { panic!("arc") };
+    assert_eq!((radius, angle), (&Number(16.0), &Number(30.0 * (std::f64::consts::PI / 180.0))));
+    assert_eq!(model.bodies[0].space, Space::Planar { normal: 1 });
+    assert_eq!(model.visibility, "pub(crate)");
+}

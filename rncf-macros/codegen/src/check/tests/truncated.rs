@@ -1,0 +1,103 @@
+//! Half-typed text never panics, and is never a model.
+
+use super::*;
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+
+use crate::stub::stub;
+
+/// The stream with the first `budget` tokens only, groups closed where they are cut.
+fn cut(stream: TokenStream, budget: &mut usize) -> TokenStream {
+    let mut out = Vec::new();
+    for token in stream {
+        if *budget == 0 {
+            break;
+        }
+        *budget -= 1;
+        out.push(match token {
+            TokenTree::Group(group) => {
+                let mut cut = Group::new(group.delimiter(), cut(group.stream(), budget));
+                cut.set_span(group.span());
+                TokenTree::Group(cut)
+            }
+            token => token,
+        });
+    }
+    out.into_iter().collect()
+}
+
+fn count(stream: TokenStream) -> usize {
+    stream.into_iter().map(|token| if let TokenTree::Group(group) = token { 1 + count(group.stream()) } else { 1 }).sum()
+}
+
+/// Parses and checks; after mistakes the stub must be a file of Rust.
+fn survives(tokens: TokenStream) -> bool {
+    let mut errors = Errors::new();
+    let tree = parse(tokens, &mut errors);
+    let model = tree.as_ref().and_then(|tree| check(tree, &Library::standard(), &mut errors));
+    assert_eq!(model.is_none(), !errors.is_empty(), "a model, or mistakes");
+    if let Some(tree) = &tree {
+        syn::parse2::<syn::File>(stub(tree)).expect("the stub is Rust");
+    }
+    syn::parse2::<syn::File>(errors.into_tokens()).expect("the errors are Rust");
+    model.is_some()
+}
+
+#[test]
+fn cut_after_every_token() {
+    let tokens: TokenStream = SPIN_UP.parse().unwrap();
+    let total = count(tokens.clone());
+    assert!(total > 300);
+    // With its first output the declaration is whole; before, something is always missing.
+    let first_output = SPIN_UP.find("output tip").unwrap();
+    let needed = count(format!("{}}}", &SPIN_UP[..first_output]).parse().unwrap());
+    for budget in 0..total {
+        let is_model = survives(cut(tokens.clone(), &mut budget.clone()));
+        assert!(!is_model || budget + 3 >= needed, "a model after {budget} of {total} tokens, {needed} are needed");
+    }
+    assert!(survives(tokens));
+}
+
+#[test]
+fn without_any_one_token() {
+    fn without(stream: TokenStream, at: &mut usize) -> TokenStream {
+        let mut out = Vec::new();
+        for token in stream {
+            let here = *at == 0;
+            *at = at.wrapping_sub(1);
+            match token {
+                _ if here => {}
+                TokenTree::Group(group) => {
+                    let mut inner = Group::new(group.delimiter(), without(group.stream(), at));
+                    inner.set_span(group.span());
+                    out.push(TokenTree::Group(inner));
+                }
+                token => out.push(token),
+            }
+        }
+        out.into_iter().collect()
+    }
+    let tokens: TokenStream = SPIN_UP.parse().unwrap();
+    for at in 0..count(tokens.clone()) {
+        survives(without(tokens.clone(), &mut at.clone()));
+    }
+}
+
+#[test]
+fn deep_nesting_is_refused() {
+    let mut inner: TokenStream = "1".parse().unwrap();
+    for _ in 0..3000 {
+        inner = TokenStream::from(TokenTree::Group(Group::new(Delimiter::Parenthesis, inner)));
+    }
+    let text: TokenStream = "const a =".parse().unwrap();
+    let semicolon: TokenStream = ";".parse().unwrap();
+    let body: TokenStream = [text, inner, semicolon].into_iter().collect();
+    let head: TokenStream = "model M".parse().unwrap();
+    let model = TokenStream::from(TokenTree::Group(Group::new(Delimiter::Brace, body)));
+    assert!(!survives([head, model].into_iter().collect()));
+    let long = vec!["1"; 5000].join("+");
+    assert!(!survives(format!("model M {{ const a = {long}; }}").parse().unwrap()));
+    let minuses = "-".repeat(5000);
+    assert!(!survives(format!("model M {{ const a = {minuses}1; }}").parse().unwrap()));
+    let powers = vec!["2"; 5000].join("^");
+    assert!(!survives(format!("model M {{ const a = {powers}; }}").parse().unwrap()));
+}

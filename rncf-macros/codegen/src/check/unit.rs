@@ -1,0 +1,62 @@
+//! Units behind numbers.
+
+use super::{Check, say};
+use crate::errors::Area;
+use crate::parse::ascii;
+use crate::parse::tree::{Name, UnitText};
+use crate::suggest;
+use crate::units::{self, Compound, ScaleError};
+
+impl Check<'_> {
+    /// Resolves a unit; every unknown symbol is reported.
+    pub(super) fn unit(&mut self, text: &UnitText) -> Option<Compound> {
+        let mut compound = Some(Compound::ONE);
+        for (at, (name, exponent)) in text.factors.iter().enumerate() {
+            let Some(unit) = self.symbol(name, at, text) else {
+                compound = None;
+                continue;
+            };
+            if let Some(so_far) = compound {
+                compound = so_far.times(unit, *exponent);
+                if compound.is_none() {
+                    self.errors.at(text.area, say::EXPONENT_RANGE);
+                }
+            }
+        }
+        compound
+    }
+
+    fn symbol(&mut self, name: &Name, at: usize, text: &UnitText) -> Option<&'static units::Unit> {
+        let word = name.text.as_str();
+        let is_declared = self.names.contains_key(word);
+        let found = units::find(word);
+        let message = match found {
+            // Behind the first symbol a declared name could be meant as a value.
+            Some(_) if is_declared && at > 0 => say::unit_or_name(word, &text.text),
+            Some(unit) => return Some(unit),
+            None if is_declared && at == 0 => say::missing_star(word),
+            None if is_declared => say::unit_or_name(word, &text.text),
+            None => match ascii::suggestion(word) {
+                Some(plain) => say::not_ascii(word, &plain),
+                None => suggest::unknown("unit", word, units::UNITS.iter().map(|unit| unit.symbol)),
+            },
+        };
+        self.errors.at(name.span, message);
+        None
+    }
+
+    /// Value in SI of a literal.
+    pub(super) fn number(&mut self, text: &str, unit: Compound, area: Area) -> Option<f64> {
+        match units::scale(text, unit) {
+            Ok(value) => Some(value),
+            Err(ScaleError::NotDecimal) => {
+                self.errors.at(area, say::not_a_number(text));
+                None
+            }
+            Err(ScaleError::Range) => {
+                self.errors.at(area, say::number_range(text));
+                None
+            }
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! All mistakes of a declaration, collected with the places that they underline.
+
+use proc_macro2::{Span, TokenStream};
+use quote::quote_spanned;
+
+/// A stretch of source text, from the first to the last token that an error underlines.
+#[derive(Clone, Copy, Debug)]
+pub struct Area {
+    /// Span of the first token.
+    pub start: Span,
+    /// Span of the last token.
+    pub end: Span,
+}
+
+impl Area {
+    /// From the start of one area to the end of another.
+    #[must_use]
+    pub fn to(self, other: Area) -> Area {
+        Area { start: self.start, end: other.end }
+    }
+
+    /// The source text, where the spans come from parsed text.
+    pub fn source_text(self) -> Option<String> {
+        self.start.join(self.end)?.source_text()
+    }
+
+    /// Line number of the first token, counted from 1 (0 where unknown).
+    pub fn line(self) -> usize {
+        self.start.start().line
+    }
+}
+
+impl From<Span> for Area {
+    fn from(span: Span) -> Self {
+        Area { start: span, end: span }
+    }
+}
+
+/// One mistake: what is underlined, what is wrong and what would be right.
+#[derive(Clone, Debug)]
+pub struct Mistake {
+    /// What is underlined.
+    pub area: Area,
+    /// What is wrong, and what would be right.
+    pub message: String,
+}
+
+impl Mistake {
+    /// A mistake at a place.
+    pub fn new(area: impl Into<Area>, message: impl Into<String>) -> Self {
+        Mistake { area: area.into(), message: message.into() }
+    }
+
+    /// `compile_error!` with this message, underlining from the first to the last token.
+    pub fn to_tokens(&self) -> TokenStream {
+        let message = &self.message;
+        let (start, end) = (self.area.start, self.area.end);
+        let call = quote_spanned!(end=> { #message });
+        quote_spanned!(start=> ::core::compile_error! #call)
+    }
+}
+
+/// Collects all mistakes, so that one build reports every one of them. Dropping it without having
+/// asked for the mistakes ([`Errors::finish`]) is a programming error and panics.
+#[derive(Debug, Default)]
+pub struct Errors {
+    mistakes: Vec<Mistake>,
+    asked: bool,
+}
+
+impl Errors {
+    /// No mistakes so far.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a mistake.
+    pub fn push(&mut self, mistake: Mistake) {
+        self.mistakes.push(mistake);
+    }
+
+    /// Adds a mistake at a place.
+    pub fn at(&mut self, area: impl Into<Area>, message: impl Into<String>) {
+        self.push(Mistake::new(area, message));
+    }
+
+    /// Whether there is no mistake so far.
+    pub fn is_empty(&self) -> bool {
+        self.mistakes.is_empty()
+    }
+
+    /// Number of mistakes so far.
+    pub fn len(&self) -> usize {
+        self.mistakes.len()
+    }
+
+    /// All mistakes in the order in which they were found.
+    pub fn finish(mut self) -> Vec<Mistake> {
+        self.asked = true;
+        std::mem::take(&mut self.mistakes)
+    }
+
+    /// One `compile_error!` per mistake; nothing where there is none.
+    pub fn into_tokens(self) -> TokenStream {
+        self.finish()
+            .iter()
+            .map(|mistake| {
+                let call = mistake.to_tokens();
+                quote_spanned!(mistake.area.start=> #call)
+            })
+            .collect()
+    }
+}
+
+impl Drop for Errors {
+    fn drop(&mut self) {
+        if !self.asked && !std::thread::panicking() {
+            panic!("the mistakes of a declaration were never asked for");
+        }
+    }
+}

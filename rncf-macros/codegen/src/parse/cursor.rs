@@ -1,0 +1,191 @@
+//! A position in a list of tokens.
+
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
+
+use super::messages as say;
+use super::tree::Name;
+use crate::errors::{Area, Mistake};
+
+/// Result of a parser; the mistake is reported by whoever recovers.
+pub type Parsed<T> = Result<T, Mistake>;
+
+/// Tokens of one group and a position in them.
+pub struct Cursor {
+    tokens: Vec<TokenTree>,
+    at: usize,
+    close: Span,
+}
+
+impl Cursor {
+    /// At the start of the tokens; `close` is underlined where something is missing at the end.
+    pub fn new(stream: TokenStream, close: Span) -> Self {
+        let mut tokens = Vec::new();
+        flatten(stream, &mut tokens);
+        Self { tokens, at: 0, close }
+    }
+
+    /// Of the content of a group.
+    pub fn of(group: &Group) -> Self {
+        Self::new(group.stream(), group.span_close())
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.at >= self.tokens.len()
+    }
+
+    pub fn peek(&self) -> Option<&TokenTree> {
+        self.tokens.get(self.at)
+    }
+
+    fn peek_second(&self) -> Option<&TokenTree> {
+        self.tokens.get(self.at + 1)
+    }
+
+    pub fn next(&mut self) -> Option<TokenTree> {
+        let token = self.tokens.get(self.at).cloned();
+        self.at += usize::from(token.is_some());
+        token
+    }
+
+    /// Position, to come back to.
+    pub fn mark(&self) -> usize {
+        self.at
+    }
+
+    /// Back to a marked position.
+    pub fn reset(&mut self, mark: usize) {
+        self.at = mark;
+    }
+
+    /// Span of the next token, or of the closing delimiter.
+    pub fn here(&self) -> Span {
+        self.peek().map_or(self.close, TokenTree::span)
+    }
+
+    /// Span of the token before.
+    pub fn before(&self) -> Span {
+        self.at.checked_sub(1).and_then(|at| self.tokens.get(at)).map_or(self.close, TokenTree::span)
+    }
+
+    /// From a span to the token before.
+    pub fn since(&self, start: Span) -> Area {
+        Area { start, end: self.before() }
+    }
+
+    pub fn word(&self) -> Option<&Ident> {
+        match self.peek() {
+            Some(TokenTree::Ident(ident)) => Some(ident),
+            _ => None,
+        }
+    }
+
+    pub fn is_word(&self, word: &str) -> bool {
+        self.word().is_some_and(|ident| ident == word)
+    }
+
+    /// Whether the next two tokens are words.
+    pub fn is_two_words(&self) -> bool {
+        self.word().is_some() && matches!(self.peek_second(), Some(TokenTree::Ident(_)))
+    }
+
+    pub fn eat_word(&mut self, word: &str) -> bool {
+        let is = self.is_word(word);
+        self.at += usize::from(is);
+        is
+    }
+
+    pub fn is_punct(&self, c: char) -> bool {
+        matches!(self.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == c)
+    }
+
+    /// Whether the token after the next is this punctuation.
+    pub fn is_second_punct(&self, c: char) -> bool {
+        matches!(self.peek_second(), Some(TokenTree::Punct(punct)) if punct.as_char() == c)
+    }
+
+    pub fn eat_punct(&mut self, c: char) -> bool {
+        let is = self.is_punct(c);
+        self.at += usize::from(is);
+        is
+    }
+
+    pub fn group(&self, delimiter: Delimiter) -> Option<&Group> {
+        match self.peek() {
+            Some(TokenTree::Group(group)) if group.delimiter() == delimiter => Some(group),
+            _ => None,
+        }
+    }
+
+    pub fn eat_group(&mut self, delimiter: Delimiter) -> Option<Group> {
+        let group = self.group(delimiter).cloned();
+        self.at += usize::from(group.is_some());
+        group
+    }
+
+    /// What stands here, for messages.
+    pub fn found(&self) -> String {
+        match self.peek() {
+            None => "the end".into(),
+            Some(TokenTree::Group(group)) => match group.delimiter() {
+                Delimiter::Parenthesis => "`(`".into(),
+                Delimiter::Brace => "`{`".into(),
+                Delimiter::Bracket => "`[`".into(),
+                Delimiter::None => "a group".into(),
+            },
+            Some(token) => format!("`{token}`"),
+        }
+    }
+
+    /// The mistake that something else was expected here.
+    pub fn expected(&self, what: &str) -> Mistake {
+        Mistake::new(self.here(), say::expected(what, &self.found()))
+    }
+
+    pub fn expect_punct(&mut self, c: char) -> Parsed<()> {
+        if self.eat_punct(c) { Ok(()) } else { Err(self.expected(&format!("`{c}`"))) }
+    }
+
+    pub fn expect_word(&mut self, word: &str) -> Parsed<()> {
+        if self.eat_word(word) { Ok(()) } else { Err(self.expected(&format!("`{word}`"))) }
+    }
+
+    /// The `;` at the end of a statement; where it is missing the token before is underlined.
+    pub fn expect_end(&mut self) -> Parsed<()> {
+        if self.eat_punct(';') {
+            return Ok(());
+        }
+        let is_new = self.is_empty() || self.is_two_words() || self.is_punct('#');
+        if is_new {
+            return Err(Mistake::new(self.before(), say::missing_semicolon(&self.found())));
+        }
+        Err(self.expected("`;`"))
+    }
+
+    /// Any word; what it names is said in the message.
+    pub fn expect_name(&mut self, what: &str) -> Parsed<Name> {
+        let Some(ident) = self.word().cloned() else {
+            return Err(self.expected(what));
+        };
+        self.at += 1;
+        Ok(Name { text: ident.to_string(), span: ident.span() })
+    }
+}
+
+/// Resolves invisible groups (fragments of other macros): one token as it is, more in parentheses.
+fn flatten(stream: TokenStream, out: &mut Vec<TokenTree>) {
+    for token in stream {
+        match token {
+            TokenTree::Group(group) if group.delimiter() == Delimiter::None => {
+                let inner: Vec<_> = group.stream().into_iter().collect();
+                if inner.len() == 1 {
+                    flatten(group.stream(), out);
+                } else {
+                    let mut visible = Group::new(Delimiter::Parenthesis, group.stream());
+                    visible.set_span(group.span());
+                    out.push(TokenTree::Group(visible));
+                }
+            }
+            token => out.push(token),
+        }
+    }
+}

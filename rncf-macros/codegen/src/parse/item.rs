@@ -1,0 +1,333 @@
+//! Items of a model and statements of a body.
+
+use proc_macro2::{Delimiter, TokenTree};
+
+use super::cursor::{Cursor, Parsed};
+use super::messages as say;
+use super::tree::{Field, Fields, Item, ItemKind, Keyword, Name, Statement, Tree};
+use super::{ascii, expr};
+use crate::errors::{Area, Errors, Mistake};
+
+/// All items of a model.
+pub fn items(cursor: &mut Cursor, tree: &mut Tree, errors: &mut Errors) {
+    while !cursor.is_empty() {
+        let doc = documentation(cursor, errors);
+        if cursor.is_empty() {
+            return;
+        }
+        if cursor.is_word("run") {
+            run(cursor, tree, errors);
+            continue;
+        }
+        let Some(keyword) = cursor.word().and_then(|word| Keyword::of(&word.to_string())) else {
+            errors.push(unknown_item(cursor));
+            cursor.next();
+            recover(cursor);
+            continue;
+        };
+        cursor.next();
+        match item_name(cursor, keyword) {
+            Ok(name) => tree.items.push(item(cursor, doc, keyword, name, errors)),
+            Err(mistake) => {
+                errors.push(mistake);
+                recover(cursor);
+            }
+        }
+    }
+}
+
+fn unknown_item(cursor: &Cursor) -> Mistake {
+    let valid = Keyword::ALL.map(Keyword::word).into_iter().chain(["run"]);
+    match cursor.word() {
+        Some(word) => Mistake::new(word.span(), say::unknown("item", &word.to_string(), valid)),
+        None => cursor.expected("an item such as `param` or `body`"),
+    }
+}
+
+fn item_name(cursor: &mut Cursor, keyword: Keyword) -> Parsed<Name> {
+    // A keyword is a name that was forgotten: `param = 3;`, or half a line: `param` `body beam ..`.
+    let is_next_item = cursor.word().is_some_and(|word| Keyword::of(&word.to_string()).is_some());
+    if is_next_item && cursor.is_two_words() {
+        return Err(Mistake::new(cursor.before(), say::missing_name(keyword.word())));
+    }
+    let name = cursor.expect_name(&format!("a name after `{}`", keyword.word()))?;
+    check_name(&name)?;
+    Ok(name)
+}
+
+/// Refuses names that cannot be Rust identifiers or have a meaning of their own.
+pub fn check_name(name: &Name) -> Parsed<()> {
+    let text = name.text.as_str();
+    let message = if let Some(plain) = ascii::suggestion(text) {
+        say::not_ascii(text, &plain)
+    } else if let Some(plain) = text.strip_prefix("r#") {
+        say::raw_name(plain)
+    } else if syn::parse_str::<syn::Ident>(text).is_err() {
+        say::rust_keyword(text)
+    } else {
+        return Ok(());
+    };
+    Err(Mistake::new(name.span, message))
+}
+
+/// Content of an item; unreadable content is reported and left out.
+fn item(cursor: &mut Cursor, doc: String, keyword: Keyword, name: Name, errors: &mut Errors) -> Item {
+    let kind = match keyword {
+        Keyword::Param => param(cursor, errors),
+        _ => content(cursor, keyword, errors).unwrap_or_else(|mistake| {
+            errors.push(mistake);
+            recover(cursor);
+            ItemKind::Broken
+        }),
+    };
+    Item { doc, keyword, name, kind }
+}
+
+/// A parameter keeps its kind even where its value is unreadable: the struct keeps its field.
+fn param(cursor: &mut Cursor, errors: &mut Errors) -> ItemKind {
+    let mut count = false;
+    let value = param_value(cursor, &mut count).unwrap_or_else(|mistake| {
+        errors.push(mistake);
+        recover(cursor);
+        None
+    });
+    ItemKind::Param { count, value }
+}
+
+fn param_value(cursor: &mut Cursor, count: &mut bool) -> Parsed<Option<super::tree::Expr>> {
+    if cursor.eat_punct(':') {
+        let kind = cursor.expect_name("`count`")?;
+        if kind.text != "count" {
+            return Err(Mistake::new(kind.span, say::unknown("kind of parameter", &kind.text, ["count"])));
+        }
+        *count = true;
+    }
+    assignment(cursor).map(Some)
+}
+
+/// `= right ;`
+fn assignment(cursor: &mut Cursor) -> Parsed<super::tree::Expr> {
+    cursor.expect_punct('=')?;
+    let value = expr::right_side(cursor)?;
+    cursor.expect_end()?;
+    Ok(value)
+}
+
+fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed<ItemKind> {
+    let area = Area::from(cursor.before());
+    Ok(match keyword {
+        Keyword::Param => unreachable!("parameters are read by `param`"),
+        Keyword::Const => ItemKind::Const(assignment(cursor)?),
+        Keyword::Output => ItemKind::Output(assignment(cursor)?),
+        Keyword::Motion => {
+            time_argument(cursor)?;
+            ItemKind::Motion(assignment(cursor)?)
+        }
+        Keyword::Material => ItemKind::Material(fields(cursor, area, errors)?),
+        Keyword::Section => ItemKind::Section(fields(cursor, area, errors)?),
+        Keyword::Joint => ItemKind::Joint(assigned_call(cursor, "`clamp(..)`, `clamp_full(..)` or `pin(..)`")?),
+        Keyword::Load => ItemKind::Load(assigned_call(cursor, "`gravity(..)`, `force(..)` or `moment(..)`")?),
+        Keyword::Frame => {
+            let parent = in_frame(cursor)?;
+            ItemKind::Frame { parent, call: assigned_call(cursor, "`rotating(..)` or `moving(..)`")? }
+        }
+        Keyword::Body => {
+            let frame = in_frame(cursor)?;
+            let Some(group) = cursor.eat_group(Delimiter::Brace) else {
+                return Err(cursor.expected("`{` and the statements of the body"));
+            };
+            let before = errors.len();
+            let statements = statements(&mut Cursor::of(&group), errors);
+            ItemKind::Body { frame, statements, complete: errors.len() == before }
+        }
+    })
+}
+
+fn time_argument(cursor: &mut Cursor) -> Parsed<()> {
+    let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
+        return Err(cursor.expected("`(t)` after the name of the motion"));
+    };
+    let mut inner = Cursor::of(&group);
+    if inner.eat_word("t") && inner.is_empty() {
+        return Ok(());
+    }
+    Err(Mistake::new(group.span(), say::MOTION_ARGUMENT))
+}
+
+fn in_frame(cursor: &mut Cursor) -> Parsed<Option<Name>> {
+    if cursor.eat_word("in") { cursor.expect_name("the name of a frame").map(Some) } else { Ok(None) }
+}
+
+fn assigned_call(cursor: &mut Cursor, what: &str) -> Parsed<super::tree::Call> {
+    cursor.expect_punct('=')?;
+    let name = cursor.expect_name(what)?;
+    let call = expr::call(cursor, name, 0)?;
+    cursor.expect_end()?;
+    Ok(call)
+}
+
+/// `{ name = value; .. }`
+fn fields(cursor: &mut Cursor, area: Area, errors: &mut Errors) -> Parsed<Fields> {
+    let Some(group) = cursor.eat_group(Delimiter::Brace) else {
+        return Err(cursor.expected("`{` and fields"));
+    };
+    let mut inner = Cursor::of(&group);
+    let (mut fields, mut complete) = (Vec::new(), true);
+    while !inner.is_empty() {
+        documentation(&mut inner, errors);
+        if inner.is_empty() {
+            break;
+        }
+        let field = inner.expect_name("the name of a field").and_then(|name| {
+            let value = assignment(&mut inner)?;
+            Ok(Field { name, value })
+        });
+        match field {
+            Ok(field) => fields.push(field),
+            Err(mistake) => {
+                complete = false;
+                errors.push(mistake);
+                recover_field(&mut inner);
+            }
+        }
+    }
+    Ok(Fields { area, fields, complete })
+}
+
+fn run(cursor: &mut Cursor, tree: &mut Tree, errors: &mut Errors) {
+    cursor.next();
+    match fields(cursor, cursor.before().into(), errors) {
+        Ok(fields) => tree.runs.push(fields),
+        Err(mistake) => {
+            errors.push(mistake);
+            recover(cursor);
+        }
+    }
+}
+
+/// Statements of a body.
+const STATEMENTS: &[&str] = &["planar", "spatial", "line", "arc", "mesh"];
+
+fn statements(cursor: &mut Cursor, errors: &mut Errors) -> Vec<Statement> {
+    let mut statements = Vec::new();
+    while !cursor.is_empty() {
+        documentation(cursor, errors);
+        if cursor.is_empty() {
+            break;
+        }
+        match statement(cursor) {
+            Ok(statement) => statements.push(statement),
+            Err(mistake) => {
+                errors.push(mistake);
+                recover_statement(cursor);
+            }
+        }
+    }
+    statements
+}
+
+fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
+    let word = cursor.expect_name("a statement such as `line` or `mesh`")?;
+    let area = Area::from(word.span);
+    let statement = match word.text.as_str() {
+        "planar" => {
+            let plane = cursor.expect_name("a plane: `xy`, `yz` or `zx`")?;
+            Statement::Space { area: cursor.since(word.span), plane: Some(plane) }
+        }
+        "spatial" => Statement::Space { area, plane: None },
+        "line" => {
+            cursor.expect_word("from")?;
+            let from = expr::expression(cursor)?;
+            cursor.expect_word("to")?;
+            Statement::Line { area, from, to: expr::expression(cursor)? }
+        }
+        "arc" => {
+            cursor.expect_word("from")?;
+            let from = expr::expression(cursor)?;
+            cursor.expect_word("direction")?;
+            let direction = expr::expression(cursor)?;
+            cursor.expect_word("radius")?;
+            let radius = expr::expression(cursor)?;
+            cursor.expect_word("angle")?;
+            Statement::Arc { area, from, direction, radius, angle: expr::expression(cursor)? }
+        }
+        "mesh" => {
+            let count = expr::count(cursor)?;
+            cursor.expect_punct('*')?;
+            let name = cursor.expect_name("an element such as `cable(section, material)`")?;
+            Statement::Mesh { area, count, element: expr::call(cursor, name, 0)? }
+        }
+        other => {
+            return Err(Mistake::new(word.span, say::unknown("statement", other, STATEMENTS.iter().copied())));
+        }
+    };
+    cursor.expect_end()?;
+    Ok(statement)
+}
+
+/// Skips to the next item: behind a `;` or `{..}`, or before a keyword with a name.
+fn recover(cursor: &mut Cursor) {
+    recover_before(cursor, |cursor| {
+        cursor.word().is_some_and(|word| word == "run" || Keyword::of(&word.to_string()).is_some())
+            && (cursor.is_two_words() || cursor.is_word("run"))
+    });
+}
+
+fn recover_statement(cursor: &mut Cursor) {
+    recover_before(cursor, |cursor| STATEMENTS.iter().any(|word| cursor.is_word(word)));
+}
+
+fn recover_field(cursor: &mut Cursor) {
+    recover_before(cursor, |cursor| cursor.word().is_some() && cursor.is_second_punct('='));
+}
+
+fn recover_before(cursor: &mut Cursor, is_start: impl Fn(&Cursor) -> bool) {
+    while !cursor.is_empty() && !is_start(cursor) && !is_documentation(cursor) {
+        if cursor.eat_punct(';') {
+            return;
+        }
+        let is_brace = cursor.group(Delimiter::Brace).is_some();
+        cursor.next();
+        if is_brace && !cursor.is_punct(';') && !cursor.is_word("else") && !cursor.is_empty() {
+            return;
+        }
+    }
+}
+
+fn is_documentation(cursor: &Cursor) -> bool {
+    cursor.is_punct('#')
+}
+
+/// Documentation comments, joined by newlines; other attributes are reported.
+pub fn documentation(cursor: &mut Cursor, errors: &mut Errors) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    while cursor.is_punct('#') {
+        let start = cursor.here();
+        cursor.next();
+        let inner = cursor.eat_punct('!');
+        let text = cursor.eat_group(Delimiter::Bracket).and_then(|group| doc_text(&mut Cursor::of(&group)));
+        match text {
+            Some(text) if !inner => lines.extend(text.lines().map(|line| clean(line).to_string())),
+            Some(_) => errors.at(cursor.since(start), say::INNER_DOC),
+            None => errors.at(cursor.since(start), say::ATTRIBUTE),
+        }
+    }
+    lines.join("\n").trim().to_string()
+}
+
+/// Without the space behind `///`, or the ` * ` of block comments.
+fn clean(line: &str) -> &str {
+    let line = line.trim_end();
+    let starred = line.trim_start().strip_prefix("* ");
+    starred.unwrap_or_else(|| line.strip_prefix(' ').unwrap_or(line))
+}
+
+fn doc_text(cursor: &mut Cursor) -> Option<String> {
+    if !cursor.eat_word("doc") || !cursor.eat_punct('=') {
+        return None;
+    }
+    let Some(TokenTree::Literal(literal)) = cursor.next() else {
+        return None;
+    };
+    syn::parse_str::<syn::LitStr>(&literal.to_string()).ok().map(|text| text.value())
+}

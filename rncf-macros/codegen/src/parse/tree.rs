@@ -1,0 +1,303 @@
+//! The syntax tree: what is written, with the places where it is written; nothing is resolved.
+
+use proc_macro2::{Span, TokenStream};
+
+use crate::errors::Area;
+
+/// A word of the user.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// The word.
+    pub text: String,
+    /// Where it is.
+    pub span: Span,
+}
+
+/// A declaration.
+#[derive(Clone, Debug)]
+pub struct Tree {
+    /// Documentation comment.
+    pub doc: String,
+    /// Visibility as written.
+    pub visibility: TokenStream,
+    /// Name of the model.
+    pub name: Name,
+    /// Items with a name.
+    pub items: Vec<Item>,
+    /// `run` blocks.
+    pub runs: Vec<Fields>,
+    /// The declaration's text.
+    pub source: String,
+    /// Whether all of it could be read.
+    pub complete: bool,
+}
+
+/// The keyword of a named item.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Keyword {
+    Param,
+    Const,
+    Material,
+    Section,
+    Motion,
+    Frame,
+    Body,
+    Joint,
+    Load,
+    Output,
+}
+
+impl Keyword {
+    /// All of them, in the order a user needs them.
+    pub const ALL: [Keyword; 10] = [
+        Keyword::Param,
+        Keyword::Const,
+        Keyword::Material,
+        Keyword::Section,
+        Keyword::Motion,
+        Keyword::Frame,
+        Keyword::Body,
+        Keyword::Joint,
+        Keyword::Load,
+        Keyword::Output,
+    ];
+
+    /// The word in the language.
+    pub fn word(self) -> &'static str {
+        match self {
+            Keyword::Param => "param",
+            Keyword::Const => "const",
+            Keyword::Material => "material",
+            Keyword::Section => "section",
+            Keyword::Motion => "motion",
+            Keyword::Frame => "frame",
+            Keyword::Body => "body",
+            Keyword::Joint => "joint",
+            Keyword::Load => "load",
+            Keyword::Output => "output",
+        }
+    }
+
+    /// The keyword with this word.
+    pub fn of(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|keyword| keyword.word() == word)
+    }
+}
+
+/// A named item.
+#[derive(Clone, Debug)]
+pub struct Item {
+    /// Documentation comment.
+    pub doc: String,
+    /// What it declares.
+    pub keyword: Keyword,
+    /// Its name.
+    pub name: Name,
+    /// Its content.
+    pub kind: ItemKind,
+}
+
+/// Content of an item.
+#[derive(Clone, Debug)]
+pub enum ItemKind {
+    /// `param name [: count] = value;` (no value: unreadable, reported)
+    Param {
+        /// Whether it counts things.
+        count: bool,
+        /// Default.
+        value: Option<Expr>,
+    },
+    /// `const name = value;`
+    Const(Expr),
+    /// `material name { field = value; .. }`
+    Material(Fields),
+    /// `section name { field = value; .. }`
+    Section(Fields),
+    /// `motion name(t) = value;`
+    Motion(Expr),
+    /// `frame name [in parent] = call;`
+    Frame {
+        /// `in parent`
+        parent: Option<Name>,
+        /// `rotating(..)` or `moving(..)`
+        call: Call,
+    },
+    /// `body name [in frame] { statements }`
+    Body {
+        /// `in frame`
+        frame: Option<Name>,
+        /// What stands in the braces.
+        statements: Vec<Statement>,
+        /// Whether all statements could be read.
+        complete: bool,
+    },
+    /// `joint name = call;`
+    Joint(Call),
+    /// `load name = call;`
+    Load(Call),
+    /// `output name = value;`
+    Output(Expr),
+    /// Unreadable; reported already. Uses of the name are not mistakes.
+    Broken,
+}
+
+/// `{ name = value; .. }`
+#[derive(Clone, Debug)]
+pub struct Fields {
+    /// The word before the braces.
+    pub area: Area,
+    /// Fields in order.
+    pub fields: Vec<Field>,
+    /// Whether all of them could be read.
+    pub complete: bool,
+}
+
+/// `name = value;`
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// Name.
+    pub name: Name,
+    /// Value.
+    pub value: Expr,
+}
+
+/// A statement of a body.
+#[derive(Clone, Debug)]
+pub enum Statement {
+    /// `planar xy;`, or `spatial;` without a plane.
+    Space {
+        /// The whole statement.
+        area: Area,
+        /// `xy`, `yz` or `zx`.
+        plane: Option<Name>,
+    },
+    /// `line from a to b;`
+    Line {
+        /// The word `line`.
+        area: Area,
+        /// Start.
+        from: Expr,
+        /// End.
+        to: Expr,
+    },
+    /// `arc from a direction d radius r angle phi;`
+    Arc {
+        /// The word `arc`.
+        area: Area,
+        /// Start.
+        from: Expr,
+        /// Tangent at the start.
+        direction: Expr,
+        /// Radius.
+        radius: Expr,
+        /// Subtended angle.
+        angle: Expr,
+    },
+    /// `mesh count * element(..);`
+    Mesh {
+        /// The word `mesh`.
+        area: Area,
+        /// Number of elements.
+        count: Expr,
+        /// Element with its arguments.
+        element: Call,
+    },
+}
+
+/// `name(arguments)`
+#[derive(Clone, Debug)]
+pub struct Call {
+    /// What is called.
+    pub name: Name,
+    /// Arguments.
+    pub arguments: Vec<Argument>,
+    /// All of it.
+    pub area: Area,
+}
+
+/// `value` or `name = value`
+#[derive(Clone, Debug)]
+pub struct Argument {
+    /// Name, where given.
+    pub name: Option<Name>,
+    /// Value.
+    pub value: Expr,
+}
+
+/// An expression.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// All of it, parentheses included.
+    pub area: Area,
+    /// Height of the tree, bounded by the parser so that recursion over it is safe.
+    pub height: usize,
+}
+
+/// What an expression is.
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    /// A number with its unit.
+    Number {
+        /// As written.
+        text: String,
+        /// Unit behind it.
+        unit: Option<UnitText>,
+    },
+    /// A name: parameter, constant, `t`, `pi`, ...
+    Name(Name),
+    /// `base.field` or `base.field(arguments)`
+    Member {
+        /// What stands before the dot.
+        base: Box<Expr>,
+        /// The word behind it.
+        field: Name,
+        /// Arguments, where there are parentheses.
+        arguments: Option<Vec<Argument>>,
+    },
+    /// `name(arguments)`
+    Call(Call),
+    /// `-a`
+    Negate(Box<Expr>),
+    /// `a + b`, `a - b`, `a * b`, `a / b`
+    Binary(crate::model::Binary, Box<Expr>, Box<Expr>),
+    /// `a ^ b`
+    Power(Box<Expr>, Box<Expr>),
+    /// `if left < right { a } else { b }`
+    If(Box<If>),
+    /// `[a, b, c] unit`
+    Vector {
+        /// Components.
+        components: Vec<Expr>,
+        /// Unit of all literal components.
+        unit: Option<UnitText>,
+    },
+}
+
+/// `if left < right { then } else { otherwise }`
+#[derive(Clone, Debug)]
+pub struct If {
+    /// The comparison.
+    pub comparison: crate::model::Comparison,
+    /// Its left side.
+    pub left: Expr,
+    /// Its right side.
+    pub right: Expr,
+    /// Value where it holds.
+    pub then: Expr,
+    /// Value where it does not.
+    pub otherwise: Expr,
+}
+
+/// A product of powers of unit symbols.
+#[derive(Clone, Debug)]
+pub struct UnitText {
+    /// Symbols with their exponents.
+    pub factors: Vec<(Name, i32)>,
+    /// As written, in a uniform spacing.
+    pub text: String,
+    /// All of it.
+    pub area: Area,
+}

@@ -1,0 +1,99 @@
+//! Units behind numbers: one symbol, or a compound one.
+
+use proc_macro2::{Delimiter, Group, TokenTree};
+
+use super::cursor::{Cursor, Parsed};
+use super::expr::is_unit_next;
+use super::messages as say;
+use super::tree::UnitText;
+use crate::errors::Mistake;
+
+/// Longest text of a unit: keeps nested parentheses from exhausting the stack.
+const LONGEST: usize = 100;
+
+/// Exactly one symbol.
+pub fn single(cursor: &mut Cursor) -> Parsed<UnitText> {
+    let name = cursor.expect_name("a unit")?;
+    Ok(UnitText { text: name.text.clone(), area: name.span.into(), factors: vec![(name, 1)] })
+}
+
+/// The content of `[m/s^2]`.
+pub fn bracketed(group: &Group) -> Parsed<UnitText> {
+    let mut cursor = Cursor::of(group);
+    let mut unit = compound(&mut cursor)?;
+    if !cursor.is_empty() {
+        return Err(cursor.expected("a unit such as `m/s^2`"));
+    }
+    unit.area = group.span().into();
+    Ok(unit)
+}
+
+/// `kg/m^3`, `N*m`, `N m`, `1/s`, `W/(m K)`: as far as it goes.
+pub fn compound(cursor: &mut Cursor) -> Parsed<UnitText> {
+    let start = cursor.here();
+    let mut unit = UnitText { factors: Vec::new(), text: String::new(), area: start.into() };
+    factors(cursor, 1, &mut unit)?;
+    unit.area = cursor.since(start);
+    Ok(unit)
+}
+
+fn factors(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
+    factor(cursor, sign, unit)?;
+    let mut divided = false;
+    loop {
+        if cursor.eat_punct('*') {
+            unit.text.push(' ');
+            factor(cursor, sign, unit)?;
+        } else if cursor.eat_punct('/') {
+            divided = true;
+            unit.text.push('/');
+            factor(cursor, -sign, unit)?;
+        } else if is_unit_next(cursor) {
+            if divided {
+                return Err(Mistake::new(cursor.here(), say::unit_after_slash(&cursor.found())));
+            }
+            unit.text.push(' ');
+            factor(cursor, sign, unit)?;
+        } else {
+            return Ok(());
+        }
+    }
+}
+
+fn factor(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
+    if matches!(cursor.peek(), Some(TokenTree::Literal(literal)) if literal.to_string() == "1") {
+        cursor.next();
+        unit.text.push('1');
+        return Ok(());
+    }
+    if unit.text.len() > LONGEST {
+        return Err(Mistake::new(cursor.here(), say::TOO_DEEP));
+    }
+    if let Some(group) = cursor.eat_group(Delimiter::Parenthesis) {
+        let mut inner = Cursor::of(&group);
+        unit.text.push('(');
+        factors(&mut inner, sign, unit)?;
+        unit.text.push(')');
+        return if inner.is_empty() { Ok(()) } else { Err(inner.expected("a unit")) };
+    }
+    let name = cursor.expect_name("a unit such as `m`")?;
+    unit.text.push_str(&name.text);
+    let exponent = if cursor.eat_punct('^') { exponent(cursor, unit)? } else { 1 };
+    unit.factors.push((name, sign * exponent));
+    Ok(())
+}
+
+fn exponent(cursor: &mut Cursor, unit: &mut UnitText) -> Parsed<i32> {
+    let minus = cursor.eat_punct('-');
+    let digits = match cursor.peek() {
+        Some(TokenTree::Literal(literal)) => literal.to_string(),
+        _ => String::new(),
+    };
+    let Some(value) = digits.parse::<i32>().ok().filter(|value| (1..=12).contains(value)) else {
+        return Err(cursor.expected("a whole exponent such as `2`"));
+    };
+    cursor.next();
+    unit.text.push_str(if minus { "^-" } else { "^" });
+    unit.text.push_str(&digits);
+    Ok(if minus { -value } else { value })
+}

@@ -1,0 +1,66 @@
+//! 'Did you mean': the nearest valid word, or the list of all of them.
+
+/// "unknown kind `word`", with the nearest valid word, or with all of them.
+pub fn unknown<'a>(kind: &str, word: &str, valid: impl IntoIterator<Item = &'a str>) -> String {
+    let valid: Vec<&str> = valid.into_iter().collect();
+    match nearest(word, &valid) {
+        Some(near) => format!("unknown {kind} `{word}`: did you mean `{near}`?"),
+        None if valid.is_empty() => format!("unknown {kind} `{word}`: the model declares none"),
+        None => format!("unknown {kind} `{word}`: use {}", list(&valid)),
+    }
+}
+
+/// `a`, `b` or `c`
+pub fn list(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    match quoted.split_last() {
+        Some((last, [])) => last.clone(),
+        Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
+        None => "nothing".into(),
+    }
+}
+
+/// The valid word that is the fewest edits away, if those are few.
+fn nearest<'a>(word: &str, valid: &[&'a str]) -> Option<&'a str> {
+    let most = (word.chars().count() / 3).max(1);
+    valid
+        .iter()
+        .map(|candidate| (edits(word, candidate), *candidate))
+        .filter(|(edits, candidate)| *edits <= most && *edits < candidate.chars().count())
+        .min_by_key(|(edits, _)| *edits)
+        .map(|(_, candidate)| candidate)
+}
+
+/// Edit distance with swaps of neighbours; only the case being different counts as one edit.
+fn edits(a: &str, b: &str) -> usize {
+    if a.eq_ignore_ascii_case(b) {
+        return usize::from(a != b);
+    }
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut rows = vec![(0..=b.len()).collect::<Vec<usize>>()];
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let change = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let mut least = change.min(rows[i - 1][j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                least = least.min(rows[i - 2][j - 2] + 1);
+            }
+            row.push(least);
+        }
+        rows.push(row);
+    }
+    rows[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn near_words_are_found() {
+        assert_eq!(unknown("field", "yuong", ["density", "young"]), "unknown field `yuong`: did you mean `young`?");
+        assert_eq!(unknown("field", "q", ["density", "young"]), "unknown field `q`: use `density` or `young`");
+        assert_eq!(unknown("unit", "pa", ["Pa", "kPa"]), "unknown unit `pa`: did you mean `Pa`?");
+    }
+}

@@ -1,0 +1,87 @@
+//! The table of units, as data. Dimensions are exponents of m, kg, s, K, A, angle.
+
+use std::f64::consts::PI;
+
+/// A unit symbol.
+#[derive(Clone, Copy, Debug)]
+pub struct Unit {
+    /// Symbol, ASCII.
+    pub symbol: &'static str,
+    /// Exponents of m, kg, s, K, A, angle.
+    pub dimension: [i8; 6],
+    /// Power of ten towards SI; applied to the decimal text of a number, so that it is exact.
+    pub decimal: i32,
+    /// Factor that is no power of ten; multiplies.
+    pub factor: f64,
+}
+
+const fn unit(symbol: &'static str, dimension: [i8; 6], decimal: i32) -> Unit {
+    Unit { symbol, dimension, decimal, factor: 1.0 }
+}
+
+const fn times(symbol: &'static str, dimension: [i8; 6], factor: f64) -> Unit {
+    Unit { symbol, dimension, decimal: 0, factor }
+}
+
+const LENGTH: [i8; 6] = [1, 0, 0, 0, 0, 0];
+const MASS: [i8; 6] = [0, 1, 0, 0, 0, 0];
+const TIME: [i8; 6] = [0, 0, 1, 0, 0, 0];
+const TEMPERATURE: [i8; 6] = [0, 0, 0, 1, 0, 0];
+const CURRENT: [i8; 6] = [0, 0, 0, 0, 1, 0];
+const ANGLE: [i8; 6] = [0, 0, 0, 0, 0, 1];
+const SPIN: [i8; 6] = [0, 0, -1, 0, 0, 1];
+const FREQUENCY: [i8; 6] = [0, 0, -1, 0, 0, 0];
+const FORCE: [i8; 6] = [1, 1, -2, 0, 0, 0];
+const PRESSURE: [i8; 6] = [-1, 1, -2, 0, 0, 0];
+const ENERGY: [i8; 6] = [2, 1, -2, 0, 0, 0];
+const POWER: [i8; 6] = [2, 1, -3, 0, 0, 0];
+const VOLTAGE: [i8; 6] = [2, 1, -3, 0, -1, 0];
+
+/// All units that the language knows.
+#[rustfmt::skip]
+pub const UNITS: &[Unit] = &[
+    unit("m", LENGTH, 0), unit("mm", LENGTH, -3), unit("cm", LENGTH, -2), unit("dm", LENGTH, -1),
+    unit("km", LENGTH, 3), unit("um", LENGTH, -6), unit("nm", LENGTH, -9),
+    times("inch", LENGTH, 0.0254), times("ft", LENGTH, 0.3048), times("AU", LENGTH, 149_597_870_700.0),
+    unit("kg", MASS, 0), unit("g", MASS, -3), unit("mg", MASS, -6), unit("t", MASS, 3),
+    unit("s", TIME, 0), unit("ms", TIME, -3), unit("us", TIME, -6),
+    times("min", TIME, 60.0), times("h", TIME, 3600.0), times("day", TIME, 86_400.0),
+    unit("K", TEMPERATURE, 0), unit("A", CURRENT, 0), unit("mA", CURRENT, -3),
+    unit("rad", ANGLE, 0), unit("mrad", ANGLE, -3), times("deg", ANGLE, PI / 180.0), times("rev", ANGLE, 2.0 * PI),
+    times("rpm", SPIN, PI / 30.0), unit("Hz", FREQUENCY, 0), unit("kHz", FREQUENCY, 3),
+    unit("N", FORCE, 0), unit("kN", FORCE, 3), unit("MN", FORCE, 6), unit("mN", FORCE, -3), unit("uN", FORCE, -6),
+    unit("Pa", PRESSURE, 0), unit("kPa", PRESSURE, 3), unit("MPa", PRESSURE, 6), unit("GPa", PRESSURE, 9),
+    unit("bar", PRESSURE, 5),
+    unit("J", ENERGY, 0), unit("kJ", ENERGY, 3), unit("MJ", ENERGY, 6), unit("mJ", ENERGY, -3),
+    unit("W", POWER, 0), unit("kW", POWER, 3), unit("MW", POWER, 6), unit("mW", POWER, -3),
+    unit("V", VOLTAGE, 0), unit("kV", VOLTAGE, 3), unit("mV", VOLTAGE, -3),
+];
+
+/// What a dimension (without the angle) is called, and its SI symbol.
+#[rustfmt::skip]
+pub const NAMES: &[([i8; 5], &str, &str)] = &[
+    ([0, 0, 0, 0, 0], "a plain number", "1"),
+    ([1, 0, 0, 0, 0], "a length", "m"),
+    ([0, 1, 0, 0, 0], "a mass", "kg"),
+    ([0, 0, 1, 0, 0], "a time", "s"),
+    ([0, 0, 0, 1, 0], "a temperature", "K"),
+    ([0, 0, 0, 0, 1], "a current", "A"),
+    ([2, 0, 0, 0, 0], "an area", "m^2"),
+    ([3, 0, 0, 0, 0], "a volume", "m^3"),
+    ([4, 0, 0, 0, 0], "a second moment of area", "m^4"),
+    ([1, 0, -1, 0, 0], "a velocity", "m/s"),
+    ([1, 0, -2, 0, 0], "an acceleration", "m/s^2"),
+    ([0, 0, -1, 0, 0], "a frequency", "1/s"),
+    ([0, 0, -2, 0, 0], "an inverse square time", "1/s^2"),
+    ([-1, 0, 0, 0, 0], "a curvature", "1/m"),
+    ([1, 1, -2, 0, 0], "a force", "N"),
+    ([0, 1, -2, 0, 0], "a force per length", "N/m"),
+    ([2, 1, -2, 0, 0], "a moment or energy", "N m"),
+    ([3, 1, -2, 0, 0], "a bending stiffness", "N m^2"),
+    ([-1, 1, -2, 0, 0], "a pressure", "Pa"),
+    ([2, 1, -3, 0, 0], "a power", "W"),
+    ([-3, 1, 0, 0, 0], "a density", "kg/m^3"),
+    ([-1, 1, 0, 0, 0], "a mass per length", "kg/m"),
+    ([2, 1, 0, 0, 0], "a moment of inertia", "kg m^2"),
+    ([2, 1, -3, 0, -1], "a voltage", "V"),
+];
