@@ -16,6 +16,10 @@ const POOR: f64 = 0.5;
 const DIVERGING: f64 = 0.9;
 /// Contraction above which the next step starts with a new matrix.
 const AGED: f64 = 0.3;
+/// Most steps in a row that may take one iteration and thus show no contraction.
+const BLIND: u32 = 4;
+/// Smallest contraction that is expected of a step before it is seen.
+const LEAST: f64 = 1e-3;
 /// Most iterations of one attempt.
 const ITERATIONS: u32 = 10;
 /// The factorization is kept while the step is within this ratio of the one it was made for.
@@ -59,8 +63,50 @@ pub(super) struct Newton {
     dlambda: Vec<f64>,
     /// Step for which the matrix was factored; `None`: refresh before the next iteration.
     factored_for: Option<f64>,
-    /// Contraction seen last with this factorization.
-    contraction: f64,
+    experience: Experience,
+}
+
+/// Contraction seen with one factorization. As the solution moves away from where the matrix was
+/// made the contraction gets worse: what is expected grows by twice what was seen to come.
+struct Experience {
+    /// Seen last; 1 before anything is seen.
+    last: f64,
+    /// Change per step between the last two sightings.
+    drift: f64,
+    /// Steps since then.
+    unseen: u32,
+}
+
+impl Default for Experience {
+    fn default() -> Self {
+        Self {
+            last: 1.0,
+            drift: 1.0,
+            unseen: 0,
+        }
+    }
+}
+
+impl Experience {
+    /// Contraction to expect in the next step; 1 or more: none.
+    fn expected(&self) -> f64 {
+        if self.unseen >= BLIND {
+            return 1.0;
+        }
+        (self.last + 2.0 * self.drift * f64::from(self.unseen + 1)).max(LEAST)
+    }
+
+    /// Notes the contraction that a step has shown, if it took more than one iteration.
+    fn note(&mut self, seen: Option<f64>) {
+        match seen {
+            Some(contraction) => {
+                self.drift = (contraction - self.last).abs() / f64::from(self.unseen + 1);
+                self.last = contraction;
+                self.unseen = 0;
+            }
+            None => self.unseen += 1,
+        }
+    }
 }
 
 /// What became of an iteration.
@@ -92,7 +138,7 @@ impl Newton {
             dx: vec![0.0; pattern.columns()],
             dlambda: vec![0.0; constraint_pattern.columns()],
             factored_for: None,
-            contraction: 1.0,
+            experience: Experience::default(),
             constraint_pattern,
         }
     }
@@ -118,6 +164,7 @@ impl Newton {
             uses = Some(0);
         }
         let mut before: Option<f64> = None;
+        let mut seen: Option<f64> = None;
         for _ in 0..ITERATIONS {
             uses = uses.map(|uses| uses + 1);
             let relaxation = self.increment(system, h, &iterate.state, statistics);
@@ -127,20 +174,17 @@ impl Newton {
             }
             self.apply(h, iterate);
             let floor = ROUND_OFF / self.rtol * (1.0 + norm(&iterate.state.x, &self.inverse_sizes));
-            if size <= floor {
-                return Ok(());
-            }
-            // Seen now, else kept from before; never better than the changed step allows.
+            // Seen now, else expected from earlier steps; never better than a changed step allows.
             let contraction = match before {
                 Some(before) => size / before,
-                None => self.contraction,
+                None => self.experience.expected(),
             };
             if before.is_some() {
-                self.contraction = contraction.clamp(1e-6, 1.0);
+                seen = Some(seen.map_or(contraction, |seen: f64| seen.max(contraction)));
             }
             let expected = contraction.max((relaxation - 1.0).abs());
-            if expected < 1.0 && size * expected / (1.0 - expected) <= CONVERGED {
-                self.finish(before.is_none());
+            if size <= floor || expected < 1.0 && size * expected / (1.0 - expected) <= CONVERGED {
+                self.finish(seen);
                 return Ok(());
             }
             if before.is_some() && contraction > POOR {
@@ -169,12 +213,10 @@ impl Newton {
             .is_some_and(|made| h <= SAME_STEP * made && made <= SAME_STEP * h)
     }
 
-    /// Decides what of the iteration's experience is kept for the next step.
-    fn finish(&mut self, at_first: bool) {
-        if at_first {
-            // Nothing was seen: trust the old value less and less.
-            self.contraction = self.contraction.powf(0.8);
-        } else if self.contraction > AGED {
+    /// Learns from a converged iteration; a matrix that contracts badly is not used again.
+    fn finish(&mut self, seen: Option<f64>) {
+        self.experience.note(seen);
+        if seen.is_some_and(|contraction| contraction > AGED) {
             self.discard();
         }
     }
@@ -222,7 +264,7 @@ impl Newton {
             })
         })?;
         self.factored_for = Some(h);
-        self.contraction = 1.0;
+        self.experience = Experience::default();
         Ok(())
     }
 

@@ -112,6 +112,17 @@ fn print() {
             );
         }
     }
+    for h in [0.02, 0.01, 0.005] {
+        let mut k = 0.0;
+        let e: Vec<String> = (1..=20)
+            .map(|i| {
+                k = i as f64 * 0.05;
+                let e = pendulum(all()[5].1, constant(h, k));
+                format!("{:.1e}", e.lambda)
+            })
+            .collect();
+        println!("{h}: {}", e.join(" "));
+    }
     let mut o = Oscillator::new(1.0, 0.0, |_| 0.0);
     let _ = run(&mut o, all()[0].1, &State::zeros(0.0, 1, 0), [0.1], |t| {
         State::zeros(t, 1, 0)
