@@ -1,1 +1,3 @@
-//! TODO
+//! Facade
+pub use rncf_macros::model;
+pub use rncf_runtime::*;

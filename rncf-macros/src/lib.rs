@@ -1,1 +1,10 @@
-//! TODO
+//! The `model!` macro of `rncf`; everything it does is in `rncf-codegen`.
+
+/// Declares a model: at build time it is checked, its equations are derived and written as Rust.
+///
+/// The language is described in `docs/language.md`. The macro makes a struct with the model's
+/// parameters as fields, which implements `rncf::Model`, and a module with its equations.
+#[proc_macro]
+pub fn model(tokens: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    rncf_codegen::expand::expand(tokens.into()).into()
+}

@@ -12,6 +12,8 @@
 pub mod check;
 pub mod elements;
 pub mod emit;
+pub mod expand;
+pub mod generate;
 pub mod errors;
 pub mod lower;
 pub mod model;

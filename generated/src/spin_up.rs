@@ -1,0 +1,1725 @@
+//! Expansion of `models/src/spin_up.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
+
+/// Spin-up manoeuvre of a flexible beam (Ren & Yang 2021, section 4.1.1).
+#[derive(Clone, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct SpinUp {
+    /// Steady angular velocity. (SI; declared in rad/s)
+    pub omega_s: f64,
+    /// Time to reach it. (SI; declared in s)
+    pub T_s: f64,
+    /// Number of elements. (count)
+    pub elements: usize,
+}
+impl Default for SpinUp {
+    fn default() -> Self {
+        Self {
+            omega_s: 4.0,
+            T_s: 15.0,
+            elements: 6,
+        }
+    }
+}
+#[allow(clippy::all)]
+impl ::rncf::Model for SpinUp {
+    const NAME: &'static str = "SpinUp";
+    const DOC: &'static str = "Spin-up manoeuvre of a flexible beam (Ren & Yang 2021, section 4.1.1).";
+    const SOURCE: &'static str = "pub model SpinUp {\n    /// Steady angular velocity.\n    param omega_s = 4 rad/s;\n    /// Time to reach it.\n    param T_s = 15 s;\n    /// Number of elements.\n    param elements: count = 6;\n\n    material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; poisson = 0.3; }\n    section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }\n\n    /// Angle of the hub, Eq. (22).\n    motion theta(t) =\n        if t <= T_s { (omega_s/T_s) * (t^2/2 + (T_s/(2*pi))^2 * (cos(2*pi*t/T_s) - 1)) }\n        else { omega_s * (t - T_s/2) };\n    frame hub = rotating(axis = z, angle = theta(t));\n\n    body beam in hub {\n        planar xy;\n        line from [0, 0, 0] m to [8, 0, 0] m;\n        mesh elements * cable(tube, aluminium);\n    }\n    joint root = clamp(beam.start, hub);\n\n    /// Elongation of the tip in the frame.\n    output u = beam.end.x - 8 m;\n    /// Deflection of the tip in the frame.\n    output v = beam.end.y;\n\n    run { t_end = 20 s; every = 0.05 s; }\n}";
+    const NOTES: &'static [&'static str] = &[
+        "Body `beam` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 415 and 1216; a loop counts 1.3 times).",
+        "Body `beam` is planar: two components a vector, no motion along the normal.",
+        "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+    ];
+    fn params() -> &'static [::rncf::Param] {
+        &[
+            ::rncf::Param {
+                name: "omega_s",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "rad/s",
+                unit_si: 1.0,
+                dimension: [0, 0, -1, 0, 0, 1],
+                default: 4.0,
+                doc: "Steady angular velocity.",
+            },
+            ::rncf::Param {
+                name: "T_s",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "s",
+                unit_si: 1.0,
+                dimension: [0, 0, 1, 0, 0, 0],
+                default: 15.0,
+                doc: "Time to reach it.",
+            },
+            ::rncf::Param {
+                name: "elements",
+                kind: ::rncf::ParamKind::Count,
+                unit: "1",
+                unit_si: 1.0,
+                dimension: [0, 0, 0, 0, 0, 0],
+                default: 6.0,
+                doc: "Number of elements.",
+            },
+        ]
+    }
+    fn outputs() -> &'static [::rncf::Output] {
+        &[
+            ::rncf::Output {
+                name: "u",
+                unit: "m",
+                components: &[],
+                doc: "Elongation of the tip in the frame.",
+            },
+            ::rncf::Output {
+                name: "v",
+                unit: "m",
+                components: &[],
+                doc: "Deflection of the tip in the frame.",
+            },
+        ]
+    }
+    fn get(&self, index: usize) -> f64 {
+        match index {
+            0 => self.omega_s,
+            1 => self.T_s,
+            2 => self.elements as f64,
+            _ => panic!("SpinUp has 3 parameters, not {index}"),
+        }
+    }
+    fn set(&mut self, index: usize, value: f64) {
+        match index {
+            0 => self.omega_s = value,
+            1 => self.T_s = value,
+            2 => self.elements = value as usize,
+            _ => panic!("SpinUp has 3 parameters, not {index}"),
+        }
+    }
+    fn run(&self) -> ::rncf::RunDefaults {
+        let mut run = ::rncf::RunDefaults {
+            t_end: 0.0,
+            every: 0.0,
+        };
+        spin_up_equations::run_defaults(self, &mut run);
+        run
+    }
+    fn build(
+        &self,
+        formulation: ::rncf::Formulation,
+        joints: ::rncf::Joints,
+    ) -> ::std::result::Result<
+        ::std::boxed::Box<dyn ::rncf::Scene>,
+        ::rncf::ModelError,
+    > {
+        ::rncf::mesh::check_params(self)?;
+        let equations = spin_up_equations::Equations::new(self);
+        Ok(
+            ::std::boxed::Box::new(
+                ::rncf::mesh::MeshScene::new(equations, formulation, joints)?,
+            ),
+        )
+    }
+}
+/// Equations of [`SpinUp`]: derived, checked and written by the generator.
+#[allow(
+    missing_docs,
+    non_snake_case,
+    unused_variables,
+    unused_mut,
+    unused_parens,
+    clippy::all
+)]
+pub mod spin_up_equations {
+    /// Constants of one element `cable_planar`. Hermite centre-line element: axial strain and bending, no shear, no torsion.
+    ///
+    /// Nodal vectors: r0, s0, r1, s1, 2 components each.
+    ///
+    /// Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 415 and 1216; a loop counts 1.3 times).
+    #[derive(Clone, Copy, Debug, Default, PartialEq)]
+    pub struct CablePlanar {
+        /// Length, m.
+        pub length: f64,
+        /// young * area, N.
+        pub EA: f64,
+        /// young * second_moment, N m^2.
+        pub EI: f64,
+        /// density * area, kg/m.
+        pub rhoA: f64,
+        /// Damping of the strain measures, s.
+        pub damping: f64,
+    }
+    /// Adds the generalised elastic force F_e = dU/dq (N on positions, N m on slopes) of one element.
+    ///
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    ///
+    /// Constant tensor, integrated exactly, unrolled.
+    ///
+    /// Operations: 81 additions, 103 multiplications, 1 divisions.
+    pub fn cable_planar_elastic_force(
+        row: &CablePlanar,
+        q: &[f64; 8],
+        force: &mut [f64; 8],
+    ) {
+        let CablePlanar { length, EA, EI, .. } = *row;
+        let [r0_x, r0_y, s0_x, s0_y, r1_x, r1_y, s1_x, s1_y] = *q;
+        let inverse_length = 1.0 / length;
+        let d_x = inverse_length * (r1_x - r0_x);
+        let d_y = inverse_length * (r1_y - r0_y);
+        let dot_s0_s0 = s0_x * s0_x + s0_y * s0_y;
+        let t27 = dot_s0_s0 - 1.0;
+        let dot_s0_d = s0_x * d_x + s0_y * d_y;
+        let t29 = dot_s0_d - 1.0;
+        let dot_s0_s1 = s0_x * s1_x + s0_y * s1_y;
+        let t31 = dot_s0_s1 - 1.0;
+        let dot_d_d = d_x * d_x + d_y * d_y;
+        let t33 = dot_d_d - 1.0;
+        let dot_d_s1 = s1_x * d_x + s1_y * d_y;
+        let t35 = dot_d_s1 - 1.0;
+        let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y;
+        let t37 = dot_s1_s1 - 1.0;
+        let cross_s0_d = s0_x * d_y - s0_y * d_x;
+        let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
+        let cross_d_s1 = s1_y * d_x - s1_x * d_y;
+        let t41 = length * EA;
+        let t42 = t31 * (-0.0035714285714285713);
+        let t43 = t33 * 0.02142857142857143;
+        let t44 = t27 * 0.014285714285714285 + t29 * 0.0035714285714285713 + t42 + t43
+            + t35 * (-0.0035714285714285713) + t37 * 0.0011904761904761906;
+        let stress_dot_s0_s0 = t41 * t44;
+        let t46 = t31 * (-0.007142857142857143);
+        let t47 = t33 * (-0.12857142857142856);
+        let t48 = t37 * (-0.0035714285714285713);
+        let stress_dot_s0_d = t41
+            * (t27 * 0.0035714285714285713 + t29 * 0.08571428571428572 + t46 + t47
+                + t48);
+        let t50 = t27 * (-0.0035714285714285713);
+        let stress_dot_s0_s1 = t41
+            * (t48
+                + (t50 + t29 * (-0.007142857142857143) + t31 * 0.004761904761904762
+                    + t35 * (-0.007142857142857143)));
+        let t52 = t27 * 0.02142857142857143 + t29 * (-0.12857142857142856)
+            + t33 * 0.5142857142857142 + t35 * (-0.12857142857142856)
+            + t37 * 0.02142857142857143;
+        let stress_dot_d_d = t41 * t52;
+        let stress_dot_d_s1 = t41
+            * (t47 + (t46 + t50) + t35 * 0.08571428571428572
+                + t37 * 0.0035714285714285713);
+        let t55 = t43
+            + (t42 + (t27 * 0.0011904761904761906 + t29 * (-0.0035714285714285713)))
+            + t35 * 0.0035714285714285713 + t37 * 0.014285714285714285;
+        let stress_dot_s1_s1 = t41 * t55;
+        let t57 = inverse_length * EI;
+        let t58 = cross_s0_s1 * (-2.2);
+        let stress_cross_s0_d = t57 * (cross_s0_d * 7.2 + t58 + cross_d_s1 * 1.2);
+        let stress_cross_s0_s1 = t57
+            * (cross_s0_d * (-2.2) + cross_s0_s1 * 1.2 + cross_d_s1 * (-2.2));
+        let stress_cross_d_s1 = t57 * (t58 + cross_s0_d * 1.2 + cross_d_s1 * 7.2);
+        let t62 = stress_dot_s0_s0 * (s0_x * 2.0) + d_x * stress_dot_s0_d
+            + s1_x * stress_dot_s0_s1 + d_y * stress_cross_s0_d
+            + s1_y * stress_cross_s0_s1;
+        let t63 = stress_dot_s0_s0 * (s0_y * 2.0) + d_y * stress_dot_s0_d
+            + s1_y * stress_dot_s0_s1 - d_x * stress_cross_s0_d
+            - s1_x * stress_cross_s0_s1;
+        let t64 = s0_x * stress_dot_s0_d + stress_dot_d_d * (d_x * 2.0)
+            + s1_x * stress_dot_d_s1 - s0_y * stress_cross_s0_d
+            + s1_y * stress_cross_d_s1;
+        let t65 = s0_y * stress_dot_s0_d + stress_dot_d_d * (d_y * 2.0)
+            + s1_y * stress_dot_d_s1 + s0_x * stress_cross_s0_d
+            - s1_x * stress_cross_d_s1;
+        let t66 = s0_x * stress_dot_s0_s1 + d_x * stress_dot_d_s1
+            + stress_dot_s1_s1 * (s1_x * 2.0) - s0_y * stress_cross_s0_s1
+            - d_y * stress_cross_d_s1;
+        let t67 = s0_y * stress_dot_s0_s1 + d_y * stress_dot_d_s1
+            + stress_dot_s1_s1 * (s1_y * 2.0) + s0_x * stress_cross_s0_s1
+            + d_x * stress_cross_d_s1;
+        let t68 = inverse_length * t64;
+        let t69 = inverse_length * t65;
+        force[0] -= t68;
+        force[1] -= t69;
+        force[2] += t62;
+        force[3] += t63;
+        force[4] += t68;
+        force[5] += t69;
+        force[6] += t66;
+        force[7] += t67;
+    }
+    /// Adds the exact tangent dF_e/dq (and dF_e/dq' where damped), rows first of one element.
+    ///
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    ///
+    /// Constant tensor, integrated exactly, unrolled.
+    ///
+    /// Operations: 277 additions, 276 multiplications, 1 divisions.
+    pub fn cable_planar_elastic_tangent(
+        row: &CablePlanar,
+        q: &[f64; 8],
+        stiffness: &mut [f64; 64],
+    ) {
+        let CablePlanar { length, EA, EI, .. } = *row;
+        let [r0_x, r0_y, s0_x, s0_y, r1_x, r1_y, s1_x, s1_y] = *q;
+        let inverse_length = 1.0 / length;
+        let d_x = inverse_length * (r1_x - r0_x);
+        let d_y = inverse_length * (r1_y - r0_y);
+        let dot_s0_s0 = s0_x * s0_x + s0_y * s0_y;
+        let t27 = dot_s0_s0 - 1.0;
+        let dot_s0_d = s0_x * d_x + s0_y * d_y;
+        let t29 = dot_s0_d - 1.0;
+        let dot_s0_s1 = s0_x * s1_x + s0_y * s1_y;
+        let t31 = dot_s0_s1 - 1.0;
+        let dot_d_d = d_x * d_x + d_y * d_y;
+        let t33 = dot_d_d - 1.0;
+        let dot_d_s1 = s1_x * d_x + s1_y * d_y;
+        let t35 = dot_d_s1 - 1.0;
+        let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y;
+        let t37 = dot_s1_s1 - 1.0;
+        let cross_s0_d = s0_x * d_y - s0_y * d_x;
+        let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
+        let cross_d_s1 = s1_y * d_x - s1_x * d_y;
+        let t41 = length * EA;
+        let t42 = t31 * (-0.0035714285714285713);
+        let t43 = t33 * 0.02142857142857143;
+        let t44 = t27 * 0.014285714285714285 + t29 * 0.0035714285714285713 + t42 + t43
+            + t35 * (-0.0035714285714285713) + t37 * 0.0011904761904761906;
+        let stress_dot_s0_s0 = t41 * t44;
+        let t46 = t41 * 0.014285714285714285;
+        let t47 = t41 * 0.0035714285714285713;
+        let t48 = t41 * (-0.0035714285714285713);
+        let t49 = t41 * 0.02142857142857143;
+        let t50 = t41 * 0.0011904761904761906;
+        let t51 = t31 * (-0.007142857142857143);
+        let t52 = t33 * (-0.12857142857142856);
+        let t53 = t37 * (-0.0035714285714285713);
+        let stress_dot_s0_d = t41
+            * (t27 * 0.0035714285714285713 + t29 * 0.08571428571428572 + t51 + t52
+                + t53);
+        let t55 = t41 * 0.08571428571428572;
+        let t56 = t41 * (-0.007142857142857143);
+        let t57 = t41 * (-0.12857142857142856);
+        let t58 = t27 * (-0.0035714285714285713);
+        let stress_dot_s0_s1 = t41
+            * (t53
+                + (t58 + t29 * (-0.007142857142857143) + t31 * 0.004761904761904762
+                    + t35 * (-0.007142857142857143)));
+        let t60 = t41 * 0.004761904761904762;
+        let t61 = t27 * 0.02142857142857143 + t29 * (-0.12857142857142856)
+            + t33 * 0.5142857142857142 + t35 * (-0.12857142857142856)
+            + t37 * 0.02142857142857143;
+        let stress_dot_d_d = t41 * t61;
+        let t63 = t41 * 0.5142857142857142;
+        let stress_dot_d_s1 = t41
+            * (t52 + (t51 + t58) + t35 * 0.08571428571428572
+                + t37 * 0.0035714285714285713);
+        let t65 = t43
+            + (t42 + (t27 * 0.0011904761904761906 + t29 * (-0.0035714285714285713)))
+            + t35 * 0.0035714285714285713 + t37 * 0.014285714285714285;
+        let stress_dot_s1_s1 = t41 * t65;
+        let t67 = inverse_length * EI;
+        let t68 = cross_s0_s1 * (-2.2);
+        let stress_cross_s0_d = t67 * (cross_s0_d * 7.2 + t68 + cross_d_s1 * 1.2);
+        let t70 = t67 * 7.2;
+        let t71 = t67 * (-2.2);
+        let t72 = t67 * 1.2;
+        let stress_cross_s0_s1 = t67
+            * (cross_s0_d * (-2.2) + cross_s0_s1 * 1.2 + cross_d_s1 * (-2.2));
+        let stress_cross_d_s1 = t67 * (t68 + cross_s0_d * 1.2 + cross_d_s1 * 7.2);
+        let t75 = s0_x * 2.0;
+        let t76 = s0_y * 2.0;
+        let t77 = d_x * 2.0;
+        let t78 = d_y * 2.0;
+        let t79 = s1_x * 2.0;
+        let t80 = s1_y * 2.0;
+        let t81 = d_x * t47;
+        let t82 = d_y * t47;
+        let t83 = s1_x * t48;
+        let t84 = s1_y * t48;
+        let t85 = t46 * t76 + t82 + t84;
+        let t86 = t83 + (s0_x * t47 + t49 * t77);
+        let t87 = t84 + (s0_y * t47 + t49 * t78);
+        let t88 = s0_x * t48;
+        let t89 = s0_y * t48;
+        let t90 = t88 + d_x * t48 + t50 * t79;
+        let t91 = t89 + d_y * t48 + t50 * t80;
+        let t92 = d_x * t55;
+        let t93 = d_y * t55;
+        let t94 = s1_x * t56;
+        let t95 = s1_y * t56;
+        let t96 = t47 * t76 + t93 + t95;
+        let t97 = t57 * t77;
+        let t98 = t57 * t78;
+        let t99 = s0_x * t55 + t97;
+        let t100 = s0_y * t55 + t98;
+        let t101 = s0_x * t56;
+        let t102 = s0_y * t56;
+        let t103 = t48 * t79;
+        let t104 = t48 * t80;
+        let t105 = t101 + t103;
+        let t106 = t102 + t104;
+        let t107 = d_x * t56;
+        let t108 = d_y * t56;
+        let t109 = t48 * t76 + t108 + s1_y * t60;
+        let t110 = t94 + t101;
+        let t111 = t95 + t102;
+        let t112 = t103 + (t107 + s0_x * t60);
+        let t113 = t104 + (t108 + s0_y * t60);
+        let t114 = s0_y * t57 + t63 * t78 + s1_y * t57;
+        let t115 = d_x * t57 + t49 * t79;
+        let t116 = d_y * t57 + t49 * t80;
+        let t117 = t98 + s1_y * t55;
+        let t118 = t92 + t101 + t47 * t79;
+        let t119 = t93 + t102 + t47 * t80;
+        let t120 = t82 + t89 + t46 * t80;
+        let t121 = d_y * t70;
+        let t122 = d_x * t70;
+        let t123 = s1_y * t71;
+        let t124 = s1_x * t71;
+        let t125 = t122 + t124;
+        let t126 = s1_y * t72;
+        let t127 = s1_x * t72;
+        let t128 = t126 - s0_y * t70;
+        let t129 = s0_x * t70 - t127;
+        let t130 = s0_y * t71;
+        let t131 = s0_x * t71;
+        let t132 = t130 + d_y * t72;
+        let t133 = t131 + d_x * t72;
+        let t134 = d_y * t71;
+        let t135 = d_x * t71;
+        let t136 = t127 + t135;
+        let t137 = t123 - t130;
+        let t138 = t131 - t124;
+        let t139 = s0_y * t72;
+        let t140 = s0_x * t72;
+        let t141 = t134 + t139;
+        let t142 = t135 + t140;
+        let t143 = t140 - s1_x * t70;
+        let t144 = t121 + t130;
+        let t145 = t122 + t131;
+        let t146 = t75 * (t46 * t75 + t81 + t83) + d_x * (t47 * t75 + t92 + t94);
+        let t147 = s0_x * t99 + t77 * (s0_x * t57 + t63 * t77 + s1_x * t57)
+            + s1_x * (t97 + s1_x * t55);
+        let t148 = t146 + s1_x * (t48 * t75 + t107 + s1_x * t60) + d_y * (t121 + t123);
+        let t149 = t75 * t85 + d_x * t96 + s1_x * t109 - d_y * t125 - s1_y * t136;
+        let t150 = t76 * t85 + d_y * t96 + s1_y * t109 + d_x * t125 + s1_x * t136;
+        let t151 = t75 * t86 + d_x * t99 + s1_x * t110 + d_y * t128 + s1_y * t137;
+        let t152 = t75 * t87 + d_x * t100 + s1_x * t111 + d_y * t129 + s1_y * t138;
+        let t153 = t76 * t86 + d_y * t99 + s1_y * t110 - d_x * t128 - s1_x * t137;
+        let t154 = t76 * t87 + d_y * t100 + s1_y * t111 - d_x * t129 - s1_x * t138;
+        let t155 = t75 * t90 + d_x * t105 + s1_x * t112 - d_y * t132 - s1_y * t141;
+        let t156 = t75 * t91 + d_x * t106 + s1_x * t113 + d_y * t133 + s1_y * t142;
+        let t157 = t76 * t90 + d_y * t105 + s1_y * t112 + d_x * t132 + s1_x * t141;
+        let t158 = t76 * t91 + d_y * t106 + s1_y * t113 - d_x * t133 - s1_x * t142;
+        let t159 = s0_x * t112 + d_x * t118 + t79 * (t81 + t88 + t46 * t79)
+            + s0_y * t141;
+        let t160 = s0_x * t100 + t77 * t114 + s1_x * t117 - s0_y * t129 + s1_y * t143;
+        let t161 = s0_y * t100 + t78 * t114 + s1_y * t117 + s0_x * t129 - s1_x * t143;
+        let t162 = s0_x * t105 + t77 * t115 + s1_x * t118 + s0_y * t132 - s1_y * t144;
+        let t163 = s0_x * t106 + t77 * t116 + s1_x * t119 - s0_y * t133 + s1_y * t145;
+        let t164 = s0_y * t105 + t78 * t115 + s1_y * t118 - s0_x * t132 + s1_x * t144;
+        let t165 = s0_y * t106 + t78 * t116 + s1_y * t119 + s0_x * t133 - s1_x * t145;
+        let t166 = s0_x * t113 + d_x * t119 + t79 * t120 - s0_y * t142 - d_y * t145;
+        let t167 = s0_y * t113 + d_y * t119 + t80 * t120 + s0_x * t142 + d_x * t145;
+        let t168 = stress_dot_s0_s0 * 2.0;
+        let t169 = stress_dot_s0_s1 + t155;
+        let t170 = stress_dot_s0_s1 + t158;
+        let t171 = stress_dot_d_d * 2.0;
+        let t172 = stress_dot_s1_s1 * 2.0;
+        let t173 = stress_cross_s0_s1 + t156;
+        let t174 = t157 - stress_cross_s0_s1;
+        let t175 = inverse_length * inverse_length;
+        let t176 = (t147 - s0_y * t128 + s1_y * (s1_y * t70 - t139) + t171) * t175;
+        let t177 = t160 * t175;
+        let t178 = inverse_length * (stress_dot_s0_d + t151);
+        let t179 = inverse_length * (t153 - stress_cross_s0_d);
+        let t180 = inverse_length * (stress_dot_d_s1 + t162);
+        let t181 = inverse_length * (stress_cross_d_s1 + t163);
+        let t182 = (t161 + t171) * t175;
+        let t183 = inverse_length * (stress_cross_s0_d + t152);
+        let t184 = inverse_length * (stress_dot_s0_d + t154);
+        let t185 = inverse_length * (t164 - stress_cross_d_s1);
+        let t186 = inverse_length * (stress_dot_d_s1 + t165);
+        stiffness[0] += t176;
+        stiffness[1] += t177;
+        stiffness[2] -= t178;
+        stiffness[3] -= t179;
+        stiffness[4] -= t176;
+        stiffness[5] -= t177;
+        stiffness[6] -= t180;
+        stiffness[7] -= t181;
+        stiffness[8] += t177;
+        stiffness[9] += t182;
+        stiffness[10] -= t183;
+        stiffness[11] -= t184;
+        stiffness[12] -= t177;
+        stiffness[13] -= t182;
+        stiffness[14] -= t185;
+        stiffness[15] -= t186;
+        stiffness[16] -= t178;
+        stiffness[17] -= t183;
+        stiffness[18] += t148 + s1_y * (t126 + t134) + t168;
+        stiffness[19] += t149;
+        stiffness[20] += t178;
+        stiffness[21] += t183;
+        stiffness[22] += t169;
+        stiffness[23] += t173;
+        stiffness[24] -= t179;
+        stiffness[25] -= t184;
+        stiffness[26] += t149;
+        stiffness[27] += t150 + t168;
+        stiffness[28] += t179;
+        stiffness[29] += t184;
+        stiffness[30] += t174;
+        stiffness[31] += t170;
+        stiffness[32] -= t176;
+        stiffness[33] -= t177;
+        stiffness[34] += t178;
+        stiffness[35] += t179;
+        stiffness[36] += t176;
+        stiffness[37] += t177;
+        stiffness[38] += t180;
+        stiffness[39] += t181;
+        stiffness[40] -= t177;
+        stiffness[41] -= t182;
+        stiffness[42] += t183;
+        stiffness[43] += t184;
+        stiffness[44] += t177;
+        stiffness[45] += t182;
+        stiffness[46] += t185;
+        stiffness[47] += t186;
+        stiffness[48] -= t180;
+        stiffness[49] -= t185;
+        stiffness[50] += t169;
+        stiffness[51] += t174;
+        stiffness[52] += t180;
+        stiffness[53] += t185;
+        stiffness[54] += t159 + d_y * t144 + t172;
+        stiffness[55] += t166;
+        stiffness[56] -= t181;
+        stiffness[57] -= t186;
+        stiffness[58] += t173;
+        stiffness[59] += t170;
+        stiffness[60] += t181;
+        stiffness[61] += t186;
+        stiffness[62] += t166;
+        stiffness[63] += t167 + t172;
+    }
+    /// Adds the strain energy U (J) of one element.
+    ///
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    ///
+    /// Constant tensor, integrated exactly, unrolled.
+    ///
+    /// Operations: 58 additions, 76 multiplications, 1 divisions.
+    pub fn cable_planar_strain_energy(
+        row: &CablePlanar,
+        q: &[f64; 8],
+        energy: &mut f64,
+    ) {
+        let CablePlanar { length, EA, EI, .. } = *row;
+        let [r0_x, r0_y, s0_x, s0_y, r1_x, r1_y, s1_x, s1_y] = *q;
+        let inverse_length = 1.0 / length;
+        let d_x = inverse_length * (r1_x - r0_x);
+        let d_y = inverse_length * (r1_y - r0_y);
+        let dot_s0_s0 = s0_x * s0_x + s0_y * s0_y;
+        let t27 = dot_s0_s0 - 1.0;
+        let dot_s0_d = s0_x * d_x + s0_y * d_y;
+        let t29 = dot_s0_d - 1.0;
+        let dot_s0_s1 = s0_x * s1_x + s0_y * s1_y;
+        let t31 = dot_s0_s1 - 1.0;
+        let dot_d_d = d_x * d_x + d_y * d_y;
+        let t33 = dot_d_d - 1.0;
+        let dot_d_s1 = s1_x * d_x + s1_y * d_y;
+        let t35 = dot_d_s1 - 1.0;
+        let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y;
+        let t37 = dot_s1_s1 - 1.0;
+        let cross_s0_d = s0_x * d_y - s0_y * d_x;
+        let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
+        let cross_d_s1 = s1_y * d_x - s1_x * d_y;
+        let t41 = t31 * (-0.0035714285714285713);
+        let t42 = t33 * 0.02142857142857143;
+        let t43 = t27 * 0.014285714285714285 + t29 * 0.0035714285714285713 + t41 + t42
+            + t35 * (-0.0035714285714285713) + t37 * 0.0011904761904761906;
+        let t44 = length * EA * 0.5;
+        let t45 = t31 * (-0.007142857142857143);
+        let t46 = t33 * (-0.12857142857142856);
+        let t47 = t37 * (-0.0035714285714285713);
+        let t48 = t27 * t43 * t44
+            + t44
+                * (t29
+                    * (t27 * 0.0035714285714285713 + t29 * 0.08571428571428572 + t45
+                        + t46 + t47));
+        let t49 = t27 * (-0.0035714285714285713);
+        let t50 = t44
+            * (t31
+                * (t47
+                    + (t49 + t29 * (-0.007142857142857143) + t31 * 0.004761904761904762
+                        + t35 * (-0.007142857142857143))));
+        let t51 = t27 * 0.02142857142857143 + t29 * (-0.12857142857142856)
+            + t33 * 0.5142857142857142 + t35 * (-0.12857142857142856)
+            + t37 * 0.02142857142857143;
+        let t52 = t48 + t50 + t44 * (t33 * t51)
+            + t44
+                * (t35
+                    * (t46 + (t45 + t49) + t35 * 0.08571428571428572
+                        + t37 * 0.0035714285714285713));
+        let t53 = t42
+            + (t41 + (t27 * 0.0011904761904761906 + t29 * (-0.0035714285714285713)))
+            + t35 * 0.0035714285714285713 + t37 * 0.014285714285714285;
+        let t54 = 0.5 * (inverse_length * EI);
+        let t55 = cross_s0_s1 * (-2.2);
+        let t56 = t52 + t44 * (t37 * t53)
+            + t54 * (cross_s0_d * (cross_s0_d * 7.2 + t55 + cross_d_s1 * 1.2));
+        let t57 = t56
+            + t54
+                * (cross_s0_s1
+                    * (cross_s0_d * (-2.2) + cross_s0_s1 * 1.2 + cross_d_s1 * (-2.2)))
+            + t54 * (cross_d_s1 * (t55 + cross_s0_d * 1.2 + cross_d_s1 * 7.2));
+        *energy += t57;
+    }
+    /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 0 additions, 12 multiplications.
+    pub fn cable_planar_mass(row: &CablePlanar, mass: &mut [f64; 16]) {
+        let CablePlanar { length, rhoA, .. } = *row;
+        let element_mass = length * rhoA;
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t16 = length * element_mass;
+        let mass_r0_s0 = t16 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_s1 = t16 * (-0.030952380952380953);
+        let t20 = element_mass * (length * length);
+        let mass_s0_s0 = t20 * 0.009523809523809525;
+        let mass_s0_r1 = t16 * 0.030952380952380953;
+        let mass_s0_s1 = t20 * (-0.007142857142857143);
+        let mass_r1_s1 = t16 * (-0.05238095238095238);
+        mass[0] = mass_r0_r0;
+        mass[1] = mass_r0_s0;
+        mass[2] = mass_r0_r1;
+        mass[3] = mass_r0_s1;
+        mass[4] = mass_r0_s0;
+        mass[5] = mass_s0_s0;
+        mass[6] = mass_s0_r1;
+        mass[7] = mass_s0_s1;
+        mass[8] = mass_r0_r1;
+        mass[9] = mass_s0_r1;
+        mass[10] = mass_r0_r0;
+        mass[11] = mass_r1_s1;
+        mass[12] = mass_r0_s1;
+        mass[13] = mass_s0_s1;
+        mass[14] = mass_r1_s1;
+        mass[15] = mass_s0_s0;
+    }
+    /// Adds the inertia forces of one element in a moving frame (Eq. 13): relative, Coriolis, Euler and centrifugal acceleration, the frame's acceleration and gravity.
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 60 additions, 84 multiplications.
+    pub fn cable_planar_inertia_force(
+        row: &CablePlanar,
+        frame: &::rncf::mesh::FrameAction,
+        q: &[f64; 8],
+        v: &[f64; 8],
+        a: &[f64; 8],
+        force: &mut [f64; 8],
+    ) {
+        let CablePlanar { length, rhoA, .. } = *row;
+        let [e_x, e_y, _] = frame.acceleration;
+        let ([w, ..], [dw, ..]) = (frame.spin, frame.spin_rate);
+        let [r0_x, r0_y, s0_x, s0_y, r1_x, r1_y, s1_x, s1_y] = *q;
+        let [v_r0_x, v_r0_y, v_s0_x, v_s0_y, v_r1_x, v_r1_y, v_s1_x, v_s1_y] = *v;
+        let [a_r0_x, a_r0_y, a_s0_x, a_s0_y, a_r1_x, a_r1_y, a_s1_x, a_s1_y] = *a;
+        let element_mass = length * rhoA;
+        let total_r0_x = e_x + (a_r0_x - v_r0_y * w * 2.0 - r0_y * dw - w * (r0_x * w));
+        let total_r0_y = e_y
+            + (r0_x * dw + (a_r0_y + v_r0_x * w * 2.0) - w * (r0_y * w));
+        let total_s0_x = a_s0_x - 2.0 * (v_s0_y * w) - s0_y * dw - w * (s0_x * w);
+        let total_s0_y = s0_x * dw + (a_s0_y + 2.0 * (v_s0_x * w)) - w * (s0_y * w);
+        let total_r1_x = e_x
+            + (a_r1_x - 2.0 * (v_r1_y * w) - r1_y * dw - w * (r1_x * w));
+        let total_r1_y = e_y
+            + (r1_x * dw + (a_r1_y + 2.0 * (v_r1_x * w)) - w * (r1_y * w));
+        let total_s1_x = a_s1_x - 2.0 * (v_s1_y * w) - s1_y * dw - w * (s1_x * w);
+        let total_s1_y = s1_x * dw + (a_s1_y + 2.0 * (v_s1_x * w)) - w * (s1_y * w);
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t52 = length * element_mass;
+        let mass_r0_s0 = t52 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_s1 = t52 * (-0.030952380952380953);
+        let t56 = element_mass * (length * length);
+        let mass_s0_s0 = t56 * 0.009523809523809525;
+        let mass_s0_r1 = t52 * 0.030952380952380953;
+        let mass_s0_s1 = t56 * (-0.007142857142857143);
+        let mass_r1_s1 = t52 * (-0.05238095238095238);
+        force[0]
+            += total_r0_x * mass_r0_r0 + total_s0_x * mass_r0_s0
+                + total_r1_x * mass_r0_r1 + total_s1_x * mass_r0_s1;
+        force[1]
+            += total_r0_y * mass_r0_r0 + total_s0_y * mass_r0_s0
+                + total_r1_y * mass_r0_r1 + total_s1_y * mass_r0_s1;
+        force[2]
+            += total_r0_x * mass_r0_s0 + total_s0_x * mass_s0_s0
+                + total_r1_x * mass_s0_r1 + total_s1_x * mass_s0_s1;
+        force[3]
+            += total_r0_y * mass_r0_s0 + total_s0_y * mass_s0_s0
+                + total_r1_y * mass_s0_r1 + total_s1_y * mass_s0_s1;
+        force[4]
+            += total_r0_x * mass_r0_r1 + total_s0_x * mass_s0_r1
+                + total_r1_x * mass_r0_r0 + total_s1_x * mass_r1_s1;
+        force[5]
+            += total_r0_y * mass_r0_r1 + total_s0_y * mass_s0_r1
+                + total_r1_y * mass_r0_r0 + total_s1_y * mass_r1_s1;
+        force[6]
+            += total_r0_x * mass_r0_s1 + total_s0_x * mass_s0_s1
+                + total_r1_x * mass_r1_s1 + total_s1_x * mass_s0_s0;
+        force[7]
+            += total_r0_y * mass_r0_s1 + total_s0_y * mass_s0_s1
+                + total_r1_y * mass_r1_s1 + total_s1_y * mass_s0_s0;
+    }
+    /// Adds the derivatives of the inertia forces with respect to q (Euler and centrifugal) and q' (gyroscopic).
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 128 additions, 38 multiplications.
+    pub fn cable_planar_inertia_tangent(
+        row: &CablePlanar,
+        frame: &::rncf::mesh::FrameAction,
+        stiffness: &mut [f64; 64],
+        damping_matrix: &mut [f64; 64],
+    ) {
+        let CablePlanar { length, rhoA, .. } = *row;
+        let ([w, ..], [dw, ..]) = (frame.spin, frame.spin_rate);
+        let element_mass = length * rhoA;
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t18 = length * element_mass;
+        let mass_r0_s0 = t18 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_s1 = t18 * (-0.030952380952380953);
+        let t22 = element_mass * (length * length);
+        let mass_s0_s0 = t22 * 0.009523809523809525;
+        let mass_s0_r1 = t18 * 0.030952380952380953;
+        let mass_s0_s1 = t22 * (-0.007142857142857143);
+        let mass_r1_s1 = t18 * (-0.05238095238095238);
+        let t27 = w * w;
+        let t28 = -mass_r0_r0 * t27;
+        let t29 = dw * mass_r0_r0;
+        let t30 = -mass_r0_s0 * t27;
+        let t31 = dw * mass_r0_s0;
+        let t32 = -mass_r0_r1 * t27;
+        let t33 = dw * mass_r0_r1;
+        let t34 = -mass_r0_s1 * t27;
+        let t35 = dw * mass_r0_s1;
+        let t36 = -mass_s0_s0 * t27;
+        let t37 = dw * mass_s0_s0;
+        let t38 = -mass_s0_r1 * t27;
+        let t39 = dw * mass_s0_r1;
+        let t40 = -mass_s0_s1 * t27;
+        let t41 = dw * mass_s0_s1;
+        let t42 = -mass_r1_s1 * t27;
+        let t43 = dw * mass_r1_s1;
+        let t44 = w * 2.0;
+        let t45 = mass_r0_r0 * t44;
+        let t46 = mass_r0_s0 * t44;
+        let t47 = mass_r0_r1 * t44;
+        let t48 = mass_r0_s1 * t44;
+        let t49 = mass_s0_s0 * t44;
+        let t50 = mass_s0_r1 * t44;
+        let t51 = mass_s0_s1 * t44;
+        let t52 = mass_r1_s1 * t44;
+        stiffness[0] += t28;
+        stiffness[1] -= t29;
+        stiffness[2] += t30;
+        stiffness[3] -= t31;
+        stiffness[4] += t32;
+        stiffness[5] -= t33;
+        stiffness[6] += t34;
+        stiffness[7] -= t35;
+        stiffness[8] += t29;
+        stiffness[9] += t28;
+        stiffness[10] += t31;
+        stiffness[11] += t30;
+        stiffness[12] += t33;
+        stiffness[13] += t32;
+        stiffness[14] += t35;
+        stiffness[15] += t34;
+        stiffness[16] += t30;
+        stiffness[17] -= t31;
+        stiffness[18] += t36;
+        stiffness[19] -= t37;
+        stiffness[20] += t38;
+        stiffness[21] -= t39;
+        stiffness[22] += t40;
+        stiffness[23] -= t41;
+        stiffness[24] += t31;
+        stiffness[25] += t30;
+        stiffness[26] += t37;
+        stiffness[27] += t36;
+        stiffness[28] += t39;
+        stiffness[29] += t38;
+        stiffness[30] += t41;
+        stiffness[31] += t40;
+        stiffness[32] += t32;
+        stiffness[33] -= t33;
+        stiffness[34] += t38;
+        stiffness[35] -= t39;
+        stiffness[36] += t28;
+        stiffness[37] -= t29;
+        stiffness[38] += t42;
+        stiffness[39] -= t43;
+        stiffness[40] += t33;
+        stiffness[41] += t32;
+        stiffness[42] += t39;
+        stiffness[43] += t38;
+        stiffness[44] += t29;
+        stiffness[45] += t28;
+        stiffness[46] += t43;
+        stiffness[47] += t42;
+        stiffness[48] += t34;
+        stiffness[49] -= t35;
+        stiffness[50] += t40;
+        stiffness[51] -= t41;
+        stiffness[52] += t42;
+        stiffness[53] -= t43;
+        stiffness[54] += t36;
+        stiffness[55] -= t37;
+        stiffness[56] += t35;
+        stiffness[57] += t34;
+        stiffness[58] += t41;
+        stiffness[59] += t40;
+        stiffness[60] += t43;
+        stiffness[61] += t42;
+        stiffness[62] += t37;
+        stiffness[63] += t36;
+        damping_matrix[1] -= t45;
+        damping_matrix[3] -= t46;
+        damping_matrix[5] -= t47;
+        damping_matrix[7] -= t48;
+        damping_matrix[8] += t45;
+        damping_matrix[10] += t46;
+        damping_matrix[12] += t47;
+        damping_matrix[14] += t48;
+        damping_matrix[17] -= t46;
+        damping_matrix[19] -= t49;
+        damping_matrix[21] -= t50;
+        damping_matrix[23] -= t51;
+        damping_matrix[24] += t46;
+        damping_matrix[26] += t49;
+        damping_matrix[28] += t50;
+        damping_matrix[30] += t51;
+        damping_matrix[33] -= t47;
+        damping_matrix[35] -= t50;
+        damping_matrix[37] -= t45;
+        damping_matrix[39] -= t52;
+        damping_matrix[40] += t47;
+        damping_matrix[42] += t50;
+        damping_matrix[44] += t45;
+        damping_matrix[46] += t52;
+        damping_matrix[49] -= t48;
+        damping_matrix[51] -= t51;
+        damping_matrix[53] -= t52;
+        damping_matrix[55] -= t49;
+        damping_matrix[56] += t48;
+        damping_matrix[58] += t51;
+        damping_matrix[60] += t52;
+        damping_matrix[62] += t49;
+    }
+    /// Adds the inertia forces of one element in the inertial frame; e is minus gravity.
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 36 additions, 44 multiplications.
+    pub fn cable_planar_absolute_inertia_force(
+        row: &CablePlanar,
+        frame: &::rncf::mesh::FrameAction,
+        a: &[f64; 8],
+        force: &mut [f64; 8],
+    ) {
+        let CablePlanar { length, rhoA, .. } = *row;
+        let [e_x, e_y, _] = frame.acceleration;
+        let [a_r0_x, a_r0_y, a_s0_x, a_s0_y, a_r1_x, a_r1_y, a_s1_x, a_s1_y] = *a;
+        let element_mass = length * rhoA;
+        let total_r0_x = a_r0_x + e_x;
+        let total_r0_y = a_r0_y + e_y;
+        let total_r1_x = a_r1_x + e_x;
+        let total_r1_y = a_r1_y + e_y;
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t30 = length * element_mass;
+        let mass_r0_s0 = t30 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_s1 = t30 * (-0.030952380952380953);
+        let t34 = element_mass * (length * length);
+        let mass_s0_s0 = t34 * 0.009523809523809525;
+        let mass_s0_r1 = t30 * 0.030952380952380953;
+        let mass_s0_s1 = t34 * (-0.007142857142857143);
+        let mass_r1_s1 = t30 * (-0.05238095238095238);
+        force[0]
+            += total_r0_x * mass_r0_r0 + a_s0_x * mass_r0_s0 + total_r1_x * mass_r0_r1
+                + a_s1_x * mass_r0_s1;
+        force[1]
+            += total_r0_y * mass_r0_r0 + a_s0_y * mass_r0_s0 + total_r1_y * mass_r0_r1
+                + a_s1_y * mass_r0_s1;
+        force[2]
+            += total_r0_x * mass_r0_s0 + a_s0_x * mass_s0_s0 + total_r1_x * mass_s0_r1
+                + a_s1_x * mass_s0_s1;
+        force[3]
+            += total_r0_y * mass_r0_s0 + a_s0_y * mass_s0_s0 + total_r1_y * mass_s0_r1
+                + a_s1_y * mass_s0_s1;
+        force[4]
+            += total_r0_x * mass_r0_r1 + a_s0_x * mass_s0_r1 + total_r1_x * mass_r0_r0
+                + a_s1_x * mass_r1_s1;
+        force[5]
+            += total_r0_y * mass_r0_r1 + a_s0_y * mass_s0_r1 + total_r1_y * mass_r0_r0
+                + a_s1_y * mass_r1_s1;
+        force[6]
+            += total_r0_x * mass_r0_s1 + a_s0_x * mass_s0_s1 + total_r1_x * mass_r1_s1
+                + a_s1_x * mass_s0_s0;
+        force[7]
+            += total_r0_y * mass_r0_s1 + a_s0_y * mass_s0_s1 + total_r1_y * mass_r1_s1
+                + a_s1_y * mass_s0_s0;
+    }
+    /// Shape functions of the nodal vectors at xi in [0, 1], and their derivatives d/dx.
+    ///
+    /// Operations: 11 additions, 21 multiplications, 1 divisions.
+    pub fn cable_planar_shapes(
+        length: f64,
+        xi: f64,
+        values: &mut [f64; 4],
+        slopes: &mut [f64; 4],
+    ) {
+        let t14 = 1.0 / length;
+        let t15 = xi * 3.0;
+        values[0] = 1.0 + xi * (xi * (-3.0 + xi * 2.0));
+        values[1] = length * (xi * (1.0 + xi * (xi + (-2.0))));
+        values[2] = xi * (xi * (3.0 + xi * (-2.0)));
+        values[3] = length * (xi * (xi * (xi + (-1.0))));
+        slopes[0] = xi * (-6.0 + xi * 6.0) * t14;
+        slopes[1] = 1.0 + xi * (-4.0 + t15);
+        slopes[2] = t14 * (xi * (6.0 + xi * (-6.0)));
+        slopes[3] = xi * (-2.0 + t15);
+    }
+    /// Motion of frame `hub` and its first two derivatives.
+    ///
+    /// Operations: 8 additions, 14 multiplications, 7 divisions, 4 function calls.
+    pub fn frame_hub(
+        model: &super::SpinUp,
+        t: f64,
+        motion: &mut ::rncf::mesh::FrameMotion,
+    ) {
+        let t15 = model.omega_s / model.T_s;
+        let t16 = (model.T_s / 6.283185307179586).powi(2);
+        let t17 = t * 6.283185307179586 / model.T_s;
+        let t18 = t17.cos();
+        let theta = (if t <= model.T_s {
+            t15 * (t * t / 2.0 + t16 * (t18 - 1.0))
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t20 = theta.cos();
+        let t21 = theta.sin();
+        let t22 = 6.283185307179586 / model.T_s;
+        let theta_t = (if t <= model.T_s {
+            t15 * (t * 2.0 / 2.0 - t16 * (t22 * t17.sin()))
+        } else {
+            model.omega_s
+        });
+        let theta_t_t = (if t <= model.T_s {
+            t15 * (1.0 - t16 * (t22 * (t18 * t22)))
+        } else {
+            0.0
+        });
+        motion.position[0] = 0.0;
+        motion.position[1] = 0.0;
+        motion.position[2] = 0.0;
+        motion.velocity[0] = 0.0;
+        motion.velocity[1] = 0.0;
+        motion.velocity[2] = 0.0;
+        motion.acceleration[0] = 0.0;
+        motion.acceleration[1] = 0.0;
+        motion.acceleration[2] = 0.0;
+        motion.spin[0] = 0.0;
+        motion.spin[1] = 0.0;
+        motion.spin[2] = theta_t;
+        motion.spin_rate[0] = 0.0;
+        motion.spin_rate[1] = 0.0;
+        motion.spin_rate[2] = theta_t_t;
+        motion.rotation[0][0] = t20;
+        motion.rotation[0][1] = -t21;
+        motion.rotation[0][2] = 0.0;
+        motion.rotation[1][0] = t21;
+        motion.rotation[1][1] = t20;
+        motion.rotation[1][2] = 0.0;
+        motion.rotation[2][0] = 0.0;
+        motion.rotation[2][1] = 0.0;
+        motion.rotation[2][2] = 1.0;
+    }
+    /// Joint `root`: conditions, position level.
+    ///
+    /// Operations: 3 additions, 2 multiplications.
+    pub fn joint_root_referenced_position(
+        model: &super::SpinUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = q[0] - data.point[0];
+        rows[1] = q[1] - data.point[1];
+        rows[2] = data.normals[0][0] * q[2] + data.normals[0][1] * q[3];
+    }
+    /// Joint `root`: conditions, velocity level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_referenced_velocity(
+        model: &super::SpinUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+    }
+    /// Joint `root`: conditions, acceleration level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_referenced_acceleration(
+        model: &super::SpinUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+    }
+    /// Joint `root`: conditions, jerk level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_referenced_jerk(
+        model: &super::SpinUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+    }
+    /// Joint `root`: derivatives of the conditions.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_referenced_jacobian(
+        model: &super::SpinUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        jacobian: &mut [f64],
+    ) {
+        jacobian[0] = 1.0;
+        jacobian[1] = 0.0;
+        jacobian[2] = 0.0;
+        jacobian[3] = 0.0;
+        jacobian[4] = 0.0;
+        jacobian[5] = 1.0;
+        jacobian[6] = 0.0;
+        jacobian[7] = 0.0;
+        jacobian[8] = 0.0;
+        jacobian[9] = 0.0;
+        jacobian[10] = data.normals[0][0];
+        jacobian[11] = data.normals[0][1];
+    }
+    /// Joint `root`: what it prescribes, with two derivatives.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_referenced_prescribed(
+        model: &super::SpinUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        prescribed: &mut ::rncf::mesh::Prescribed,
+    ) {
+        prescribed.position[0][0] = data.point[0];
+        prescribed.position[0][1] = data.point[1];
+        prescribed.position[1][0] = 0.0;
+        prescribed.position[1][1] = 0.0;
+        prescribed.position[2][0] = 0.0;
+        prescribed.position[2][1] = 0.0;
+        prescribed.slope[0][0] = data.tangent[0];
+        prescribed.slope[0][1] = data.tangent[1];
+        prescribed.slope[1][0] = 0.0;
+        prescribed.slope[1][1] = 0.0;
+        prescribed.slope[2][0] = 0.0;
+        prescribed.slope[2][1] = 0.0;
+    }
+    /// Joint `root`: conditions, position level.
+    ///
+    /// Operations: 11 additions, 16 multiplications, 5 divisions, 3 function calls.
+    pub fn joint_root_absolute_position(
+        model: &super::SpinUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        let t23 = t * t / 2.0
+            + (model.T_s / 6.283185307179586).powi(2)
+                * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
+        let theta = (if t <= model.T_s {
+            model.omega_s / model.T_s * t23
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t25 = theta.cos();
+        let t26 = theta.sin();
+        let t27 = q[2] * (t25 * data.normals[0][0] - t26 * data.normals[0][1])
+            + q[3] * (t26 * data.normals[0][0] + t25 * data.normals[0][1]);
+        rows[0] = q[0] - (t25 * data.point[0] - t26 * data.point[1]);
+        rows[1] = q[1] - (t26 * data.point[0] + t25 * data.point[1]);
+        rows[2] = t27;
+    }
+    /// Joint `root`: conditions, velocity level.
+    ///
+    /// Operations: 11 additions, 22 multiplications, 7 divisions, 4 function calls.
+    pub fn joint_root_absolute_velocity(
+        model: &super::SpinUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        let t21 = model.omega_s / model.T_s;
+        let t22 = (model.T_s / 6.283185307179586).powi(2);
+        let t23 = t * 6.283185307179586 / model.T_s;
+        let theta = (if t <= model.T_s {
+            t21 * (t * t / 2.0 + t22 * (t23.cos() - 1.0))
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t25 = (if t <= model.T_s {
+            t21 * (t * 2.0 / 2.0 - t22 * (6.283185307179586 / model.T_s * t23.sin()))
+        } else {
+            model.omega_s
+        });
+        let t26 = theta.sin() * t25;
+        let t27 = theta.cos() * t25;
+        let t28 = q[3] * (data.normals[0][0] * t27 - data.normals[0][1] * t26)
+            - q[2] * (data.normals[0][0] * t26 + data.normals[0][1] * t27);
+        rows[0] = data.point[0] * t26 + data.point[1] * t27;
+        rows[1] = data.point[1] * t26 - data.point[0] * t27;
+        rows[2] = t28;
+    }
+    /// Joint `root`: conditions, acceleration level.
+    ///
+    /// Operations: 21 additions, 36 multiplications, 7 divisions, 4 function calls.
+    pub fn joint_root_absolute_acceleration(
+        model: &super::SpinUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        let t23 = model.omega_s / model.T_s;
+        let t24 = (model.T_s / 6.283185307179586).powi(2);
+        let t25 = t * 6.283185307179586 / model.T_s;
+        let t26 = t25.cos();
+        let theta = (if t <= model.T_s {
+            t23 * (t * t / 2.0 + t24 * (t26 - 1.0))
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t28 = theta.cos();
+        let t29 = theta.sin();
+        let t30 = 6.283185307179586 / model.T_s;
+        let t31 = (if t <= model.T_s {
+            t23 * (t * 2.0 / 2.0 - t24 * (t30 * t25.sin()))
+        } else {
+            model.omega_s
+        });
+        let t32 = t29 * t31;
+        let t33 = t28 * t31;
+        let t34 = (if t <= model.T_s {
+            t23 * (1.0 - t24 * (t30 * (t26 * t30)))
+        } else {
+            0.0
+        });
+        let t35 = t31 * t33 + t29 * t34;
+        let t36 = t28 * t34 - t31 * t32;
+        let t37 = v[2] * (data.normals[0][0] * t32 + data.normals[0][1] * t33);
+        let t38 = v[3] * (data.normals[0][0] * t33 - data.normals[0][1] * t32);
+        let t39 = t38
+            + (t38 + q[3] * (data.normals[0][0] * t36 - data.normals[0][1] * t35))
+            - (t37
+                + (t37 + q[2] * (data.normals[0][0] * t35 + data.normals[0][1] * t36)));
+        rows[0] = data.point[0] * t35 + data.point[1] * t36;
+        rows[1] = data.point[1] * t35 - data.point[0] * t36;
+        rows[2] = t39;
+    }
+    /// Joint `root`: conditions, jerk level.
+    ///
+    /// Operations: 36 additions, 52 multiplications, 7 divisions, 4 function calls.
+    pub fn joint_root_absolute_jerk(
+        model: &super::SpinUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        let t25 = model.omega_s / model.T_s;
+        let t26 = (model.T_s / 6.283185307179586).powi(2);
+        let t27 = t * 6.283185307179586 / model.T_s;
+        let t28 = t27.cos();
+        let theta = (if t <= model.T_s {
+            t25 * (t * t / 2.0 + t26 * (t28 - 1.0))
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t30 = theta.cos();
+        let t31 = theta.sin();
+        let t32 = 6.283185307179586 / model.T_s;
+        let t33 = t32 * t27.sin();
+        let t34 = (if t <= model.T_s {
+            t25 * (t * 2.0 / 2.0 - t26 * t33)
+        } else {
+            model.omega_s
+        });
+        let t35 = t31 * t34;
+        let t36 = t30 * t34;
+        let t37 = (if t <= model.T_s {
+            t25 * (1.0 - t26 * (t32 * (t28 * t32)))
+        } else {
+            0.0
+        });
+        let t38 = t34 * t36 + t31 * t37;
+        let t39 = t30 * t37 - t34 * t35;
+        let t40 = (if t <= model.T_s { t25 * (t26 * (t32 * (t32 * t33))) } else { 0.0 });
+        let t41 = t36 * t37;
+        let t42 = t41 + t34 * t39 + (t41 + t31 * t40);
+        let t43 = t35 * t37;
+        let t44 = t30 * t40 - t43 - (t43 + t34 * t38);
+        let t45 = a[2] * (data.normals[0][0] * t35 + data.normals[0][1] * t36);
+        let t46 = v[2] * (data.normals[0][0] * t38 + data.normals[0][1] * t39);
+        let t47 = t45 + t46;
+        let t48 = a[3] * (data.normals[0][0] * t36 - data.normals[0][1] * t35);
+        let t49 = v[3] * (data.normals[0][0] * t39 - data.normals[0][1] * t38);
+        let t50 = t48 + t49;
+        let t51 = t48 + t50
+            + (t50
+                + (t49 + q[3] * (data.normals[0][0] * t44 - data.normals[0][1] * t42)))
+            - (t45 + t47
+                + (t47
+                    + (t46
+                        + q[2]
+                            * (data.normals[0][0] * t42 + data.normals[0][1] * t44))));
+        rows[0] = data.point[0] * t42 + data.point[1] * t44;
+        rows[1] = data.point[1] * t42 - data.point[0] * t44;
+        rows[2] = t51;
+    }
+    /// Joint `root`: derivatives of the conditions.
+    ///
+    /// Operations: 6 additions, 10 multiplications, 5 divisions, 3 function calls.
+    pub fn joint_root_absolute_jacobian(
+        model: &super::SpinUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        jacobian: &mut [f64],
+    ) {
+        let t17 = t * t / 2.0
+            + (model.T_s / 6.283185307179586).powi(2)
+                * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
+        let theta = (if t <= model.T_s {
+            model.omega_s / model.T_s * t17
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t19 = theta.cos();
+        let t20 = theta.sin();
+        jacobian[0] = 1.0;
+        jacobian[1] = 0.0;
+        jacobian[2] = 0.0;
+        jacobian[3] = 0.0;
+        jacobian[4] = 0.0;
+        jacobian[5] = 1.0;
+        jacobian[6] = 0.0;
+        jacobian[7] = 0.0;
+        jacobian[8] = 0.0;
+        jacobian[9] = 0.0;
+        jacobian[10] = t19 * data.normals[0][0] - t20 * data.normals[0][1];
+        jacobian[11] = t20 * data.normals[0][0] + t19 * data.normals[0][1];
+    }
+    /// Joint `root`: what it prescribes, with two derivatives.
+    ///
+    /// Operations: 22 additions, 44 multiplications, 7 divisions, 4 function calls.
+    pub fn joint_root_absolute_prescribed(
+        model: &super::SpinUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        prescribed: &mut ::rncf::mesh::Prescribed,
+    ) {
+        let t19 = model.omega_s / model.T_s;
+        let t20 = (model.T_s / 6.283185307179586).powi(2);
+        let t21 = t * 6.283185307179586 / model.T_s;
+        let t22 = t21.cos();
+        let theta = (if t <= model.T_s {
+            t19 * (t * t / 2.0 + t20 * (t22 - 1.0))
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t24 = theta.cos();
+        let t25 = theta.sin();
+        let t26 = 6.283185307179586 / model.T_s;
+        let t27 = (if t <= model.T_s {
+            t19 * (t * 2.0 / 2.0 - t20 * (t26 * t21.sin()))
+        } else {
+            model.omega_s
+        });
+        let t28 = t25 * t27;
+        let t29 = t24 * t27;
+        let t30 = (if t <= model.T_s {
+            t19 * (1.0 - t20 * (t26 * (t22 * t26)))
+        } else {
+            0.0
+        });
+        let t31 = t27 * t29 + t25 * t30;
+        let t32 = t24 * t30 - t27 * t28;
+        prescribed.position[0][0] = t24 * data.point[0] - t25 * data.point[1];
+        prescribed.position[0][1] = t25 * data.point[0] + t24 * data.point[1];
+        prescribed.position[1][0] = -(data.point[0] * t28 + data.point[1] * t29);
+        prescribed.position[1][1] = data.point[0] * t29 - data.point[1] * t28;
+        prescribed.position[2][0] = -(data.point[0] * t31 + data.point[1] * t32);
+        prescribed.position[2][1] = data.point[0] * t32 - data.point[1] * t31;
+        prescribed.slope[0][0] = t24 * data.tangent[0] - t25 * data.tangent[1];
+        prescribed.slope[0][1] = t25 * data.tangent[0] + t24 * data.tangent[1];
+        prescribed.slope[1][0] = -(data.tangent[0] * t28 + data.tangent[1] * t29);
+        prescribed.slope[1][1] = data.tangent[0] * t29 - data.tangent[1] * t28;
+        prescribed.slope[2][0] = -(data.tangent[0] * t31 + data.tangent[1] * t32);
+        prescribed.slope[2][1] = data.tangent[0] * t32 - data.tangent[1] * t31;
+    }
+    /// Times at which a derivative of a motion or load may jump (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn kinks(model: &super::SpinUp, kinks: &mut [f64; 1]) {
+        kinks[0] = model.T_s;
+    }
+    /// Output columns from what they observe.
+    ///
+    /// Operations: 1 additions, 0 multiplications.
+    pub fn outputs(model: &super::SpinUp, t: f64, observed: &[f64], out: &mut [f64]) {
+        out[0] = observed[0] - 8.0;
+        out[1] = observed[1];
+    }
+    /// Defaults of a run (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn run_defaults(model: &super::SpinUp, run: &mut ::rncf::RunDefaults) {
+        run.t_end = 20.0;
+        run.every = 0.05;
+    }
+    /// Constants of all bodies.
+    #[derive(Clone, Debug)]
+    pub struct Equations {
+        pub model: super::SpinUp,
+        pub row_beam: CablePlanar,
+    }
+    impl Equations {
+        /// Constants for the given parameters; filled in when the bodies are meshed.
+        pub fn new(model: &super::SpinUp) -> Self {
+            Self {
+                model: model.clone(),
+                row_beam: Default::default(),
+            }
+        }
+    }
+    impl ::rncf::mesh::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+            let model = &self.model;
+            ::std::vec![
+                ::rncf::mesh::BodySpec { name : "beam", frame : 1, axes : & [0, 1], line
+                : ::rncf::mesh::Line::Straight { from : [0.0, 0.0, 0.0], to : [8.0, 0.0,
+                0.0] }, count : (model.elements as f64) as usize, meanings : &
+                ["position", "slope", "position", "slope"], orders : & [0, 1, 0, 1],
+                connectivity : & [0, 1, 2, 3], vectors_per_node : 2 },
+            ]
+        }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec![
+                ::rncf::mesh::JointSpec { name : "root", kind :
+                ::rncf::mesh::JointKind::Clamp, body : 0, at_end : false, frame : 1,
+                point : None },
+            ]
+        }
+        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+            let model = &self.model;
+            ::std::vec![]
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec![
+                ::rncf::mesh::ObservedSpec::Point { body : 0, at :
+                ::rncf::mesh::Place::End, what : ::rncf::mesh::PointQuantity::Position,
+                component : 0 }, ::rncf::mesh::ObservedSpec::Point { body : 0, at :
+                ::rncf::mesh::Place::End, what : ::rncf::mesh::PointQuantity::Position,
+                component : 1 },
+            ]
+        }
+        fn output_columns(&self) -> usize {
+            2
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "hub"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 1];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn prepare(
+            &mut self,
+            body: usize,
+            length: f64,
+            shape: &[f64],
+        ) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            match body {
+                _ => {
+                    let density = ::rncf::mesh::positive(
+                        "material `aluminium`",
+                        "density",
+                        2766.67,
+                        "kg/m^3",
+                    )?;
+                    let young = ::rncf::mesh::positive(
+                        "material `aluminium`",
+                        "young",
+                        68950000000.0,
+                        "Pa",
+                    )?;
+                    let poisson = ::rncf::mesh::poisson(
+                        "material `aluminium`",
+                        "poisson",
+                        0.3,
+                        "1",
+                    )?;
+                    let damping = ::rncf::mesh::non_negative(
+                        "material `aluminium`",
+                        "damping",
+                        0.0,
+                        "s",
+                    )?;
+                    let area = ::rncf::mesh::positive(
+                        "section `tube`",
+                        "area",
+                        7.299e-5,
+                        "m^2",
+                    )?;
+                    let second_moment = ::rncf::mesh::positive(
+                        "section `tube`",
+                        "second_moment",
+                        8.215e-9,
+                        "m^4",
+                    )?;
+                    self.row_beam = CablePlanar {
+                        length,
+                        EA: young * area,
+                        EI: young * second_moment,
+                        rhoA: density * area,
+                        damping: damping,
+                    };
+                }
+            }
+            Ok(())
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+            frame_hub(&self.model, t, &mut motions[1]);
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                _ => {}
+            }
+            value
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn mass(&self, body: usize, mass: &mut [f64]) {
+            match body {
+                _ => {
+                    cable_planar_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
+                }
+            }
+        }
+        fn force(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            force: &mut [f64],
+        ) {
+            match body {
+                _ => {
+                    let [q, v, a]: [&[f64; 8]; 3] = [q, v, a].map(::rncf::mesh::array);
+                    let force = ::rncf::mesh::array_mut(force);
+                    cable_planar_elastic_force(&self.row_beam, q, force);
+                    if absolute {
+                        cable_planar_absolute_inertia_force(
+                            &self.row_beam,
+                            frame,
+                            a,
+                            force,
+                        );
+                    } else {
+                        cable_planar_inertia_force(
+                            &self.row_beam,
+                            frame,
+                            q,
+                            v,
+                            a,
+                            force,
+                        );
+                    }
+                }
+            }
+        }
+        fn tangent(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            match body {
+                _ => {
+                    let [q, v]: [&[f64; 8]; 2] = [q, v].map(::rncf::mesh::array);
+                    let stiffness = ::rncf::mesh::array_mut(stiffness);
+                    let damping_matrix = ::rncf::mesh::array_mut(damping);
+                    cable_planar_elastic_tangent(&self.row_beam, q, stiffness);
+                    if !absolute {
+                        cable_planar_inertia_tangent(
+                            &self.row_beam,
+                            frame,
+                            stiffness,
+                            damping_matrix,
+                        );
+                    }
+                }
+            }
+        }
+        fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
+            let mut energy = 0.0;
+            match body {
+                _ => {
+                    cable_planar_strain_energy(
+                        &self.row_beam,
+                        ::rncf::mesh::array(q),
+                        &mut energy,
+                    );
+                }
+            }
+            energy
+        }
+        fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]) {
+            match body {
+                _ => {
+                    cable_planar_shapes(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(values),
+                        ::rncf::mesh::array_mut(slopes),
+                    );
+                }
+            }
+        }
+        fn moment(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            force: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn moment_tangent(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            tangent: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn condition(
+            &self,
+            joint: usize,
+            absolute: bool,
+            level: ::rncf::system::ConstraintLevel,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            rows: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                (0, false) => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            joint_root_referenced_position(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            joint_root_referenced_velocity(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            joint_root_referenced_acceleration(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            joint_root_referenced_jerk(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                    }
+                }
+                (0, _) => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            joint_root_absolute_position(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            joint_root_absolute_velocity(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            joint_root_absolute_acceleration(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            joint_root_absolute_jerk(&self.model, t, data, q, v, a, rows)
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        fn condition_jacobian(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            jacobian: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                (0, false) => {
+                    joint_root_referenced_jacobian(&self.model, t, data, jacobian);
+                }
+                (0, _) => {
+                    joint_root_absolute_jacobian(&self.model, t, data, jacobian);
+                }
+                _ => {}
+            }
+        }
+        fn prescribed(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            prescribed: &mut ::rncf::mesh::Prescribed,
+        ) {
+            match (joint, absolute) {
+                (0, false) => {
+                    joint_root_referenced_prescribed(&self.model, t, data, prescribed);
+                }
+                (0, _) => {
+                    joint_root_absolute_prescribed(&self.model, t, data, prescribed);
+                }
+                _ => {}
+            }
+        }
+    }
+}

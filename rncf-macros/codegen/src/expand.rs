@@ -1,0 +1,89 @@
+//! All phases in order: what `model!` does with its tokens.
+
+use std::collections::HashMap;
+
+use proc_macro2::{Group, Span, TokenStream, TokenTree};
+
+use crate::check::Spans;
+use crate::elements::Library;
+use crate::errors::{Errors, Mistake};
+use crate::{check, emit, parse, stub};
+
+/// Expands a declaration with the standard elements. Mistakes become `compile_error!`s where they
+/// were made, beside a stand-in for the struct that keeps the rest of the crate free of them.
+pub fn expand(tokens: TokenStream) -> TokenStream {
+    let mut errors = Errors::new();
+    let tree = parse::parse(tokens, &mut errors);
+    let model = tree.as_ref().and_then(|tree| check::check(tree, &Library::standard(), &mut errors));
+    match (tree, model) {
+        (Some(tree), Some(model)) if errors.is_empty() => {
+            let _ = errors.finish();
+            let text = emit::model(&model, &Library::standard());
+            match text.parse::<TokenStream>() {
+                Ok(tokens) => respan(tokens, &names(&tree)),
+                Err(error) => {
+                    let mut errors = Errors::new();
+                    errors.at(Span::call_site(), format!("the generator wrote text that is no Rust ({error}): a defect of rncf"));
+                    errors.into_tokens()
+                }
+            }
+        }
+        (Some(tree), _) => {
+            let mut tokens = errors.into_tokens();
+            tokens.extend(stub::stub(&tree));
+            tokens
+        }
+        (None, _) => errors.into_tokens(),
+    }
+}
+
+/// The expansion as formatted Rust text, with the given elements.
+///
+/// # Errors
+/// All mistakes of the declaration.
+pub fn text(tokens: TokenStream, library: &Library) -> Result<String, Vec<Mistake>> {
+    let mut errors = Errors::new();
+    let tree = parse::parse(tokens, &mut errors);
+    let model = tree.as_ref().and_then(|tree| check::check(tree, library, &mut errors));
+    let mistakes = errors.finish();
+    match model {
+        Some(model) if mistakes.is_empty() => Ok(format(&emit::model(&model, library))),
+        _ => Err(mistakes),
+    }
+}
+
+/// Formats Rust text; stable, since the same text always gives the same tokens.
+///
+/// # Panics
+/// If the text is no Rust: a defect of the generator.
+pub fn format(text: &str) -> String {
+    let file = syn::parse_file(text).unwrap_or_else(|error| panic!("the generator wrote text that is no Rust: {error}"));
+    prettyplease::unparse(&file)
+}
+
+fn names(tree: &parse::tree::Tree) -> HashMap<String, Span> {
+    let spans = Spans::of(tree);
+    let mut names = HashMap::from([(tree.name.text.clone(), spans.name)]);
+    let params = tree.items.iter().filter(|item| item.keyword == parse::tree::Keyword::Param);
+    names.extend(params.zip(spans.params).map(|(item, span)| (item.name.text.clone(), span)));
+    names
+}
+
+/// Identifiers that the user wrote point to where they were written.
+fn respan(tokens: TokenStream, names: &HashMap<String, Span>) -> TokenStream {
+    let token = |token: TokenTree| match token {
+        TokenTree::Ident(mut ident) => {
+            if let Some(&span) = names.get(&ident.to_string()) {
+                ident.set_span(span.resolved_at(Span::call_site()));
+            }
+            TokenTree::Ident(ident)
+        }
+        TokenTree::Group(group) => {
+            let mut inner = Group::new(group.delimiter(), respan(group.stream(), names));
+            inner.set_span(group.span());
+            TokenTree::Group(inner)
+        }
+        other => other,
+    };
+    tokens.into_iter().map(token).collect()
+}
