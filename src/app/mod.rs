@@ -1,0 +1,226 @@
+//! The command line of a model: one line in an example's `main`.
+//!
+//! ```text
+//! cargo run --release --example spin_up -- [run|steady] [name=value ...] [flags]
+//! ```
+//!
+//! [`main`] reads the line, runs, shows progress, and writes the history (CSV), the summary (JSON)
+//! and the report (HTML). [`run`] and [`steady`] do the same work in memory and print nothing.
+
+mod arguments;
+mod charts;
+mod clock;
+mod files;
+mod history;
+mod nearest;
+mod parameters;
+mod progress;
+mod report;
+mod run;
+mod steady;
+mod summary;
+#[cfg(test)]
+mod testing;
+mod units;
+
+use std::io::Write;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+pub use clock::Seconds;
+pub use history::{Column, Extreme, History};
+pub use run::{Incomplete, Progress, RunError, RunResult, RunSettings, StepTaken, run, run_watched};
+pub use steady::{SteadyResult, steady};
+
+use crate::Model;
+use arguments::{Arguments, Command, Refusal, parse};
+
+/// Set by Ctrl-C; the run ends after its step, and its files are written.
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+const FAILURE: u8 = 1;
+const MISTAKE: u8 = 2;
+const INTERRUPTION: u8 = 130;
+
+/// A failure with its exit code.
+struct Failure {
+    code: u8,
+    message: String,
+}
+
+impl Failure {
+    fn new(code: u8, message: impl ToString) -> Self {
+        Self {
+            code,
+            message: message.to_string(),
+        }
+    }
+}
+
+/// Reads the command line, runs the model and writes its files.
+///
+/// Exit codes: 0 complete; 1 a step failed or a file cannot be written; 2 a mistake on the command
+/// line or in a parameter; 130 Ctrl-C. Files are complete up to the last good time in all cases
+/// in which a run has begun.
+pub fn main<M: Model>() -> ExitCode {
+    let arguments = match parse::<M>(&program(), std::env::args_os().skip(1)) {
+        Ok(arguments) => arguments,
+        Err(Refusal::Help(text)) => {
+            say(&text);
+            return ExitCode::SUCCESS;
+        }
+        Err(Refusal::Mistake(text)) => return fail(Failure::new(MISTAKE, text)),
+    };
+    watch_for_interruption();
+    match execute(&arguments, || INTERRUPTED.load(Ordering::Relaxed)) {
+        Ok(text) => {
+            if !arguments.quiet {
+                say(&text);
+            }
+            ExitCode::SUCCESS
+        }
+        Err(failure) => fail(failure),
+    }
+}
+
+/// The example's name: the file stem of the program.
+fn program() -> String {
+    let path = std::env::args_os().next().unwrap_or_default();
+    match Path::new(&path).file_stem() {
+        Some(stem) => stem.to_string_lossy().into_owned(),
+        None => "model".into(),
+    }
+}
+
+/// Writes to standard output; that nobody reads it is no failure of the run.
+fn say(text: &str) {
+    let _ = writeln!(std::io::stdout(), "{}", text.trim_end());
+}
+
+fn fail(failure: Failure) -> ExitCode {
+    let _ = writeln!(std::io::stderr(), "error: {}", failure.message);
+    ExitCode::from(failure.code)
+}
+
+/// The first Ctrl-C ends the run in good order, a second one ends the program at once.
+fn watch_for_interruption() {
+    // Without a handler Ctrl-C ends the program as usual, which is the best that is left.
+    let _ = ctrlc::set_handler(|| {
+        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            std::process::exit(i32::from(INTERRUPTION));
+        }
+    });
+}
+
+/// Runs and writes; the text for standard output.
+fn execute<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
+    files::create_folder(&arguments.out).map_err(|text| Failure::new(FAILURE, text))?;
+    match arguments.command {
+        Command::Run => execute_run(arguments, interrupted),
+        Command::Steady => execute_steady(arguments),
+    }
+}
+
+fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
+    let mut bar = progress::Bar::new(arguments.quiet);
+    let outcome = run_watched(&arguments.model, &arguments.settings, |progress| {
+        bar.show(progress);
+        if interrupted() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    });
+    bar.clear();
+    let failure = outcome
+        .as_ref()
+        .err()
+        .map(|error| Failure::new(exit_code(error), error));
+    let result = match outcome {
+        Ok(result) => result,
+        Err(RunError::Incomplete(result)) => *result,
+        Err(error) => return Err(Failure::new(exit_code(&error), error)),
+    };
+    let summary = summary::of_run(&arguments.model, &result);
+    let files = write(arguments, "history.csv", &summary, &result.history, &result.steps)?;
+    let counts = &result.statistics;
+    let head = format!(
+        "{}: t = {} s, {} steps ({} rejected), {} factorizations, {:.3} s",
+        M::NAME,
+        parameters::short(result.state.t),
+        counts.steps,
+        counts.rejected_steps,
+        counts.factorizations,
+        result.seconds.cpu,
+    );
+    finish(head, files, failure)
+}
+
+fn execute_steady<M: Model>(arguments: &Arguments<M>) -> Result<String, Failure> {
+    let outcome = steady(&arguments.model, &arguments.settings);
+    let failure = outcome
+        .as_ref()
+        .err()
+        .map(|error| Failure::new(exit_code(error), error));
+    let result = match outcome {
+        Ok(result) => result,
+        Err(RunError::Steady(result)) => *result,
+        Err(error) => return Err(Failure::new(exit_code(&error), error)),
+    };
+    let summary = summary::of_steady(&arguments.model, &result);
+    let files = write(arguments, "steady.csv", &summary, &result.history, &[])?;
+    let head = format!(
+        "{}: relative equilibrium, {} steps up to {} rad/s, {:.3} s",
+        M::NAME,
+        result.history.keys.len(),
+        parameters::short(result.history.keys.last().copied().unwrap_or(0.0)),
+        result.seconds.cpu,
+    );
+    finish(head, files, failure)
+}
+
+/// What to say at the end: with a failure, the files go into its message.
+fn finish(head: String, files: String, failure: Option<Failure>) -> Result<String, Failure> {
+    match failure {
+        None => Ok(format!("{head}\n{files}")),
+        Some(failure) => Err(Failure {
+            message: format!("{}\nup to there:\n{files}", failure.message),
+            ..failure
+        }),
+    }
+}
+
+fn exit_code(error: &RunError) -> u8 {
+    match error {
+        RunError::Settings(_) | RunError::Model(_) => MISTAKE,
+        RunError::Incomplete(result) if result.incomplete == Some(Incomplete::Interrupted) => INTERRUPTION,
+        RunError::Start(_) | RunError::Incomplete(_) | RunError::Steady(_) => FAILURE,
+    }
+}
+
+/// Writes the three files; their paths, one a line.
+fn write<M: Model>(
+    arguments: &Arguments<M>,
+    table: &str,
+    summary: &summary::Summary,
+    history: &History,
+    steps: &[StepTaken],
+) -> Result<String, Failure> {
+    let written = || {
+        let page = report::page(&arguments.model, summary, history, steps)?;
+        let contents = [
+            (table, history.to_csv()),
+            ("summary.json", summary::to_text(summary)),
+            ("report.html", page),
+        ];
+        let mut paths = Vec::new();
+        for (name, text) in contents {
+            files::write(&arguments.out, name, &text)?;
+            paths.push(format!("  {}", arguments.out.join(name).display()));
+        }
+        Ok(paths.join("\n"))
+    };
+    written().map_err(|text: String| Failure::new(FAILURE, text))
+}
