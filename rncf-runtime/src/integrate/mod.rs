@@ -1,14 +1,36 @@
 //! Time integration of a [`System`]: HHT, generalized-alpha and Radau IIA.
+//!
+//! The driver ([`Integrator`]) owns the time axis: limits, kinks, the end, and the counts of
+//! steps. A method ([`scheme::Scheme`]) tries one step at a time.
 
+mod alpha;
+mod bordered;
+mod control;
+mod dense;
+mod history;
+mod newton;
 mod options;
 mod scheme;
+mod segments;
+mod start;
 mod statistics;
+
+#[cfg(test)]
+mod tests;
 
 pub use options::{Method, Options, StepSize};
 pub use statistics::Statistics;
 
-use crate::error::SolveError;
-use crate::system::{State, System};
+use crate::error::{SolveError, SolveErrorKind};
+use crate::linalg::Singular;
+use crate::system::{ConstraintLevel, State, System};
+use alpha::{Alpha, Coefficients};
+use bordered::{Bordered, add};
+use scheme::{Cause, Outcome, Scheme};
+use segments::Segments;
+
+/// A step within this part of the ceiling is at the ceiling.
+const AT_CEILING: f64 = 0.99;
 
 /// Why [`Integrator::step`] came back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,13 +46,33 @@ pub enum Stop {
 /// Advances a system from a consistent initial state to an end time.
 pub struct Integrator<'s, S: System + ?Sized> {
     system: &'s mut S,
+    scheme: Running,
+    options: Options,
+    segments: Segments,
+    bordered: Bordered,
+    /// Step that the next attempt would like to take, s.
+    wanted: f64,
+    /// The last step ended at a kink: begin anew behind it.
+    at_kink: bool,
+    previous_time: f64,
+    statistics: Statistics,
+    /// Memory for constraint values.
+    violations: Vec<f64>,
+}
+
+/// The method that runs.
+enum Running {
+    Alpha(Box<Alpha>),
 }
 
 impl<'s, S: System + ?Sized> Integrator<'s, S> {
     /// Makes the initial accelerations and multipliers consistent and prepares the method.
     ///
+    /// Time, positions and velocities of `start` are used. A start at a kink counts as behind it.
+    ///
     /// # Errors
-    /// A setting out of range, positions that violate a constraint, or a singular matrix.
+    /// A setting out of range, a state of the wrong length, positions or velocities that violate a
+    /// constraint, or a singular matrix.
     pub fn new(
         system: &'s mut S,
         start: State,
@@ -38,42 +80,294 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         method: Method,
         options: Options,
     ) -> Result<Self, SolveError> {
-        let _ = (start, t_end, method, options);
-        Ok(Self { system })
+        let t0 = start.t;
+        let fail = |kind, worst| SolveError {
+            kind,
+            t: t0,
+            h: 0.0,
+            worst,
+        };
+        start::check_settings(t0, t_end, method, &options).map_err(|kind| fail(kind, None))?;
+        let (n, m) = (system.unknowns(), system.constraints());
+        let segments = Segments::new(t0, t_end, &system.kinks());
+        let state = sized(start, n, m, segments.start()).map_err(|kind| fail(kind, None))?;
+        if let Some((size, index)) = start::violation(system, &state, t_end - t0) {
+            let worst = system.describe_constraint(index);
+            return Err(fail(SolveErrorKind::Inconsistent(size), Some(worst)));
+        }
+        let bordered = Bordered::new(system);
+        let scheme = match method {
+            Method::Hht { alpha } => Running::alpha(system, Coefficients::hht(alpha), &options),
+            Method::GeneralizedAlpha { rho_inf } => {
+                Running::alpha(system, Coefficients::generalized_alpha(rho_inf), &options)
+            }
+            Method::Radau => todo!(),
+        };
+        let mut integrator = Self {
+            system,
+            scheme,
+            options,
+            segments,
+            bordered,
+            wanted: 0.0,
+            at_kink: false,
+            previous_time: state.t,
+            statistics: Statistics::default(),
+            violations: vec![0.0; m],
+        };
+        integrator.begin(state)?;
+        Ok(integrator)
     }
 
     /// Advances by one accepted step.
     ///
+    /// At the end time it returns [`Stop::End`] without a step.
+    ///
     /// # Errors
     /// The reason, with the last good state untouched in [`Integrator::state`].
     pub fn step(&mut self) -> Result<Stop, SolveError> {
-        let _ = &mut self.system;
-        todo!()
+        if self.at_kink {
+            self.restart()?;
+        }
+        let t = self.state().t;
+        if self.segments.is_at_end(t) {
+            return Ok(Stop::End);
+        }
+        let fixed = matches!(self.options.step, StepSize::Fixed(_));
+        loop {
+            let limited = self.wanted.min(self.options.max_step);
+            let h = self.segments.fit(t, limited, fixed, self.options.max_step);
+            match self.scheme.attempt(self.system, h, &mut self.statistics) {
+                Outcome::Accepted { next } => {
+                    // A step cut short by a kink or the end says little about the next one.
+                    self.wanted = if next >= h { next.max(limited) } else { next };
+                    return Ok(self.accepted(t, h));
+                }
+                Outcome::Rejected { next, cause } => {
+                    self.count_rejection(&cause);
+                    if fixed || next < self.segments.smallest_step(t) {
+                        return Err(self.rejection_error(t, h, cause));
+                    }
+                    self.wanted = next;
+                }
+            }
+        }
     }
 
     /// State at the end of the last accepted step (true accelerations, not algorithmic ones).
     pub fn state(&self) -> &State {
-        todo!()
+        self.scheme.state()
     }
 
     /// Start of the last accepted step, s; equal to the time of [`Integrator::state`] before the first.
     pub fn previous_time(&self) -> f64 {
-        todo!()
+        self.previous_time
     }
 
     /// State at `t` within the last accepted step by the method's dense output.
     pub fn interpolate(&self, t: f64, out: &mut State) {
-        let _ = (t, out);
-        todo!()
+        self.scheme.interpolate(t, out);
     }
 
     /// Counts so far.
     pub fn statistics(&self) -> &Statistics {
-        todo!()
+        &self.statistics
     }
 
     /// The system that is integrated, for outputs between steps.
     pub fn system(&mut self) -> &mut S {
         self.system
+    }
+
+    /// Begins at positions and velocities: consistent accelerations, a first step, the method.
+    fn begin(&mut self, mut state: State) -> Result<(), SolveError> {
+        let t = state.t;
+        self.bordered.move_to(self.system, t, &state.x);
+        self.bordered
+            .accelerations(self.system, &mut state, &mut self.statistics)
+            .map_err(|singular| self.singular(t, singular))?;
+        if !state.a.iter().chain(&state.lambda).all(|value| value.is_finite()) {
+            return Err(self.error(SolveErrorKind::NotFinite, t, 0.0, None));
+        }
+        if self.wanted == 0.0 {
+            self.wanted = self.first_step(&state)?;
+        }
+        let h = self.segments.fit(
+            t,
+            self.wanted.min(self.options.max_step),
+            matches!(self.options.step, StepSize::Fixed(_)),
+            self.options.max_step,
+        );
+        self.scheme
+            .begin(self.system, &state, h, &mut self.statistics)
+            .map_err(|kind| self.error(kind, t, h, None))
+    }
+
+    fn first_step(&mut self, state: &State) -> Result<f64, SolveError> {
+        let given = match self.options.step {
+            StepSize::Fixed(h) => Some(h),
+            StepSize::Adaptive => self.options.first_step,
+        };
+        if let Some(h) = given {
+            return Ok(h);
+        }
+        let (rtol, left) = (self.options.rtol, self.segments.left(state.t));
+        let (bordered, statistics) = (&mut self.bordered, &mut self.statistics);
+        let h = start::first_step(self.system, bordered, state, rtol, left, statistics)
+            .map_err(|singular| self.singular(state.t, singular))?;
+        if !h.is_finite() {
+            return Err(self.error(SolveErrorKind::NotFinite, state.t, 0.0, None));
+        }
+        Ok(h.max(self.segments.smallest_step(state.t)))
+    }
+
+    /// Begins anew behind a kink. Where a prescribed velocity jumps, the velocities follow as by an
+    /// impact without friction.
+    fn restart(&mut self) -> Result<(), SolveError> {
+        let mut state = self.state().clone();
+        state.t = self.segments.behind_kink();
+        self.bordered.move_to(self.system, state.t, &state.x);
+        let mut change = vec![0.0; state.v.len()];
+        self.bordered
+            .velocity_change(self.system, &state, &mut change, &mut self.statistics)
+            .map_err(|singular| self.singular(state.t, singular))?;
+        add(&mut state.v, &change);
+        self.segments.pass_kink();
+        if let Err(error) = self.begin(state) {
+            self.segments.return_to_kink();
+            return Err(error);
+        }
+        self.at_kink = false;
+        self.statistics.restarts += 1;
+        Ok(())
+    }
+
+    /// Counts an accepted step from `t` and says where it ended.
+    fn accepted(&mut self, t: f64, h: f64) -> Stop {
+        self.previous_time = t;
+        let statistics = &mut self.statistics;
+        statistics.smallest_step = if statistics.steps == 0 {
+            h
+        } else {
+            statistics.smallest_step.min(h)
+        };
+        statistics.largest_step = statistics.largest_step.max(h);
+        statistics.steps += 1;
+        if h >= AT_CEILING * self.options.max_step {
+            statistics.steps_at_ceiling += 1;
+        }
+        let state = self.scheme.state();
+        if !self.violations.is_empty() {
+            self.system
+                .constraint(ConstraintLevel::Position, state, &mut self.violations);
+            let largest = self.violations.iter().fold(0.0_f64, |largest, c| largest.max(c.abs()));
+            statistics.max_constraint_residual = statistics.max_constraint_residual.max(largest);
+        }
+        let t = state.t;
+        if self.segments.is_at_end(t) {
+            Stop::End
+        } else if self.segments.is_at_kink(t) {
+            self.at_kink = true;
+            Stop::Kink
+        } else {
+            Stop::Step
+        }
+    }
+
+    fn count_rejection(&mut self, cause: &Cause) {
+        self.statistics.rejected_steps += 1;
+        match cause {
+            Cause::Error => self.statistics.rejected_by_error += 1,
+            Cause::Newton { .. } | Cause::Singular { .. } | Cause::NotFinite => self.statistics.rejected_by_newton += 1,
+        }
+    }
+
+    fn rejection_error(&self, t: f64, h: f64, cause: Cause) -> SolveError {
+        let (kind, worst) = match cause {
+            Cause::Error => (SolveErrorKind::StepTooSmall, self.scheme.worst_error()),
+            Cause::Newton { worst } => (SolveErrorKind::NoConvergence, worst),
+            Cause::Singular { worst } => (SolveErrorKind::Singular, worst),
+            Cause::NotFinite => (SolveErrorKind::NotFinite, None),
+        };
+        self.error(kind, t, h, worst)
+    }
+
+    fn singular(&self, t: f64, singular: Singular) -> SolveError {
+        let row = newton::row(singular, self.system.unknowns());
+        self.error(SolveErrorKind::Singular, t, 0.0, row)
+    }
+
+    fn error(&self, kind: SolveErrorKind, t: f64, h: f64, row: Option<usize>) -> SolveError {
+        let n = self.system.unknowns();
+        let worst = row.map(|row| {
+            if row < n {
+                self.system.describe_unknown(row)
+            } else {
+                self.system.describe_constraint(row - n)
+            }
+        });
+        SolveError { kind, t, h, worst }
+    }
+}
+
+/// The initial state at time `t`, its lengths checked, accelerations and multipliers zero.
+fn sized(start: State, n: usize, m: usize, t: f64) -> Result<State, SolveErrorKind> {
+    for (name, length) in [("positions", start.x.len()), ("velocities", start.v.len())] {
+        if length != n {
+            return Err(SolveErrorKind::Setting(format!(
+                "the initial state has {length} {name}: the system has {n} unknowns"
+            )));
+        }
+    }
+    if !start.x.iter().chain(&start.v).all(|value| value.is_finite()) {
+        return Err(SolveErrorKind::NotFinite);
+    }
+    let mut state = State::zeros(t, n, m);
+    state.x = start.x;
+    state.v = start.v;
+    Ok(state)
+}
+
+impl Running {
+    fn alpha<S: System + ?Sized>(system: &mut S, coefficients: Coefficients, options: &Options) -> Self {
+        Running::Alpha(Box::new(Alpha::new(system, coefficients, options)))
+    }
+}
+
+impl Scheme for Running {
+    fn begin<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        state: &State,
+        h: f64,
+        statistics: &mut Statistics,
+    ) -> Result<(), SolveErrorKind> {
+        match self {
+            Running::Alpha(scheme) => scheme.begin(system, state, h, statistics),
+        }
+    }
+
+    fn attempt<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Outcome {
+        match self {
+            Running::Alpha(scheme) => scheme.attempt(system, h, statistics),
+        }
+    }
+
+    fn state(&self) -> &State {
+        match self {
+            Running::Alpha(scheme) => scheme.state(),
+        }
+    }
+
+    fn interpolate(&self, t: f64, out: &mut State) {
+        match self {
+            Running::Alpha(scheme) => scheme.interpolate(t, out),
+        }
+    }
+
+    fn worst_error(&self) -> Option<usize> {
+        match self {
+            Running::Alpha(scheme) => scheme.worst_error(),
+        }
     }
 }

@@ -49,4 +49,9 @@ pub(super) trait Scheme {
 
     /// The state at `t` within the last accepted step.
     fn interpolate(&self, t: f64, out: &mut State);
+
+    /// The unknown with the largest part in the error of the last attempt, if known.
+    fn worst_error(&self) -> Option<usize> {
+        None
+    }
 }

@@ -1,7 +1,14 @@
-//! Sparse linear algebra: a fixed pattern, and saddle-point systems on it.
+//! Sparse linear algebra: a fixed pattern, its factorizations, and saddle-point systems on it.
 
+mod banded;
+mod lu;
+mod order;
 mod pattern;
 mod saddle;
+mod scalar;
+mod sparse;
 
+pub use lu::Lu;
 pub use pattern::Pattern;
 pub use saddle::{Saddle, Singular};
+pub use scalar::{Scalar, c64};

@@ -1,0 +1,362 @@
+//! HHT-alpha and generalized-alpha for index 3 (THEORY 7.1, 7.2) with corrected start, step change
+//! and velocity (THEORY 10).
+//!
+//! HHT averages the forces F = f + C_x^T lambda of both ends of a step,
+//! `M a_1 = alpha F_0 - (1 + alpha) F_1`. The mass is constant and the true acceleration obeys
+//! `M qdd = -F`, so that this is `a_1 = (1 + alpha) qdd_1 - alpha qdd_0` with equilibrium
+//! `M qdd_1 + F_1 = 0` at the end of the step: generalized-alpha with alpha_m = 0,
+//! alpha_f = -alpha. Both run as such; the true accelerations need no further matrix.
+//!
+//! An accepted step is kept free of numerical bias: position, velocity projected onto the
+//! constraints, true acceleration, and the distance `a - qdd` per step size. What a step of size h
+//! starts from follows from these: `a_0 = qdd + h (a - qdd)/h`, `v_0 = v - kappa h^2 P j`. Start,
+//! restart and step change are thereby one and the same.
+
+use super::Statistics;
+use super::bordered::{Bordered, add};
+use super::control::Controller;
+use super::history::History;
+use super::newton::{self, Factors, Failure, Iterate, Newton, norm};
+use super::options::{Options, StepSize};
+use super::scheme::{Cause, Outcome, Scheme};
+use crate::error::SolveErrorKind;
+use crate::linalg::Singular;
+use crate::system::{State, System};
+
+/// Tolerance of Newton's increments relative to the sizes of the unknowns with a fixed step, where
+/// no error test needs it but orders of convergence should be visible.
+const FIXED_STEP_RTOL: f64 = 1e-11;
+/// Ratio of the next attempt to one whose iteration failed (THEORY 7.1).
+const RETRY: f64 = 0.25;
+/// Difference step of the first jerk relative to the first step.
+const DIFFERENCE: f64 = 1e-3;
+
+/// Coefficients of a method of the family.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Coefficients {
+    alpha_m: f64,
+    alpha_f: f64,
+    beta: f64,
+    gamma: f64,
+}
+
+impl Coefficients {
+    /// HHT with dissipation `alpha` in [-1/3, 0].
+    pub(super) fn hht(alpha: f64) -> Self {
+        Self::averaging(0.0, -alpha)
+    }
+
+    /// Generalized-alpha with spectral radius `rho` at infinite frequency in [0, 1].
+    pub(super) fn generalized_alpha(rho: f64) -> Self {
+        Self::averaging((2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0))
+    }
+
+    fn averaging(alpha_m: f64, alpha_f: f64) -> Self {
+        let gamma = 0.5 + alpha_f - alpha_m;
+        let beta = (gamma + 0.5) * (gamma + 0.5) / 4.0;
+        Self {
+            alpha_m,
+            alpha_f,
+            beta,
+            gamma,
+        }
+    }
+
+    /// `a_n` approximates the acceleration at `t_n + shift h`.
+    fn shift(&self) -> f64 {
+        self.alpha_m - self.alpha_f
+    }
+
+    /// Constant of the local position error, and of the velocity bias.
+    fn kappa(&self) -> f64 {
+        self.beta + self.shift() / 2.0 - 1.0 / 6.0
+    }
+
+    fn factors(&self) -> Factors {
+        Factors {
+            gamma: self.gamma,
+            beta: self.beta,
+            mass: (1.0 - self.alpha_m) / (1.0 - self.alpha_f),
+        }
+    }
+}
+
+/// A method of the alpha family.
+pub(super) struct Alpha {
+    coefficients: Coefficients,
+    fixed: bool,
+    inverse_weights: Vec<f64>,
+    newton: Newton,
+    bordered: Bordered,
+    controller: Controller,
+    history: History,
+    /// Last accepted state and the one before.
+    now: State,
+    before: State,
+    /// (a - qdd) / h at `now`.
+    offset: Vec<f64>,
+    /// Step size, velocity and acceleration as the last step left them; no step size after a start.
+    left: Left,
+    /// P j at `now`, if known.
+    constrained_jerk: Vec<f64>,
+    jerk_known: bool,
+    /// Jerk at the last start, for the first prediction.
+    first_jerk: Vec<f64>,
+    trial: Iterate,
+    /// a_0 of the attempt.
+    a0: Vec<f64>,
+    work: Vec<f64>,
+}
+
+/// What the last step left, with its numerical bias.
+struct Left {
+    h: Option<f64>,
+    v: Vec<f64>,
+    a: Vec<f64>,
+}
+
+impl Alpha {
+    /// The method with the given coefficients for `system`.
+    pub(super) fn new<S: System + ?Sized>(system: &mut S, coefficients: Coefficients, options: &Options) -> Self {
+        let (n, m) = (system.unknowns(), system.constraints());
+        let fixed = matches!(options.step, StepSize::Fixed(_));
+        let rtol = if fixed {
+            options.rtol.min(FIXED_STEP_RTOL)
+        } else {
+            options.rtol
+        };
+        Self {
+            coefficients,
+            fixed,
+            inverse_weights: system.sizes().iter().map(|size| 1.0 / (options.rtol * size)).collect(),
+            newton: Newton::new(system, coefficients.factors(), rtol),
+            bordered: Bordered::new(system),
+            controller: Controller::default(),
+            history: History::new(n, m),
+            now: State::zeros(0.0, n, m),
+            before: State::zeros(0.0, n, m),
+            offset: vec![0.0; n],
+            left: Left {
+                h: None,
+                v: vec![0.0; n],
+                a: vec![0.0; n],
+            },
+            constrained_jerk: vec![0.0; n],
+            jerk_known: false,
+            first_jerk: vec![0.0; n],
+            trial: Iterate {
+                state: State::zeros(0.0, n, m),
+                algorithmic: vec![0.0; n],
+            },
+            a0: vec![0.0; n],
+            work: vec![0.0; n],
+        }
+    }
+
+    /// Jerk at `now`: difference quotient of consistent accelerations over a small part of `h`, its
+    /// constrained part from the third derivative of the constraints.
+    fn jerk_at_start<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        h: f64,
+        statistics: &mut Statistics,
+    ) -> Result<(), Singular> {
+        let dt = DIFFERENCE * h;
+        let later = &mut self.trial.state;
+        later.t = self.now.t + dt;
+        for i in 0..self.now.x.len() {
+            later.x[i] = self.now.x[i] + dt * (self.now.v[i] + 0.5 * dt * self.now.a[i]);
+            later.v[i] = self.now.v[i] + dt * self.now.a[i];
+        }
+        self.bordered.move_to(system, later.t, &later.x);
+        self.bordered.accelerations(system, later, statistics)?;
+        for i in 0..self.now.x.len() {
+            self.first_jerk[i] = (later.a[i] - self.now.a[i]) / dt;
+        }
+        self.bordered.move_to(system, self.now.t, &self.now.x);
+        let (jerk, change) = (&mut self.first_jerk, &mut self.work);
+        self.bordered
+            .constrain_jerk(system, &self.now, jerk, change, statistics)
+    }
+
+    /// Velocity and acceleration from which a step of size `h` starts: into the trial's velocity and `a0`.
+    fn prepare<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        h: f64,
+        statistics: &mut Statistics,
+    ) -> Result<(), Singular> {
+        if self.left.h == Some(h) {
+            self.trial.state.v.copy_from_slice(&self.left.v);
+            self.a0.copy_from_slice(&self.left.a);
+            return Ok(());
+        }
+        if !self.jerk_known {
+            // The border is at `now` since the last accepted step.
+            let out = &mut self.constrained_jerk;
+            self.bordered.constrained_jerk(system, &self.now, out, statistics)?;
+            self.jerk_known = true;
+        }
+        let bias = self.coefficients.kappa() * h * h;
+        for i in 0..self.a0.len() {
+            self.a0[i] = self.now.a[i] + h * self.offset[i];
+            self.trial.state.v[i] = self.now.v[i] - bias * self.constrained_jerk[i];
+        }
+        Ok(())
+    }
+
+    /// Predicts the end of a step of size `h` from what [`Alpha::prepare`] left.
+    fn predict(&mut self, h: f64) {
+        let Coefficients {
+            alpha_m,
+            alpha_f,
+            beta,
+            gamma,
+        } = self.coefficients;
+        let Iterate { state, algorithmic } = &mut self.trial;
+        state.t = self.now.t + h;
+        if !self.history.extrapolate(&self.now, state) {
+            state.lambda.copy_from_slice(&self.now.lambda);
+            for i in 0..state.a.len() {
+                state.a[i] = self.now.a[i] + h * self.first_jerk[i];
+            }
+        }
+        for i in 0..state.a.len() {
+            let (a0, v0) = (self.a0[i], state.v[i]);
+            let a1 = ((1.0 - alpha_f) * state.a[i] + alpha_f * self.now.a[i] - alpha_m * a0) / (1.0 - alpha_m);
+            algorithmic[i] = a1;
+            state.x[i] = self.now.x[i] + h * (v0 + h * ((0.5 - beta) * a0 + beta * a1));
+            state.v[i] = v0 + h * ((1.0 - gamma) * a0 + gamma * a1);
+        }
+    }
+
+    /// Converges the end of a step of size `h`; a matrix of an earlier step gets a second chance.
+    fn converge<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        h: f64,
+        statistics: &mut Statistics,
+    ) -> Result<(), Cause> {
+        loop {
+            self.prepare(system, h, statistics)
+                .map_err(|singular| Cause::Singular {
+                    worst: newton::row(singular, self.a0.len()),
+                })?;
+            self.predict(h);
+            let mass = self.bordered.mass();
+            match self.newton.solve(system, mass, h, &mut self.trial, statistics) {
+                Ok(()) => return Ok(()),
+                Err(Failure::OldMatrix) => self.newton.discard(),
+                Err(Failure::Failed(cause)) => {
+                    self.newton.discard();
+                    return Err(cause);
+                }
+            }
+        }
+    }
+
+    /// Weighted local error of the attempt.
+    fn error(&mut self, h: f64) -> f64 {
+        let factor = self.coefficients.kappa() * h * h;
+        for i in 0..self.work.len() {
+            self.work[i] = factor * (self.trial.algorithmic[i] - self.a0[i]);
+        }
+        norm(&self.work, &self.inverse_weights)
+    }
+
+    /// Makes the trial the last accepted state, its velocity free of bias.
+    fn accept<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        h: f64,
+        statistics: &mut Statistics,
+    ) -> Result<(), Singular> {
+        let Iterate { state, algorithmic } = &mut self.trial;
+        self.bordered.move_to(system, state.t, &state.x);
+        let change = &mut self.work;
+        if let Err(singular) = self.bordered.velocity_change(system, state, change, statistics) {
+            self.bordered.move_to(system, self.now.t, &self.now.x);
+            return Err(singular);
+        }
+        self.left.v.copy_from_slice(&state.v);
+        add(&mut state.v, change);
+        self.left.h = Some(h);
+        self.left.a.copy_from_slice(algorithmic);
+        for i in 0..self.offset.len() {
+            self.offset[i] = (algorithmic[i] - state.a[i]) / h;
+        }
+        self.history.remember(&self.now);
+        std::mem::swap(&mut self.before, &mut self.now);
+        std::mem::swap(&mut self.now, state);
+        self.jerk_known = false;
+        Ok(())
+    }
+}
+
+impl Scheme for Alpha {
+    fn begin<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        state: &State,
+        h: f64,
+        statistics: &mut Statistics,
+    ) -> Result<(), SolveErrorKind> {
+        self.now.clone_from(state);
+        self.before.clone_from(state);
+        self.history.restart();
+        self.controller.restart();
+        self.newton.discard();
+        self.left.h = None;
+        self.jerk_known = false;
+        self.jerk_at_start(system, h, statistics)
+            .map_err(|_| SolveErrorKind::Singular)?;
+        if !self.first_jerk.iter().all(|j| j.is_finite()) {
+            return Err(SolveErrorKind::NotFinite);
+        }
+        let shift = self.coefficients.shift();
+        for i in 0..self.offset.len() {
+            self.offset[i] = shift * self.first_jerk[i];
+        }
+        Ok(())
+    }
+
+    fn attempt<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Outcome {
+        let failed = |controller: &mut Controller, cause| {
+            controller.failed();
+            Outcome::Rejected { next: RETRY * h, cause }
+        };
+        if let Err(cause) = self.converge(system, h, statistics) {
+            return failed(&mut self.controller, cause);
+        }
+        let error = if self.fixed { 0.0 } else { self.error(h) };
+        if !error.is_finite() {
+            return failed(&mut self.controller, Cause::NotFinite);
+        }
+        if error > 1.0 {
+            return Outcome::Rejected {
+                next: h * self.controller.reject(error),
+                cause: Cause::Error,
+            };
+        }
+        if let Err(singular) = self.accept(system, h, statistics) {
+            let worst = newton::row(singular, self.a0.len());
+            return failed(&mut self.controller, Cause::Singular { worst });
+        }
+        let ratio = if self.fixed { 1.0 } else { self.controller.accept(error) };
+        Outcome::Accepted { next: h * ratio }
+    }
+
+    fn state(&self) -> &State {
+        &self.now
+    }
+
+    fn interpolate(&self, t: f64, out: &mut State) {
+        super::dense::hermite(&self.before, &self.now, t, out);
+    }
+
+    fn worst_error(&self) -> Option<usize> {
+        // `work` holds the local error since the attempt failed its test.
+        let weighted = |i: usize| (self.work[i] * self.inverse_weights[i]).abs();
+        (0..self.work.len()).max_by(|&i, &j| weighted(i).total_cmp(&weighted(j)))
+    }
+}

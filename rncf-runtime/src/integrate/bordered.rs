@@ -1,0 +1,233 @@
+//! Solutions with the mass matrix bordered by the constraints (THEORY 10): consistent
+//! accelerations, velocities without numerical bias and the constrained jerk.
+//!
+//! The mass matrix is constant, only the border moves. A factorization is kept while refinement
+//! with the true border converges fast.
+
+use super::Statistics;
+use crate::linalg::{Pattern, Saddle, Singular};
+use crate::system::{ConstraintLevel, State, System};
+
+/// Refinement stops when a correction is this small relative to the solution.
+const REFINED: f64 = 1e-9;
+/// Refinement that contracts worse than this asks for a new factorization.
+const SLOW: f64 = 0.2;
+
+/// `[[M, C_x^T], [C_x, 0]]` at a time and position, and solutions with it.
+pub(super) struct Bordered {
+    pattern: Pattern,
+    constraint_pattern: Pattern,
+    sizes: Vec<f64>,
+    mass: Vec<f64>,
+    jacobian: Vec<f64>,
+    saddle: Saddle<f64>,
+    state_of_factors: Factors,
+    /// Right side as given, and what is left of it.
+    given: (Vec<f64>, Vec<f64>),
+    rest: (Vec<f64>, Vec<f64>),
+    work: Vec<f64>,
+}
+
+/// What the kept factorization belongs to.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Factors {
+    None,
+    /// An earlier border.
+    Old,
+    /// The present border.
+    Present,
+}
+
+impl Bordered {
+    /// Analyses the patterns and takes the constant mass matrix.
+    pub(super) fn new<S: System + ?Sized>(system: &mut S) -> Self {
+        let pattern = system.pattern().clone();
+        let constraint_pattern = system.constraint_pattern().clone();
+        let (n, m) = (system.unknowns(), system.constraints());
+        let mut mass = vec![0.0; pattern.entries()];
+        system.mass(&mut mass);
+        Self {
+            saddle: Saddle::new(&pattern, &constraint_pattern),
+            sizes: system.sizes().to_vec(),
+            jacobian: vec![0.0; constraint_pattern.entries()],
+            mass,
+            state_of_factors: Factors::None,
+            given: (vec![0.0; n], vec![0.0; m]),
+            rest: (vec![0.0; n], vec![0.0; m]),
+            work: vec![0.0; m],
+            pattern,
+            constraint_pattern,
+        }
+    }
+
+    /// The constant mass matrix on the system's pattern.
+    pub(super) fn mass(&self) -> &[f64] {
+        &self.mass
+    }
+
+    /// Moves the border to time `t` and position `x`.
+    pub(super) fn move_to<S: System + ?Sized>(&mut self, system: &mut S, t: f64, x: &[f64]) {
+        if self.constraint_pattern.columns() > 0 {
+            system.constraint_jacobian(t, x, &mut self.jacobian);
+            if self.state_of_factors == Factors::Present {
+                self.state_of_factors = Factors::Old;
+            }
+        }
+    }
+
+    /// Accelerations and multipliers that satisfy the equations of motion and the second time
+    /// derivative of the constraints at the state's time, position and velocity; the border must be there.
+    pub(super) fn accelerations<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        state: &mut State,
+        statistics: &mut Statistics,
+    ) -> Result<(), Singular> {
+        state.a.fill(0.0);
+        let State { t, x, v, a, .. } = &*state;
+        system.residual(*t, x, v, a, &mut self.given.0);
+        statistics.residual_evaluations += 1;
+        system.constraint(ConstraintLevel::Acceleration, state, &mut self.given.1);
+        negate(&mut self.given.0);
+        negate(&mut self.given.1);
+        self.solve_given(&mut state.a, &mut state.lambda, statistics)
+    }
+
+    /// The constrained part `P j` of the jerk from the third derivative of the constraints at the
+    /// state (THEORY 10); the border must be there.
+    pub(super) fn constrained_jerk<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        state: &State,
+        out: &mut [f64],
+        statistics: &mut Statistics,
+    ) -> Result<(), Singular> {
+        self.replace_constrained(system, ConstraintLevel::Jerk, state, None, out, statistics)
+    }
+
+    /// The smallest change of `jerk`, in the norm of the mass, that satisfies the third derivative
+    /// of the constraints: its constrained part becomes `P j`.
+    pub(super) fn constrain_jerk<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        state: &State,
+        jerk: &mut [f64],
+        change: &mut [f64],
+        statistics: &mut Statistics,
+    ) -> Result<(), Singular> {
+        self.replace_constrained(system, ConstraintLevel::Jerk, state, Some(jerk), change, statistics)?;
+        add(jerk, change);
+        Ok(())
+    }
+
+    /// The smallest change of the state's velocity, in the norm of the mass, with which it satisfies
+    /// the first time derivative of the constraints; the border must be there.
+    pub(super) fn velocity_change<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        state: &State,
+        change: &mut [f64],
+        statistics: &mut Statistics,
+    ) -> Result<(), Singular> {
+        let level = ConstraintLevel::Velocity;
+        self.replace_constrained(system, level, state, Some(&state.v), change, statistics)
+    }
+
+    /// Solves for `y` in `M y + C_x^T nu = 0`, `C_x (derivative + y) + value of the level = 0`.
+    fn replace_constrained<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        level: ConstraintLevel,
+        state: &State,
+        derivative: Option<&[f64]>,
+        out: &mut [f64],
+        statistics: &mut Statistics,
+    ) -> Result<(), Singular> {
+        if self.work.is_empty() {
+            out.fill(0.0);
+            return Ok(());
+        }
+        system.constraint(level, state, &mut self.given.1);
+        if let Some(derivative) = derivative {
+            self.constraint_pattern
+                .transpose_multiply_add(1.0, &self.jacobian, derivative, &mut self.given.1);
+        }
+        self.given.0.fill(0.0);
+        negate(&mut self.given.1);
+        let mut forces = std::mem::take(&mut self.work);
+        let result = self.solve_given(out, &mut forces, statistics);
+        self.work = forces;
+        result
+    }
+
+    /// Solves with the right side `given`, by refinement with the kept factorization or anew.
+    fn solve_given(
+        &mut self,
+        dynamics: &mut [f64],
+        constraints: &mut [f64],
+        statistics: &mut Statistics,
+    ) -> Result<(), Singular> {
+        if self.state_of_factors == Factors::Old && self.refine(dynamics, constraints, statistics) {
+            return Ok(());
+        }
+        if self.state_of_factors != Factors::Present {
+            self.state_of_factors = Factors::None;
+            statistics.factorizations += 1;
+            self.saddle.factor(&self.mass, &self.jacobian)?;
+            self.state_of_factors = Factors::Present;
+        }
+        dynamics.copy_from_slice(&self.given.0);
+        constraints.copy_from_slice(&self.given.1);
+        statistics.solves += 1;
+        self.saddle.solve(dynamics, constraints);
+        Ok(())
+    }
+
+    /// Refines from zero with the factorization of an earlier border; false if that is slow.
+    fn refine(&mut self, dynamics: &mut [f64], constraints: &mut [f64], statistics: &mut Statistics) -> bool {
+        dynamics.fill(0.0);
+        constraints.fill(0.0);
+        self.rest.0.copy_from_slice(&self.given.0);
+        self.rest.1.copy_from_slice(&self.given.1);
+        let mut before = f64::INFINITY;
+        loop {
+            statistics.solves += 1;
+            self.saddle.solve(&mut self.rest.0, &mut self.rest.1);
+            add(dynamics, &self.rest.0);
+            add(constraints, &self.rest.1);
+            let (correction, solution) = (self.norm(&self.rest.0), self.norm(dynamics));
+            if correction <= REFINED * solution {
+                return true;
+            }
+            if !(correction <= SLOW * before) {
+                return false;
+            }
+            before = correction;
+            self.rest.0.copy_from_slice(&self.given.0);
+            self.rest.1.copy_from_slice(&self.given.1);
+            self.pattern.multiply_add(-1.0, &self.mass, dynamics, &mut self.rest.0);
+            self.constraint_pattern
+                .multiply_add(-1.0, &self.jacobian, constraints, &mut self.rest.0);
+            self.constraint_pattern
+                .transpose_multiply_add(-1.0, &self.jacobian, dynamics, &mut self.rest.1);
+        }
+    }
+
+    /// Euclidean norm relative to the sizes of the unknowns.
+    fn norm(&self, y: &[f64]) -> f64 {
+        y.iter()
+            .zip(&self.sizes)
+            .map(|(y, size)| (y / size).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    }
+}
+
+fn negate(y: &mut [f64]) {
+    y.iter_mut().for_each(|y| *y = -*y);
+}
+
+/// `y += change`.
+pub(super) fn add(y: &mut [f64], change: &[f64]) {
+    y.iter_mut().zip(change).for_each(|(y, change)| *y += change);
+}

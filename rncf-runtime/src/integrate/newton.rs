@@ -1,0 +1,331 @@
+//! Modified Newton iteration of one step of the alpha family (THEORY 7.3).
+//!
+//! The matrix is scaled by `beta h^2`, so that its entries stay of order one as h goes to 0, and
+//! its factorization is kept across steps while the iteration contracts well.
+
+use super::Statistics;
+use super::scheme::Cause;
+use crate::linalg::{Pattern, Saddle, Singular};
+use crate::system::{ConstraintLevel, State, System, Tangent};
+
+/// Largest estimated error of a converged iterate, as a part of the error tolerance.
+const CONVERGED: f64 = 0.05;
+/// Contraction above which the matrix is refreshed within the iteration.
+const POOR: f64 = 0.5;
+/// Contraction above which full Newton counts as diverging.
+const DIVERGING: f64 = 0.9;
+/// Contraction above which the next step starts with a new matrix.
+const AGED: f64 = 0.3;
+/// Most steps in a row that may take one iteration and thus show no contraction.
+const BLIND: u32 = 4;
+/// Smallest contraction that is expected of a step before it is seen.
+const LEAST: f64 = 1e-3;
+/// Most iterations of one attempt.
+const ITERATIONS: u32 = 10;
+/// The factorization is kept while the step is within this ratio of the one it was made for.
+const SAME_STEP: f64 = 1.2;
+/// Increments below this, relative to the sizes of the unknowns, are noise.
+const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
+
+/// How the increments of velocity and accelerations follow from those of the position.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Factors {
+    /// dv = gamma / (beta h) dx.
+    pub(super) gamma: f64,
+    /// d(algorithmic acceleration) = dx / (beta h^2).
+    pub(super) beta: f64,
+    /// d(true acceleration) = mass * d(algorithmic acceleration); the factor of M in the matrix.
+    pub(super) mass: f64,
+}
+
+/// The end of a step: a predictor at first, converged in the end.
+pub(super) struct Iterate {
+    /// Time, position, velocity, true acceleration, multipliers.
+    pub(super) state: State,
+    /// Acceleration of the update formulas.
+    pub(super) algorithmic: Vec<f64>,
+}
+
+/// Newton's iteration with a kept factorization.
+pub(super) struct Newton {
+    constraint_pattern: Pattern,
+    factors: Factors,
+    /// 1 / (weight of the unknown in the norm of the increments).
+    inverse_weights: Vec<f64>,
+    inverse_sizes: Vec<f64>,
+    /// Relative tolerance of the increments' norm.
+    rtol: f64,
+    saddle: Saddle<f64>,
+    tangent: Tangent,
+    block: Vec<f64>,
+    jacobian: Vec<f64>,
+    dx: Vec<f64>,
+    dlambda: Vec<f64>,
+    /// Step for which the matrix was factored; `None`: refresh before the next iteration.
+    factored_for: Option<f64>,
+    experience: Experience,
+}
+
+/// Contraction seen with one factorization. As the solution moves away from where the matrix was
+/// made the contraction gets worse: what is expected grows by twice what was seen to come.
+struct Experience {
+    /// Seen last; 1 before anything is seen.
+    last: f64,
+    /// Change per step between the last two sightings.
+    drift: f64,
+    /// Steps since then.
+    unseen: u32,
+}
+
+impl Default for Experience {
+    fn default() -> Self {
+        Self {
+            last: 1.0,
+            drift: 1.0,
+            unseen: 0,
+        }
+    }
+}
+
+impl Experience {
+    /// Contraction to expect in the next step; 1 or more: none.
+    fn expected(&self) -> f64 {
+        if self.unseen >= BLIND {
+            return 1.0;
+        }
+        (self.last + 2.0 * self.drift * f64::from(self.unseen + 1)).max(LEAST)
+    }
+
+    /// Notes the contraction that a step has shown, if it took more than one iteration.
+    fn note(&mut self, seen: Option<f64>) {
+        match seen {
+            Some(contraction) => {
+                self.drift = (contraction - self.last).abs() / f64::from(self.unseen + 1);
+                self.last = contraction;
+                self.unseen = 0;
+            }
+            None => self.unseen += 1,
+        }
+    }
+}
+
+/// What became of an iteration.
+pub(super) enum Failure {
+    /// The matrix was of an earlier step: worth another go from the predictor with a new one.
+    OldMatrix,
+    /// Not even with a matrix of this step.
+    Failed(Cause),
+}
+
+impl Newton {
+    /// An iteration for `system`; `rtol` relative to the sizes of the unknowns is the error
+    /// tolerance of a step.
+    pub(super) fn new<S: System + ?Sized>(system: &S, factors: Factors, rtol: f64) -> Self {
+        let (pattern, constraint_pattern) = (system.pattern(), system.constraint_pattern().clone());
+        let entries = pattern.entries();
+        Self {
+            factors,
+            inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
+            inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
+            rtol,
+            saddle: Saddle::new(pattern, &constraint_pattern),
+            tangent: Tangent {
+                stiffness: vec![0.0; entries],
+                damping: vec![0.0; entries],
+            },
+            block: vec![0.0; entries],
+            jacobian: vec![0.0; constraint_pattern.entries()],
+            dx: vec![0.0; pattern.columns()],
+            dlambda: vec![0.0; constraint_pattern.columns()],
+            factored_for: None,
+            experience: Experience::default(),
+            constraint_pattern,
+        }
+    }
+
+    /// Makes the next iteration start with a new matrix.
+    pub(super) fn discard(&mut self) {
+        self.factored_for = None;
+    }
+
+    /// Iterates from the predictor in `iterate` until the step of size `h` has converged.
+    pub(super) fn solve<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        mass: &[f64],
+        h: f64,
+        iterate: &mut Iterate,
+        statistics: &mut Statistics,
+    ) -> Result<(), Failure> {
+        // Increments with the matrix since it was made; `None` if it is of an earlier step.
+        let mut uses = None;
+        if !self.is_made_for(h) {
+            self.refresh(system, mass, h, &iterate.state, statistics)?;
+            uses = Some(0);
+        }
+        let mut before: Option<f64> = None;
+        let mut seen: Option<f64> = None;
+        for _ in 0..ITERATIONS {
+            uses = uses.map(|uses| uses + 1);
+            let relaxation = self.increment(system, h, &iterate.state, statistics);
+            let size = norm(&self.dx, &self.inverse_weights);
+            if !size.is_finite() || !self.dlambda.iter().all(|d| d.is_finite()) {
+                return Err(self.failure(uses, Cause::NotFinite));
+            }
+            self.apply(h, iterate);
+            let floor = ROUND_OFF / self.rtol * (1.0 + norm(&iterate.state.x, &self.inverse_sizes));
+            // Seen now, else expected from earlier steps; never better than a changed step allows.
+            let contraction = match before {
+                Some(before) => size / before,
+                None => self.experience.expected(),
+            };
+            if before.is_some() {
+                seen = Some(seen.map_or(contraction, |seen: f64| seen.max(contraction)));
+            }
+            let expected = contraction.max((relaxation - 1.0).abs());
+            if size <= floor || expected < 1.0 && size * expected / (1.0 - expected) <= CONVERGED {
+                self.finish(seen);
+                return Ok(());
+            }
+            if before.is_some() && contraction > POOR {
+                if size <= 1e3 * floor {
+                    return Ok(()); // stagnates at the noise of the residual
+                }
+                let Some(count) = uses else {
+                    return Err(Failure::OldMatrix);
+                };
+                if (count == 1 && contraction > DIVERGING) || contraction > 2.0 {
+                    return Err(self.diverged());
+                }
+                self.refresh(system, mass, h, &iterate.state, statistics)?;
+                uses = Some(0);
+            }
+            before = Some(size);
+        }
+        match uses {
+            None => Err(Failure::OldMatrix),
+            Some(_) => Err(self.diverged()),
+        }
+    }
+
+    fn is_made_for(&self, h: f64) -> bool {
+        self.factored_for
+            .is_some_and(|made| h <= SAME_STEP * made && made <= SAME_STEP * h)
+    }
+
+    /// Learns from a converged iteration; a matrix that contracts badly is not used again.
+    fn finish(&mut self, seen: Option<f64>) {
+        self.experience.note(seen);
+        if seen.is_some_and(|contraction| contraction > AGED) {
+            self.discard();
+        }
+    }
+
+    fn diverged(&self) -> Failure {
+        let weighted = |i: usize| (self.dx[i] * self.inverse_weights[i]).abs();
+        let worst = (0..self.dx.len()).max_by(|&i, &j| weighted(i).total_cmp(&weighted(j)));
+        Failure::Failed(Cause::Newton { worst })
+    }
+
+    fn failure(&self, uses: Option<u32>, cause: Cause) -> Failure {
+        match uses {
+            None => Failure::OldMatrix,
+            Some(_) => Failure::Failed(cause),
+        }
+    }
+
+    /// Evaluates and factors `[[mass M + gamma h D + beta h^2 K, C_x^T], [C_x, 0]]` at `state`.
+    fn refresh<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        mass: &[f64],
+        h: f64,
+        state: &State,
+        statistics: &mut Statistics,
+    ) -> Result<(), Failure> {
+        system.tangent(state, &mut self.tangent);
+        statistics.jacobian_evaluations += 1;
+        let (damping, stiffness) = (self.factors.gamma * h, self.factors.beta * h * h);
+        for i in 0..self.block.len() {
+            self.block[i] =
+                self.factors.mass * mass[i] + damping * self.tangent.damping[i] + stiffness * self.tangent.stiffness[i];
+        }
+        if !self.block.iter().all(|value| value.is_finite()) {
+            return Err(Failure::Failed(Cause::NotFinite));
+        }
+        if !self.dlambda.is_empty() {
+            system.constraint_jacobian(state.t, &state.x, &mut self.jacobian);
+        }
+        self.factored_for = None;
+        statistics.factorizations += 1;
+        self.saddle.factor(&self.block, &self.jacobian).map_err(|singular| {
+            Failure::Failed(Cause::Singular {
+                worst: row(singular, self.dx.len()),
+            })
+        })?;
+        self.factored_for = Some(h);
+        self.experience = Experience::default();
+        Ok(())
+    }
+
+    /// Increments of position and multipliers at `state`; returns the factor by which the dynamic
+    /// rows were relaxed because the matrix is of another step size.
+    fn increment<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        h: f64,
+        state: &State,
+        statistics: &mut Statistics,
+    ) -> f64 {
+        let State { t, x, v, a, lambda } = state;
+        system.residual(*t, x, v, a, &mut self.dx);
+        statistics.residual_evaluations += 1;
+        statistics.newton_iterations += 1;
+        if !lambda.is_empty() {
+            system.constraint_jacobian(*t, x, &mut self.jacobian);
+            self.constraint_pattern
+                .multiply_add(1.0, &self.jacobian, lambda, &mut self.dx);
+            system.constraint(ConstraintLevel::Position, state, &mut self.dlambda);
+            self.dlambda.iter_mut().for_each(|c| *c = -*c);
+        }
+        // Stiffness enters by h^2, mass by 1: the mean of the two errors is the best single factor.
+        let ratio = self.factored_for.map_or(1.0, |made| h / made);
+        let relaxation = 2.0 / (1.0 + ratio * ratio);
+        let scale = -relaxation * self.factors.beta * h * h;
+        self.dx.iter_mut().for_each(|r| *r *= scale);
+        self.saddle.solve(&mut self.dx, &mut self.dlambda);
+        statistics.solves += 1;
+        relaxation
+    }
+
+    fn apply(&self, h: f64, iterate: &mut Iterate) {
+        let Iterate { state, algorithmic } = iterate;
+        let acceleration = 1.0 / (self.factors.beta * h * h);
+        let velocity = self.factors.gamma / (self.factors.beta * h);
+        for i in 0..self.dx.len() {
+            let dx = self.dx[i];
+            state.x[i] += dx;
+            state.v[i] += velocity * dx;
+            algorithmic[i] += acceleration * dx;
+            state.a[i] += self.factors.mass * acceleration * dx;
+        }
+        for (lambda, d) in state.lambda.iter_mut().zip(&self.dlambda) {
+            *lambda += acceleration * d;
+        }
+    }
+}
+
+/// Row of a singularity: unknowns first, then constraints.
+pub(super) fn row(singular: Singular, unknowns: usize) -> Option<usize> {
+    match singular {
+        Singular::Unknown(index) => Some(index),
+        Singular::Constraint(index) => Some(unknowns + index),
+        Singular::Somewhere => None,
+    }
+}
+
+/// Root of the mean square of `y_i * factor_i`; 0 without unknowns.
+pub(super) fn norm(y: &[f64], factors: &[f64]) -> f64 {
+    let sum: f64 = y.iter().zip(factors).map(|(y, factor)| (y * factor).powi(2)).sum();
+    (sum / y.len().max(1) as f64).sqrt()
+}

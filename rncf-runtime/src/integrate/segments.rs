@@ -1,0 +1,134 @@
+//! The time axis of a run: smooth segments between kinks, and steps that fit into them.
+
+/// Kinks closer than this part of the span are one kink.
+const ONE_KINK: f64 = 1e-11;
+/// Smallest step as a part of the span.
+const SMALLEST: f64 = 1e-12;
+/// An adaptive last step may be this much longer than proposed.
+const STRETCH: f64 = 1.1;
+/// A fixed step may differ by this part to end where it should: round-off of the summed time.
+const ROUNDED: f64 = 1e-9;
+
+/// Segments from the start to the end time, each smooth.
+#[derive(Clone, Debug)]
+pub(super) struct Segments {
+    start: f64,
+    span: f64,
+    /// First and last kink of every group of kinks, ascending, none before the start.
+    kinks: Vec<(f64, f64)>,
+    /// Kinks that are passed.
+    passed: usize,
+    end: f64,
+}
+
+impl Segments {
+    /// Segments between `start` and `end`. A kink at the start lies before the first segment, one
+    /// at the end behind the last.
+    pub(super) fn new(start: f64, end: f64, kinks: &[f64]) -> Self {
+        let span = end - start;
+        let near = ONE_KINK * span;
+        let mut times: Vec<f64> = kinks
+            .iter()
+            .copied()
+            .filter(|kink| (start - near..=end + near).contains(kink))
+            .collect();
+        times.sort_by(f64::total_cmp);
+        let mut segments = Self {
+            start,
+            span,
+            kinks: Vec::new(),
+            passed: 0,
+            end,
+        };
+        for kink in times {
+            if kink <= segments.start + near {
+                segments.start = segments.start.max(kink.next_up());
+            } else if kink >= end - near {
+                segments.end = segments.end.min(kink.next_down());
+            } else {
+                match segments.kinks.last_mut() {
+                    Some((_, last)) if kink <= *last + near => *last = kink,
+                    _ => segments.kinks.push((kink, kink)),
+                }
+            }
+        }
+        segments
+    }
+
+    /// Where the first segment begins, s.
+    pub(super) fn start(&self) -> f64 {
+        self.start
+    }
+
+    /// End of the present segment, s: the last number before its kink, or the end time.
+    fn target(&self) -> f64 {
+        self.kinks.get(self.passed).map_or(self.end, |kink| kink.0.next_down())
+    }
+
+    /// Length of what is left of the present segment at `t`, s.
+    pub(super) fn left(&self, t: f64) -> f64 {
+        self.target() - t
+    }
+
+    /// Smallest step at `t` that makes sense, s.
+    pub(super) fn smallest_step(&self, t: f64) -> f64 {
+        (SMALLEST * self.span).max(16.0 * f64::EPSILON * t.abs())
+    }
+
+    /// Whether the end time is reached at `t`.
+    pub(super) fn is_at_end(&self, t: f64) -> bool {
+        self.passed == self.kinks.len() && self.reached(t)
+    }
+
+    /// Whether the kink at the end of the present segment is reached at `t`.
+    pub(super) fn is_at_kink(&self, t: f64) -> bool {
+        self.passed < self.kinks.len() && self.reached(t)
+    }
+
+    fn reached(&self, t: f64) -> bool {
+        self.left(t) <= 4.0 * f64::EPSILON * t.abs()
+    }
+
+    /// Beginning of the segment behind the present kink, s.
+    pub(super) fn behind_kink(&self) -> f64 {
+        self.kinks.get(self.passed).map_or(self.end, |kink| kink.1.next_up())
+    }
+
+    /// Enters the segment behind the present kink.
+    pub(super) fn pass_kink(&mut self) {
+        self.passed += 1;
+    }
+
+    /// Takes [`Segments::pass_kink`] back.
+    pub(super) fn return_to_kink(&mut self) {
+        self.passed -= 1;
+    }
+
+    /// A step from `t` that is about `wanted` (s) and leaves no tiny rest: the last one is
+    /// stretched, up to `ceiling`, or the last two share what is left. Never beyond the segment.
+    pub(super) fn fit(&self, t: f64, wanted: f64, fixed: bool, ceiling: f64) -> f64 {
+        let left = self.left(t);
+        let stretch = if fixed { 1.0 + ROUNDED } else { STRETCH };
+        let longest = (stretch * wanted).min((1.0 + ROUNDED) * ceiling);
+        if left <= longest {
+            self.exactly(t, left)
+        } else if left < (2.0 - ROUNDED) * wanted {
+            0.5 * left
+        } else {
+            wanted
+        }
+    }
+
+    /// The step near `h` that ends at the end of the segment also in rounded arithmetic.
+    fn exactly(&self, t: f64, h: f64) -> f64 {
+        let target = self.target();
+        let mut h = h;
+        while t + h > target {
+            h = h.next_down();
+        }
+        if t + h < target && t + h.next_up() <= target {
+            h = h.next_up();
+        }
+        h
+    }
+}

@@ -1,0 +1,4 @@
+//! Tests of the driver and of the alpha family on small systems with known solutions.
+
+mod order;
+mod systems;

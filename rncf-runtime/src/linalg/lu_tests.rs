@@ -1,0 +1,146 @@
+use super::super::scalar::c64;
+use super::*;
+use crate::linalg::Pattern;
+
+/// Deterministic numbers in (-1, 1).
+pub(crate) fn numbers(seed: u64) -> impl FnMut() -> f64 {
+    let mut state = seed;
+    move || {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+/// Block tri-diagonal pattern of a chain with 4 unknowns per node.
+pub(crate) fn chain(nodes: usize) -> Pattern {
+    let entries = (0..4 * nodes).flat_map(|row| {
+        let node = row / 4;
+        let from = 4 * node.saturating_sub(1);
+        let to = (4 * (node + 2)).min(4 * nodes);
+        (from..to).map(move |column| (row, column))
+    });
+    Pattern::new(4 * nodes, 4 * nodes, entries)
+}
+
+fn multiply<T: Scalar>(pattern: &Pattern, values: &[T], x: &[T]) -> Vec<T> {
+    let mut out = vec![T::default(); x.len()];
+    for column in 0..pattern.columns() {
+        for entry in pattern.starts()[column]..pattern.starts()[column + 1] {
+            out[pattern.indices()[entry]] += values[entry] * x[column];
+        }
+    }
+    out
+}
+
+fn check<T: Scalar>(pattern: &Pattern, limit: usize, mut number: impl FnMut() -> T) {
+    let mut lu = Lu::with_bandwidth_limit(pattern, limit);
+    for round in 0..3 {
+        // Rows of very different size, as positions and slopes have.
+        let values: Vec<T> = pattern
+            .indices()
+            .iter()
+            .map(|&row| number().times(10_f64.powi((row % 7) as i32 * 2)))
+            .collect();
+        let x: Vec<T> = (0..pattern.rows()).map(|_| number()).collect();
+        let mut solved = multiply(pattern, &values, &x);
+        lu.factor(&values).expect("random matrices are regular");
+        lu.solve(&mut solved);
+        for (solved, exact) in solved.iter().zip(&x) {
+            assert!((*solved - *exact).size() < 1e-9, "round {round}: {solved:?} {exact:?}");
+        }
+    }
+}
+
+#[test]
+fn banded_and_sparse_solve_what_was_multiplied() {
+    for nodes in [1, 2, 17, 60] {
+        let mut number = numbers(nodes as u64);
+        check::<f64>(&chain(nodes), usize::MAX, &mut number);
+        check::<f64>(&chain(nodes), 0, &mut number);
+        check::<c64>(&chain(nodes), usize::MAX, || c64::new(number(), number()));
+        check::<c64>(&chain(nodes), 0, || c64::new(number(), number()));
+    }
+}
+
+#[test]
+fn scattered_chain_is_banded_again() {
+    let chain = chain(50);
+    let scatter = |index: usize| (index * 77) % 200;
+    let entries = (0..200).flat_map(|column| {
+        chain.indices()[chain.starts()[column]..chain.starts()[column + 1]]
+            .iter()
+            .map(move |&row| (scatter(row), scatter(column)))
+    });
+    let scattered = Pattern::new(200, 200, entries);
+    let mut place = vec![0; 200];
+    for (new, &old) in reverse_cuthill_mckee(&scattered).iter().enumerate() {
+        place[old] = new;
+    }
+    assert!(
+        half_bandwidth(&scattered, &place) <= 8,
+        "{}",
+        half_bandwidth(&scattered, &place)
+    );
+    check::<f64>(&scattered, LARGEST_BANDWIDTH, numbers(5));
+}
+
+#[test]
+fn singular_and_not_finite_values_are_placed() {
+    let pattern = chain(10);
+    for limit in [usize::MAX, 0] {
+        let mut number = numbers(3);
+        let mut lu = Lu::<f64>::with_bandwidth_limit(&pattern, limit);
+        let good: Vec<f64> = (0..pattern.entries()).map(|_| number()).collect();
+        let mut empty = good.clone();
+        for entry in pattern.starts()[13]..pattern.starts()[14] {
+            empty[entry] = 0.0;
+        }
+        assert_eq!(lu.factor(&empty), Err(13));
+        // Two equal columns of one node: the second one is noticed.
+        let mut double = good.clone();
+        let (a, b) = (pattern.starts()[20], pattern.starts()[21]);
+        for offset in 0..b - a {
+            double[b + offset] = double[a + offset];
+        }
+        assert!(matches!(lu.factor(&double), Err(20 | 21)), "{:?}", lu.factor(&double));
+        let mut broken = good.clone();
+        broken[pattern.find(7, 6).unwrap()] = f64::NAN;
+        assert_eq!(lu.factor(&broken), Err(7));
+        assert_eq!(lu.factor(&good), Ok(()));
+    }
+}
+
+/// Times of a chain, printed with `--nocapture`; run with `--release --ignored`.
+#[test]
+#[ignore = "a measurement"]
+fn time_of_chains() {
+    fn time(limit: usize, nodes: usize) -> (f64, f64) {
+        let pattern = chain(nodes);
+        let mut number = numbers(1);
+        let values: Vec<f64> = (0..pattern.entries()).map(|_| number()).collect();
+        let mut lu = Lu::<f64>::with_bandwidth_limit(&pattern, limit);
+        let mut x = vec![1.0; 4 * nodes];
+        let rounds = 100_000 / nodes;
+        let start = std::time::Instant::now();
+        for _ in 0..rounds {
+            lu.factor(&values).unwrap();
+        }
+        let factor = start.elapsed().as_secs_f64() / rounds as f64;
+        let start = std::time::Instant::now();
+        for _ in 0..rounds {
+            lu.solve(&mut x);
+            x.fill(1.0);
+        }
+        (factor * 1e6, start.elapsed().as_secs_f64() / rounds as f64 * 1e6)
+    }
+    for nodes in [17, 75, 750] {
+        println!(
+            "{} unknowns: banded {:?} us, faer {:?} us",
+            4 * nodes,
+            time(usize::MAX, nodes),
+            time(0, nodes)
+        );
+    }
+}
