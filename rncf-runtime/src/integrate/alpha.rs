@@ -25,7 +25,7 @@ use crate::system::{State, System};
 
 /// Tolerance of Newton's increments relative to the sizes of the unknowns with a fixed step, where
 /// no error test needs it but orders of convergence should be visible.
-const FIXED_STEP_RTOL: f64 = 1e-11;
+const FIXED_STEP_RTOL: f64 = 1e-10;
 /// Ratio of the next attempt to one whose iteration failed (THEORY 7.1).
 const RETRY: f64 = 0.25;
 /// Difference step of the first jerk relative to the first step.
