@@ -141,7 +141,8 @@ fn decades((low, high): (f64, f64)) -> std::ops::Range<f64> {
     }
     let first = low.log10().floor();
     let last = high.log10().ceil().max(first + 1.0);
-    10f64.powf(first)..10f64.powf(last)
+    // A little more, or round-off takes the first tick away.
+    0.999 * 10f64.powf(first)..1.001 * 10f64.powf(last)
 }
 
 /// Short text of a tick's value.

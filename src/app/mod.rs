@@ -224,3 +224,138 @@ fn write<M: Model>(
     };
     written().map_err(|text: String| Failure::new(FAILURE, text))
 }
+
+#[cfg(test)]
+mod tests {
+    use std::ffi::OsString;
+    use std::fs;
+
+    use serde_json::Value;
+
+    use super::testing::{Rotor, temporary_folder};
+    use super::*;
+
+    /// Runs a command line; its outcome and the folder of its files.
+    fn command(name: &str, words: &[&str], interrupted: bool) -> (Result<String, Failure>, std::path::PathBuf) {
+        let out = temporary_folder(name);
+        let words = words
+            .iter()
+            .map(OsString::from)
+            .chain(["--out".into(), out.clone().into()]);
+        let Ok(arguments) = parse::<Rotor>("rotor", words) else {
+            panic!("a mistake on the command line")
+        };
+        (execute(&arguments, || interrupted), out)
+    }
+
+    fn summary(folder: &Path) -> Value {
+        serde_json::from_str(&fs::read_to_string(folder.join("summary.json")).unwrap()).unwrap()
+    }
+
+    fn rows(folder: &Path, name: &str) -> Vec<Vec<f64>> {
+        let text = fs::read_to_string(folder.join(name)).unwrap();
+        let row = |line: &str| line.split(',').map(|number| number.parse().unwrap()).collect();
+        text.lines().skip(1).map(row).collect()
+    }
+
+    #[test]
+    fn a_run_writes_its_three_files() {
+        let words = ["coils=4", "loss=0", "--integrator", "hht", "--max-step", "1 ms"];
+        let (outcome, folder) = command("complete", &words, false);
+        let text = outcome.map_err(|failure| failure.message).unwrap();
+        assert!(
+            text.starts_with("Rotor: t = 4 s, ") && text.contains("report.html"),
+            "{text}"
+        );
+        let table = rows(&folder, "history.csv");
+        assert_eq!((table.len(), table[0].len(), table[80][0]), (81, 4, 80.0 * 0.05));
+        let summary = summary(&folder);
+        let expected = [
+            ("model", "Rotor".into()),
+            ("formulation", "rncf".into()),
+            ("integrator", "hht".into()),
+            ("alpha", (-0.05).into()),
+            ("completed", true.into()),
+            ("reason", Value::Null),
+            ("t_end", 4.0.into()),
+            ("unknowns", 2.into()),
+            ("constraints", 0.into()),
+            ("max_constraint_residual", Value::Null),
+            ("max_step", 1e-3.into()),
+        ];
+        for (key, value) in expected {
+            assert_eq!(summary[key], value, "{key}");
+        }
+        assert_eq!(summary["parameters"]["coils"], 4);
+        assert_eq!(summary["parameters"]["omega"], 3.0);
+        for key in [
+            "steps",
+            "steps_at_ceiling",
+            "newton_iterations",
+            "residual_evaluations",
+            "jacobian_evaluations",
+            "factorizations",
+            "cpu_seconds",
+            "wall_seconds",
+            "energy_error",
+            "smallest_step",
+            "largest_step",
+        ] {
+            assert!(summary[key].as_f64().unwrap() > 0.0, "{key}");
+        }
+        assert!(summary["rejected_steps"].is_u64());
+        let least = table.iter().map(|row| row[1]).fold(f64::INFINITY, f64::min);
+        assert_eq!(summary["outputs"][0]["name"], "tip.x");
+        assert_eq!(summary["outputs"][0]["min"].as_f64().unwrap(), least);
+        let page = fs::read_to_string(folder.join("report.html")).unwrap();
+        assert_eq!(page.matches("<svg ").count(), 3);
+        assert!(page.contains("// a &lt; b &amp; c") && page.contains("The spring has no mass."));
+        assert!(!page.contains("http") || page.matches("http").count() == page.matches("http://www.w3.org/").count());
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 3);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn ctrl_c_leaves_complete_files_and_its_reason() {
+        let (outcome, folder) = command("interrupted", &["--integrator", "hht"], true);
+        let failure = outcome.unwrap_err();
+        assert_eq!(failure.code, INTERRUPTION);
+        assert!(
+            failure.message.contains("interrupted by the user"),
+            "{}",
+            failure.message
+        );
+        let summary = summary(&folder);
+        assert_eq!(summary["completed"], false);
+        assert_eq!(summary["reason"], "interrupted by the user");
+        assert_eq!(rows(&folder, "history.csv")[0][0], 0.0);
+        assert!(
+            fs::read_to_string(folder.join("report.html"))
+                .unwrap()
+                .contains("interrupted by the user")
+        );
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_failing_step_leaves_complete_files_and_its_reason() {
+        let (outcome, folder) = command("failing", &["fail_at=1.02 s", "--integrator", "hht"], false);
+        let failure = outcome.unwrap_err();
+        assert_eq!(failure.code, FAILURE);
+        assert!(failure.message.starts_with("stopped at t = 1.0"), "{}", failure.message);
+        let summary = summary(&folder);
+        assert_eq!(summary["completed"], false);
+        assert!(summary["t_reached"].as_f64().unwrap() <= 1.02);
+        assert_eq!(rows(&folder, "history.csv").len(), 21);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_model_that_cannot_be_built_is_a_mistake() {
+        let (outcome, folder) = command("unbuildable", &["stiffness=-1 N/m"], false);
+        let failure = outcome.unwrap_err();
+        assert_eq!(failure.code, MISTAKE);
+        assert_eq!(failure.message, "parameter `stiffness` must be positive");
+        fs::remove_dir_all(folder).unwrap();
+    }
+}

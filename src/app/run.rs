@@ -202,13 +202,18 @@ pub fn run_watched<M: Model>(
 /// The settings with the model's times where none are given.
 fn complete(settings: &RunSettings, defaults: crate::RunDefaults) -> Result<RunSettings, RunError> {
     let t_end = settings.t_end.unwrap_or(defaults.t_end);
-    let every = settings.every.unwrap_or(defaults.every);
+    let every = settings.every.unwrap_or(defaults.every.min(t_end));
     for (name, value) in [("end time", t_end), ("time between rows", every)] {
         if !(value > 0.0 && value.is_finite()) {
             return Err(RunError::Settings(format!(
                 "the {name} is {value} s; it must be positive"
             )));
         }
+    }
+    if every > t_end {
+        return Err(RunError::Settings(format!(
+            "the time between rows, {every} s, is longer than the run of {t_end} s"
+        )));
     }
     if t_end / every > MOST_ROWS {
         return Err(RunError::Settings(format!(
@@ -314,10 +319,12 @@ impl Rows {
         while self.next < self.count {
             let time = self.next as f64 * self.every;
             let t = time.min(self.t_end);
-            if t > reached {
+            // Steps end a rounding before a kink: a row at the kink is that of the step before.
+            let slack = 1e-13 * self.t_end;
+            if t > reached + slack {
                 break;
             }
-            if t == reached {
+            if t >= reached - slack {
                 self.state.clone_from(integrator.state());
             } else {
                 integrator.interpolate(t, &mut self.state);
@@ -359,5 +366,145 @@ impl EnergyDrift {
         } else {
             self.deviation / self.largest
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::testing::Rotor;
+
+    const METHODS: [Method; 3] = [
+        Method::Hht { alpha: -0.05 },
+        Method::GeneralizedAlpha { rho_inf: 0.8 },
+        Method::Radau,
+    ];
+
+    fn tight(method: Method, formulation: Formulation) -> RunSettings {
+        RunSettings {
+            method,
+            formulation,
+            options: Options {
+                rtol: 1e-9,
+                ..Options::default()
+            },
+            ..RunSettings::default()
+        }
+    }
+
+    /// The spring in the turning frame, undamped: with z = x + i y, z = e + (L - e)
+    /// (w1 exp(i w2 t) - w2 exp(i w1 t))/(w1 - w2), w1, w2 = -w +- sqrt(k), e = k L/(k - w^2).
+    fn exact(k: f64, w: f64, t: f64) -> (f64, f64) {
+        let (w1, w2) = (-w + k.sqrt(), -w - k.sqrt());
+        let e = 2.0 * k / (k - w * w);
+        let part = |f: fn(f64) -> f64| (2.0 - e) * (w1 * f(w2 * t) - w2 * f(w1 * t)) / (w1 - w2);
+        (e + part(f64::cos), part(f64::sin))
+    }
+
+    #[test]
+    fn rows_follow_the_exact_solution_on_the_grid() {
+        let rotor = Rotor {
+            loss: 0.0,
+            ..Rotor::default()
+        };
+        for method in METHODS {
+            for formulation in [Formulation::Rncf, Formulation::Ancf] {
+                let result = run(&rotor, &tight(method, formulation)).unwrap();
+                assert_eq!(result.history.keys.len(), 81);
+                for (k, (x, y)) in result.history.column(0).zip(result.history.column(1)).enumerate() {
+                    let t = result.history.keys[k];
+                    assert_eq!(t, k as f64 * 0.05);
+                    let (exact_x, exact_y) = exact(50.0, 3.0, t);
+                    let error = (x - exact_x).hypot(y - exact_y);
+                    assert!(error < 2e-5, "{method:?} {formulation:?}: {error:e} at {t}");
+                }
+                assert_eq!(result.steps.len() as u64, result.statistics.steps);
+                assert_eq!(result.state.t, 4.0);
+                let energy_error = result.energy_error.unwrap();
+                assert!(energy_error > 0.0 && energy_error < 1e-5, "{method:?} {energy_error:e}");
+                assert!(result.seconds.wall > 0.0 && result.seconds.cpu > 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn a_rate_that_divides_the_time_only_up_to_rounding_gives_the_last_row() {
+        let settings = RunSettings {
+            t_end: Some(0.3),
+            every: Some(0.1),
+            ..RunSettings::default()
+        };
+        let keys = run(&Rotor::default(), &settings).unwrap().history.keys;
+        assert_eq!(keys, [0.0, 0.1, 0.2, 3.0 * 0.1]);
+    }
+
+    #[test]
+    fn damping_means_no_energy_error() {
+        assert_eq!(
+            run(&Rotor::default(), &RunSettings::default()).unwrap().energy_error,
+            None
+        );
+    }
+
+    #[test]
+    fn an_interrupted_run_keeps_its_rows() {
+        let outcome = run_watched(&Rotor::default(), &RunSettings::default(), |progress| {
+            if progress.t > 1.0 {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        });
+        let Err(RunError::Incomplete(result)) = outcome else {
+            panic!()
+        };
+        assert_eq!(result.incomplete, Some(Incomplete::Interrupted));
+        assert!(result.state.t > 1.0 && result.state.t < 4.0);
+        let last = *result.history.keys.last().unwrap();
+        assert!(last > result.state.t - 0.05 && last <= result.state.t);
+    }
+
+    #[test]
+    fn a_failing_step_keeps_the_rows_before_it() {
+        let rotor = Rotor {
+            fail_at: 2.0,
+            ..Rotor::default()
+        };
+        for method in METHODS {
+            let error = run(&rotor, &tight(method, Formulation::Rncf)).unwrap_err();
+            let text = error.to_string();
+            let RunError::Incomplete(result) = error else {
+                panic!("{text}")
+            };
+            assert!(text.starts_with("stopped at t = "), "{text}");
+            assert!(matches!(result.incomplete, Some(Incomplete::Solve(_))));
+            let last = *result.history.keys.last().unwrap();
+            assert!(last > 1.9 && last <= 2.0, "{method:?} {last}");
+            assert!(result.history.values.iter().all(|value| value.is_finite()));
+        }
+    }
+
+    #[test]
+    fn settings_that_make_no_sense_are_named() {
+        let text = |settings: RunSettings| run(&Rotor::default(), &settings).unwrap_err().to_string();
+        let settings = RunSettings {
+            t_end: Some(f64::NAN),
+            ..RunSettings::default()
+        };
+        assert_eq!(text(settings), "the end time is NaN s; it must be positive");
+        let settings = RunSettings {
+            every: Some(1e-9),
+            ..RunSettings::default()
+        };
+        assert_eq!(
+            text(settings),
+            "a row every 0.000000001 s up to 4 s makes more than 1e7 rows; take a longer time between rows"
+        );
+        let rotor = Rotor {
+            stiffness: -1.0,
+            ..Rotor::default()
+        };
+        let error = run(&rotor, &RunSettings::default()).unwrap_err();
+        assert_eq!(error.to_string(), "parameter `stiffness` must be positive");
     }
 }
