@@ -36,7 +36,7 @@ pub(super) const GRID: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
 
 // The backend rounds to whole units: a drawing four times as large as shown keeps curves smooth.
 const SIZE: (u32, u32) = (3840, 1280);
-const TEXT: u32 = 56;
+const TEXT: u32 = 64;
 const STROKE: u32 = 7;
 // More points than this are not told apart in the drawing.
 const BUCKETS: usize = 1500;
@@ -54,7 +54,7 @@ impl Chart {
         let (x, y) = (self.range(|point| point.0), self.range(|point| point.1));
         let x = padded(x, 0.0);
         let drawn = if self.logarithmic {
-            self.draw(&area, x, decades(y).log_scale(), 12)
+            self.draw(&area, x, decades(y).log_scale(), 6)
         } else {
             self.draw(&area, x, padded(y, 0.06), 7)
         };
@@ -142,13 +142,13 @@ fn decades((low, high): (f64, f64)) -> std::ops::Range<f64> {
     let first = low.log10().floor();
     let last = high.log10().ceil().max(first + 1.0);
     // A little more, or round-off takes the first tick away.
-    0.999 * 10f64.powf(first)..1.001 * 10f64.powf(last)
+    0.999 * 10f64.powf(first)..10f64.powf(last)
 }
 
 /// Short text of a tick's value.
 fn tick(value: f64) -> String {
     // Ticks are short decimals up to the round-off of their computation.
-    super::parameters::short(format!("{value:.5e}").parse().unwrap_or(value))
+    super::parameters::digits(value, 6)
 }
 
 /// At most four points for each of `buckets` equal parts of the axis: the first, the lowest, the

@@ -147,13 +147,13 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
     let files = write(arguments, "history.csv", &summary, &result.history, &result.steps)?;
     let counts = &result.statistics;
     let head = format!(
-        "{}: t = {} s, {} steps ({} rejected), {} factorizations, {:.3} s",
+        "{}: t = {} s, {} steps ({} rejected), {} factorizations, {} s",
         M::NAME,
         parameters::short(result.state.t),
         counts.steps,
         counts.rejected_steps,
         counts.factorizations,
-        result.seconds.cpu,
+        parameters::digits(result.seconds.cpu, 3),
     );
     finish(head, files, failure)
 }
@@ -172,11 +172,11 @@ fn execute_steady<M: Model>(arguments: &Arguments<M>) -> Result<String, Failure>
     let summary = summary::of_steady(&arguments.model, &result);
     let files = write(arguments, "steady.csv", &summary, &result.history, &[])?;
     let head = format!(
-        "{}: relative equilibrium, {} steps up to {} rad/s, {:.3} s",
+        "{}: relative equilibrium, {} steps up to {} rad/s, {} s",
         M::NAME,
         result.history.keys.len(),
         parameters::short(result.history.keys.last().copied().unwrap_or(0.0)),
-        result.seconds.cpu,
+        parameters::digits(result.seconds.cpu, 3),
     );
     finish(head, files, failure)
 }

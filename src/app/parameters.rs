@@ -143,9 +143,14 @@ pub(super) fn in_unit(param: &Param, value: f64) -> String {
 
 /// At most 12 significant digits, without the noise of a conversion.
 pub(super) fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
+    digits(value, 12)
+}
+
+/// At most `count` significant digits, in exponent form where that is shorter.
+pub(super) fn digits(value: f64, count: usize) -> String {
+    let rounded: f64 = format!("{value:.*e}", count.max(1) - 1).parse().unwrap_or(value);
     if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
-        format!("{rounded}")
+        format!("{}", rounded + 0.0)
     } else {
         format!("{rounded:e}")
     }

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::charts::{Chart, LINES};
 use super::history::History;
-use super::parameters::{in_unit, short};
+use super::parameters::{digits, in_unit, short};
 use super::run::StepTaken;
 use super::summary::{SETTINGS, STATISTICS, Summary};
 use crate::{Model, Output};
@@ -124,10 +124,10 @@ fn extremes(output: &Output, history: &History, first: usize) -> String {
         let at = |place: f64| format!("at {} = {} {}", history.key.name, short(place), history.key.unit);
         let _ = writeln!(
             text,
-            "<p class=\"extremes\">{key}least {:.6e} {unit} {}; greatest {:.6e} {unit} {}</p>",
-            low.value,
+            "<p class=\"extremes\">{key}least {} {unit} {}; greatest {} {unit} {}</p>",
+            digits(low.value, 7),
             escape(&at(low.at)),
-            high.value,
+            digits(high.value, 7),
             escape(&at(high.at)),
             unit = escape(output.unit),
         );
@@ -208,6 +208,7 @@ fn label(key: &str) -> String {
     let words = match key {
         "rtol" => "relative tolerance",
         "rho_inf" => "spectral radius at infinity",
+        "rejected_by_newton" => "rejected by Newton",
         "cpu_seconds" => "processor time",
         "cpu_clock" => "clock of the processor time",
         "wall_seconds" => "wall time",
@@ -245,8 +246,7 @@ fn shown(key: &str, value: &Value) -> String {
         Value::Number(number) if number.is_u64() => number.to_string(),
         Value::Number(number) => {
             let value = number.as_f64().unwrap_or(f64::NAN);
-            let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-            format!("{}{unit}", short(value))
+            format!("{}{unit}", digits(value, 6))
         }
         other => escape(&other.to_string()),
     }
