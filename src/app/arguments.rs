@@ -83,11 +83,23 @@ fn read<M: Model>(program: &str, matches: &ArgMatches) -> Result<Arguments<M>, S
 
 /// Flags that say how to advance in time mean nothing for an equilibrium.
 fn refuse_with_steady(matches: &ArgMatches) -> Result<(), String> {
-    let flags = ["integrator", "step", "max-step", "alpha", "rho-inf", "start", "every"];
+    let flags = [
+        "integrator",
+        "rtol",
+        "step",
+        "max-step",
+        "alpha",
+        "rho-inf",
+        "start",
+        "every",
+    ];
     if let Some(flag) = flags.into_iter().find(|flag| given(matches, flag)) {
         return Err(format!(
             "`--{flag}` belongs to `run`: `steady` does not advance in time"
         ));
+    }
+    if matches.get_flag("no-elimination") {
+        return Err("`--no-elimination` belongs to `run`: `steady` eliminates all joints that it can".into());
     }
     if text(matches, "formulation") == Some("ancf") {
         return Err(

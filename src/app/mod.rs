@@ -10,6 +10,7 @@
 mod arguments;
 mod charts;
 mod clock;
+mod continuation;
 mod files;
 mod history;
 mod nearest;
@@ -347,6 +348,29 @@ mod tests {
         assert_eq!(summary["completed"], false);
         assert!(summary["t_reached"].as_f64().unwrap() <= 1.02);
         assert_eq!(rows(&folder, "history.csv").len(), 21);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn steady_writes_its_table_over_the_spin() {
+        let (outcome, folder) = command("steady", &["steady", "omega=60 rpm"], false);
+        let text = outcome.map_err(|failure| failure.message).unwrap();
+        assert!(
+            text.contains("6.28318530718 rad/s") && text.contains("steady.csv"),
+            "{text}"
+        );
+        let head = fs::read_to_string(folder.join("steady.csv")).unwrap();
+        assert!(head.starts_with("spin [rad/s],tip.x [m],tip.y [m],pull [N]\n"));
+        let last = rows(&folder, "steady.csv").pop().unwrap();
+        assert_eq!(last[0], 60.0 * (std::f64::consts::PI / 30.0));
+        let summary = summary(&folder);
+        assert_eq!(summary["outputs"][0]["spin_max"].as_f64().unwrap(), last[0]);
+        assert!(summary["completed"] == true && summary["newton_iterations"].as_u64().unwrap() > 0);
+        assert!(
+            fs::read_to_string(folder.join("report.html"))
+                .unwrap()
+                .contains("spin [rad/s]")
+        );
         fs::remove_dir_all(folder).unwrap();
     }
 

@@ -175,7 +175,7 @@ pub fn run_watched<M: Model>(
     let start = match settings.start {
         Start::Rest => scene.rest(0.0),
         Start::Steady => {
-            let frame = steady::frame_state(model, settings.joints, 0.0)?;
+            let frame = steady::frame_state(model, 0.0)?;
             scene.from_frame(&frame)
         }
     };

@@ -75,7 +75,7 @@ pub(super) fn of_steady<M: Model>(model: &M, result: &SteadyResult) -> Summary {
     let mut summary = head(model, "steady");
     outcome(&mut summary, result.incomplete.as_ref().map(ToString::to_string));
     put(&mut summary, "formulation", json!("rncf"));
-    put(&mut summary, "joints", json!(joints(result.joints)));
+    put(&mut summary, "joints", json!(joints(Joints::Eliminated)));
     put(&mut summary, "t_end", json!(result.t));
     put(&mut summary, "spin", json!(result.spin));
     put(&mut summary, "unknowns", json!(result.unknowns));
