@@ -285,7 +285,7 @@ impl Alpha {
         for i in 0..self.offset.len() {
             self.offset[i] = (algorithmic[i] - state.a[i]) / h;
         }
-        self.history.remember(&self.now);
+        self.history.remember(&self.now, state, &self.inverse_weights);
         std::mem::swap(&mut self.before, &mut self.now);
         std::mem::swap(&mut self.now, state);
         self.jerk_known = false;
