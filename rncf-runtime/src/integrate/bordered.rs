@@ -202,7 +202,7 @@ impl Bordered {
             if correction <= REFINED * solution {
                 return true;
             }
-            if !(correction <= SLOW * before) {
+            if correction.is_nan() || correction > SLOW * before {
                 return false;
             }
             before = correction;

@@ -12,7 +12,7 @@ use crate::system::{ConstraintLevel, State, System, Tangent};
 const CONVERGED: f64 = 0.05;
 /// The same with constraints: what is left of them returns in the multipliers divided by h^2, and
 /// weak dissipation adds it up over steps.
-const CONVERGED_CONSTRAINED: f64 = 5e-4;
+const CONVERGED_CONSTRAINED: f64 = 1e-4;
 /// Contraction above which the matrix is refreshed within the iteration.
 const POOR: f64 = 0.5;
 /// Contraction above which full Newton counts as diverging.
