@@ -1,4 +1,5 @@
 //! Tests of the driver and of the alpha family on small systems with known solutions.
 
 mod order;
+mod radau;
 mod systems;
