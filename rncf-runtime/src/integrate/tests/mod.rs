@@ -2,4 +2,5 @@
 
 mod adaptive;
 mod order;
+mod radau;
 mod systems;
