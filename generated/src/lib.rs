@@ -2,3 +2,5 @@
 
 #[rustfmt::skip]
 pub mod spin_up;
+#[rustfmt::skip]
+pub mod spin_up_spatial;

@@ -146,11 +146,11 @@ pub mod spin_up_equations {
         /// Damping of the strain measures, s.
         pub damping: f64,
     }
-    /// Adds the generalised elastic force F_e = dU/dq (N on positions, N m on slopes) of one element.
+    /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
     /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
     ///
-    /// Constant tensor, integrated exactly, unrolled.
+    /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
     /// Operations: 81 additions, 103 multiplications, 1 divisions.
     pub fn cable_planar_elastic_force(
@@ -164,47 +164,55 @@ pub mod spin_up_equations {
         let d_x = inverse_length * (r1_x - r0_x);
         let d_y = inverse_length * (r1_y - r0_y);
         let dot_s0_s0 = s0_x * s0_x + s0_y * s0_y;
-        let t27 = dot_s0_s0 - 1.0;
+        let strain_dot_s0_s0 = dot_s0_s0 - 1.0;
         let dot_s0_d = s0_x * d_x + s0_y * d_y;
-        let t29 = dot_s0_d - 1.0;
+        let strain_dot_s0_d = dot_s0_d - 1.0;
         let dot_s0_s1 = s0_x * s1_x + s0_y * s1_y;
-        let t31 = dot_s0_s1 - 1.0;
+        let strain_dot_s0_s1 = dot_s0_s1 - 1.0;
         let dot_d_d = d_x * d_x + d_y * d_y;
-        let t33 = dot_d_d - 1.0;
+        let strain_dot_d_d = dot_d_d - 1.0;
         let dot_d_s1 = s1_x * d_x + s1_y * d_y;
-        let t35 = dot_d_s1 - 1.0;
+        let strain_dot_d_s1 = dot_d_s1 - 1.0;
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y;
-        let t37 = dot_s1_s1 - 1.0;
+        let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
         let cross_s0_d = s0_x * d_y - s0_y * d_x;
         let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
         let cross_d_s1 = s1_y * d_x - s1_x * d_y;
         let t41 = length * EA;
-        let t42 = t31 * (-0.0035714285714285713);
-        let t43 = t33 * 0.02142857142857143;
-        let t44 = t27 * 0.014285714285714285 + t29 * 0.0035714285714285713 + t42 + t43
-            + t35 * (-0.0035714285714285713) + t37 * 0.0011904761904761906;
+        let t42 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t43 = strain_dot_d_d * 0.02142857142857143;
+        let t44 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t42 + t43
+            + strain_dot_d_s1 * (-0.0035714285714285713)
+            + strain_dot_s1_s1 * 0.0011904761904761906;
         let stress_dot_s0_s0 = t41 * t44;
-        let t46 = t31 * (-0.007142857142857143);
-        let t47 = t33 * (-0.12857142857142856);
-        let t48 = t37 * (-0.0035714285714285713);
+        let t46 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t47 = strain_dot_d_d * (-0.12857142857142856);
+        let t48 = strain_dot_s1_s1 * (-0.0035714285714285713);
         let stress_dot_s0_d = t41
-            * (t27 * 0.0035714285714285713 + t29 * 0.08571428571428572 + t46 + t47
-                + t48);
-        let t50 = t27 * (-0.0035714285714285713);
+            * (strain_dot_s0_s0 * 0.0035714285714285713
+                + strain_dot_s0_d * 0.08571428571428572 + t46 + t47 + t48);
+        let t50 = strain_dot_s0_s0 * (-0.0035714285714285713);
         let stress_dot_s0_s1 = t41
             * (t48
-                + (t50 + t29 * (-0.007142857142857143) + t31 * 0.004761904761904762
-                    + t35 * (-0.007142857142857143)));
-        let t52 = t27 * 0.02142857142857143 + t29 * (-0.12857142857142856)
-            + t33 * 0.5142857142857142 + t35 * (-0.12857142857142856)
-            + t37 * 0.02142857142857143;
+                + (t50 + strain_dot_s0_d * (-0.007142857142857143)
+                    + strain_dot_s0_s1 * 0.004761904761904762
+                    + strain_dot_d_s1 * (-0.007142857142857143)));
+        let t52 = strain_dot_s0_s0 * 0.02142857142857143
+            + strain_dot_s0_d * (-0.12857142857142856)
+            + strain_dot_d_d * 0.5142857142857142
+            + strain_dot_d_s1 * (-0.12857142857142856)
+            + strain_dot_s1_s1 * 0.02142857142857143;
         let stress_dot_d_d = t41 * t52;
         let stress_dot_d_s1 = t41
-            * (t47 + (t46 + t50) + t35 * 0.08571428571428572
-                + t37 * 0.0035714285714285713);
+            * (t47 + (t46 + t50) + strain_dot_d_s1 * 0.08571428571428572
+                + strain_dot_s1_s1 * 0.0035714285714285713);
         let t55 = t43
-            + (t42 + (t27 * 0.0011904761904761906 + t29 * (-0.0035714285714285713)))
-            + t35 * 0.0035714285714285713 + t37 * 0.014285714285714285;
+            + (t42
+                + (strain_dot_s0_s0 * 0.0011904761904761906
+                    + strain_dot_s0_d * (-0.0035714285714285713)))
+            + strain_dot_d_s1 * 0.0035714285714285713
+            + strain_dot_s1_s1 * 0.014285714285714285;
         let stress_dot_s1_s1 = t41 * t55;
         let t57 = inverse_length * EI;
         let t58 = cross_s0_s1 * (-2.2);
@@ -241,11 +249,11 @@ pub mod spin_up_equations {
         force[6] += t66;
         force[7] += t67;
     }
-    /// Adds the exact tangent dF_e/dq (and dF_e/dq' where damped), rows first of one element.
+    /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
     ///
     /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
     ///
-    /// Constant tensor, integrated exactly, unrolled.
+    /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
     /// Operations: 277 additions, 276 multiplications, 1 divisions.
     pub fn cable_planar_elastic_tangent(
@@ -259,57 +267,65 @@ pub mod spin_up_equations {
         let d_x = inverse_length * (r1_x - r0_x);
         let d_y = inverse_length * (r1_y - r0_y);
         let dot_s0_s0 = s0_x * s0_x + s0_y * s0_y;
-        let t27 = dot_s0_s0 - 1.0;
+        let strain_dot_s0_s0 = dot_s0_s0 - 1.0;
         let dot_s0_d = s0_x * d_x + s0_y * d_y;
-        let t29 = dot_s0_d - 1.0;
+        let strain_dot_s0_d = dot_s0_d - 1.0;
         let dot_s0_s1 = s0_x * s1_x + s0_y * s1_y;
-        let t31 = dot_s0_s1 - 1.0;
+        let strain_dot_s0_s1 = dot_s0_s1 - 1.0;
         let dot_d_d = d_x * d_x + d_y * d_y;
-        let t33 = dot_d_d - 1.0;
+        let strain_dot_d_d = dot_d_d - 1.0;
         let dot_d_s1 = s1_x * d_x + s1_y * d_y;
-        let t35 = dot_d_s1 - 1.0;
+        let strain_dot_d_s1 = dot_d_s1 - 1.0;
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y;
-        let t37 = dot_s1_s1 - 1.0;
+        let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
         let cross_s0_d = s0_x * d_y - s0_y * d_x;
         let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
         let cross_d_s1 = s1_y * d_x - s1_x * d_y;
         let t41 = length * EA;
-        let t42 = t31 * (-0.0035714285714285713);
-        let t43 = t33 * 0.02142857142857143;
-        let t44 = t27 * 0.014285714285714285 + t29 * 0.0035714285714285713 + t42 + t43
-            + t35 * (-0.0035714285714285713) + t37 * 0.0011904761904761906;
+        let t42 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t43 = strain_dot_d_d * 0.02142857142857143;
+        let t44 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t42 + t43
+            + strain_dot_d_s1 * (-0.0035714285714285713)
+            + strain_dot_s1_s1 * 0.0011904761904761906;
         let stress_dot_s0_s0 = t41 * t44;
         let t46 = t41 * 0.014285714285714285;
         let t47 = t41 * 0.0035714285714285713;
         let t48 = t41 * (-0.0035714285714285713);
         let t49 = t41 * 0.02142857142857143;
         let t50 = t41 * 0.0011904761904761906;
-        let t51 = t31 * (-0.007142857142857143);
-        let t52 = t33 * (-0.12857142857142856);
-        let t53 = t37 * (-0.0035714285714285713);
+        let t51 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t52 = strain_dot_d_d * (-0.12857142857142856);
+        let t53 = strain_dot_s1_s1 * (-0.0035714285714285713);
         let stress_dot_s0_d = t41
-            * (t27 * 0.0035714285714285713 + t29 * 0.08571428571428572 + t51 + t52
-                + t53);
+            * (strain_dot_s0_s0 * 0.0035714285714285713
+                + strain_dot_s0_d * 0.08571428571428572 + t51 + t52 + t53);
         let t55 = t41 * 0.08571428571428572;
         let t56 = t41 * (-0.007142857142857143);
         let t57 = t41 * (-0.12857142857142856);
-        let t58 = t27 * (-0.0035714285714285713);
+        let t58 = strain_dot_s0_s0 * (-0.0035714285714285713);
         let stress_dot_s0_s1 = t41
             * (t53
-                + (t58 + t29 * (-0.007142857142857143) + t31 * 0.004761904761904762
-                    + t35 * (-0.007142857142857143)));
+                + (t58 + strain_dot_s0_d * (-0.007142857142857143)
+                    + strain_dot_s0_s1 * 0.004761904761904762
+                    + strain_dot_d_s1 * (-0.007142857142857143)));
         let t60 = t41 * 0.004761904761904762;
-        let t61 = t27 * 0.02142857142857143 + t29 * (-0.12857142857142856)
-            + t33 * 0.5142857142857142 + t35 * (-0.12857142857142856)
-            + t37 * 0.02142857142857143;
+        let t61 = strain_dot_s0_s0 * 0.02142857142857143
+            + strain_dot_s0_d * (-0.12857142857142856)
+            + strain_dot_d_d * 0.5142857142857142
+            + strain_dot_d_s1 * (-0.12857142857142856)
+            + strain_dot_s1_s1 * 0.02142857142857143;
         let stress_dot_d_d = t41 * t61;
         let t63 = t41 * 0.5142857142857142;
         let stress_dot_d_s1 = t41
-            * (t52 + (t51 + t58) + t35 * 0.08571428571428572
-                + t37 * 0.0035714285714285713);
+            * (t52 + (t51 + t58) + strain_dot_d_s1 * 0.08571428571428572
+                + strain_dot_s1_s1 * 0.0035714285714285713);
         let t65 = t43
-            + (t42 + (t27 * 0.0011904761904761906 + t29 * (-0.0035714285714285713)))
-            + t35 * 0.0035714285714285713 + t37 * 0.014285714285714285;
+            + (t42
+                + (strain_dot_s0_s0 * 0.0011904761904761906
+                    + strain_dot_s0_d * (-0.0035714285714285713)))
+            + strain_dot_d_s1 * 0.0035714285714285713
+            + strain_dot_s1_s1 * 0.014285714285714285;
         let stress_dot_s1_s1 = t41 * t65;
         let t67 = inverse_length * EI;
         let t68 = cross_s0_s1 * (-2.2);
@@ -499,11 +515,11 @@ pub mod spin_up_equations {
         stiffness[62] += t166;
         stiffness[63] += t167 + t172;
     }
-    /// Adds the strain energy U (J) of one element.
+    /// Adds the strain energy U of one element (J).
     ///
     /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
     ///
-    /// Constant tensor, integrated exactly, unrolled.
+    /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
     /// Operations: 58 additions, 76 multiplications, 1 divisions.
     pub fn cable_planar_strain_energy(
@@ -517,53 +533,61 @@ pub mod spin_up_equations {
         let d_x = inverse_length * (r1_x - r0_x);
         let d_y = inverse_length * (r1_y - r0_y);
         let dot_s0_s0 = s0_x * s0_x + s0_y * s0_y;
-        let t27 = dot_s0_s0 - 1.0;
+        let strain_dot_s0_s0 = dot_s0_s0 - 1.0;
         let dot_s0_d = s0_x * d_x + s0_y * d_y;
-        let t29 = dot_s0_d - 1.0;
+        let strain_dot_s0_d = dot_s0_d - 1.0;
         let dot_s0_s1 = s0_x * s1_x + s0_y * s1_y;
-        let t31 = dot_s0_s1 - 1.0;
+        let strain_dot_s0_s1 = dot_s0_s1 - 1.0;
         let dot_d_d = d_x * d_x + d_y * d_y;
-        let t33 = dot_d_d - 1.0;
+        let strain_dot_d_d = dot_d_d - 1.0;
         let dot_d_s1 = s1_x * d_x + s1_y * d_y;
-        let t35 = dot_d_s1 - 1.0;
+        let strain_dot_d_s1 = dot_d_s1 - 1.0;
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y;
-        let t37 = dot_s1_s1 - 1.0;
+        let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
         let cross_s0_d = s0_x * d_y - s0_y * d_x;
         let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
         let cross_d_s1 = s1_y * d_x - s1_x * d_y;
-        let t41 = t31 * (-0.0035714285714285713);
-        let t42 = t33 * 0.02142857142857143;
-        let t43 = t27 * 0.014285714285714285 + t29 * 0.0035714285714285713 + t41 + t42
-            + t35 * (-0.0035714285714285713) + t37 * 0.0011904761904761906;
+        let t41 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t42 = strain_dot_d_d * 0.02142857142857143;
+        let t43 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t41 + t42
+            + strain_dot_d_s1 * (-0.0035714285714285713)
+            + strain_dot_s1_s1 * 0.0011904761904761906;
         let t44 = length * EA * 0.5;
-        let t45 = t31 * (-0.007142857142857143);
-        let t46 = t33 * (-0.12857142857142856);
-        let t47 = t37 * (-0.0035714285714285713);
-        let t48 = t27 * t43 * t44
+        let t45 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t46 = strain_dot_d_d * (-0.12857142857142856);
+        let t47 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t48 = strain_dot_s0_s0 * t43 * t44
             + t44
-                * (t29
-                    * (t27 * 0.0035714285714285713 + t29 * 0.08571428571428572 + t45
-                        + t46 + t47));
-        let t49 = t27 * (-0.0035714285714285713);
+                * (strain_dot_s0_d
+                    * (strain_dot_s0_s0 * 0.0035714285714285713
+                        + strain_dot_s0_d * 0.08571428571428572 + t45 + t46 + t47));
+        let t49 = strain_dot_s0_s0 * (-0.0035714285714285713);
         let t50 = t44
-            * (t31
+            * (strain_dot_s0_s1
                 * (t47
-                    + (t49 + t29 * (-0.007142857142857143) + t31 * 0.004761904761904762
-                        + t35 * (-0.007142857142857143))));
-        let t51 = t27 * 0.02142857142857143 + t29 * (-0.12857142857142856)
-            + t33 * 0.5142857142857142 + t35 * (-0.12857142857142856)
-            + t37 * 0.02142857142857143;
-        let t52 = t48 + t50 + t44 * (t33 * t51)
+                    + (t49 + strain_dot_s0_d * (-0.007142857142857143)
+                        + strain_dot_s0_s1 * 0.004761904761904762
+                        + strain_dot_d_s1 * (-0.007142857142857143))));
+        let t51 = strain_dot_s0_s0 * 0.02142857142857143
+            + strain_dot_s0_d * (-0.12857142857142856)
+            + strain_dot_d_d * 0.5142857142857142
+            + strain_dot_d_s1 * (-0.12857142857142856)
+            + strain_dot_s1_s1 * 0.02142857142857143;
+        let t52 = t48 + t50 + t44 * (strain_dot_d_d * t51)
             + t44
-                * (t35
-                    * (t46 + (t45 + t49) + t35 * 0.08571428571428572
-                        + t37 * 0.0035714285714285713));
+                * (strain_dot_d_s1
+                    * (t46 + (t45 + t49) + strain_dot_d_s1 * 0.08571428571428572
+                        + strain_dot_s1_s1 * 0.0035714285714285713));
         let t53 = t42
-            + (t41 + (t27 * 0.0011904761904761906 + t29 * (-0.0035714285714285713)))
-            + t35 * 0.0035714285714285713 + t37 * 0.014285714285714285;
+            + (t41
+                + (strain_dot_s0_s0 * 0.0011904761904761906
+                    + strain_dot_s0_d * (-0.0035714285714285713)))
+            + strain_dot_d_s1 * 0.0035714285714285713
+            + strain_dot_s1_s1 * 0.014285714285714285;
         let t54 = 0.5 * (inverse_length * EI);
         let t55 = cross_s0_s1 * (-2.2);
-        let t56 = t52 + t44 * (t37 * t53)
+        let t56 = t52 + t44 * (strain_dot_s1_s1 * t53)
             + t54 * (cross_s0_d * (cross_s0_d * 7.2 + t55 + cross_d_s1 * 1.2));
         let t57 = t56
             + t54
@@ -896,12 +920,13 @@ pub mod spin_up_equations {
     }
     /// Motion of frame `hub` and its first two derivatives.
     ///
-    /// Operations: 8 additions, 14 multiplications, 7 divisions, 4 function calls.
+    /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
     pub fn frame_hub(
         model: &super::SpinUp,
         t: f64,
         motion: &mut ::rncf::mesh::FrameMotion,
     ) {
+        *motion = ::rncf::mesh::FrameMotion::INERTIAL;
         let t15 = model.omega_s / model.T_s;
         let t16 = (model.T_s / 6.283185307179586).powi(2);
         let t17 = t * 6.283185307179586 / model.T_s;
@@ -915,7 +940,7 @@ pub mod spin_up_equations {
         let t21 = theta.sin();
         let t22 = 6.283185307179586 / model.T_s;
         let theta_t = (if t <= model.T_s {
-            t15 * (t * 2.0 / 2.0 - t16 * (t22 * t17.sin()))
+            t15 * (t - t16 * (t22 * t17.sin()))
         } else {
             model.omega_s
         });
@@ -924,30 +949,12 @@ pub mod spin_up_equations {
         } else {
             0.0
         });
-        motion.position[0] = 0.0;
-        motion.position[1] = 0.0;
-        motion.position[2] = 0.0;
-        motion.velocity[0] = 0.0;
-        motion.velocity[1] = 0.0;
-        motion.velocity[2] = 0.0;
-        motion.acceleration[0] = 0.0;
-        motion.acceleration[1] = 0.0;
-        motion.acceleration[2] = 0.0;
-        motion.spin[0] = 0.0;
-        motion.spin[1] = 0.0;
         motion.spin[2] = theta_t;
-        motion.spin_rate[0] = 0.0;
-        motion.spin_rate[1] = 0.0;
         motion.spin_rate[2] = theta_t_t;
         motion.rotation[0][0] = t20;
         motion.rotation[0][1] = -t21;
-        motion.rotation[0][2] = 0.0;
         motion.rotation[1][0] = t21;
         motion.rotation[1][1] = t20;
-        motion.rotation[1][2] = 0.0;
-        motion.rotation[2][0] = 0.0;
-        motion.rotation[2][1] = 0.0;
-        motion.rotation[2][2] = 1.0;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -1087,7 +1094,7 @@ pub mod spin_up_equations {
     }
     /// Joint `root`: conditions, velocity level.
     ///
-    /// Operations: 11 additions, 22 multiplications, 7 divisions, 4 function calls.
+    /// Operations: 11 additions, 21 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_velocity(
         model: &super::SpinUp,
         t: f64,
@@ -1106,7 +1113,7 @@ pub mod spin_up_equations {
             model.omega_s * (t - model.T_s / 2.0)
         });
         let t25 = (if t <= model.T_s {
-            t21 * (t * 2.0 / 2.0 - t22 * (6.283185307179586 / model.T_s * t23.sin()))
+            t21 * (t - t22 * (6.283185307179586 / model.T_s * t23.sin()))
         } else {
             model.omega_s
         });
@@ -1120,7 +1127,7 @@ pub mod spin_up_equations {
     }
     /// Joint `root`: conditions, acceleration level.
     ///
-    /// Operations: 21 additions, 36 multiplications, 7 divisions, 4 function calls.
+    /// Operations: 21 additions, 35 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_acceleration(
         model: &super::SpinUp,
         t: f64,
@@ -1143,7 +1150,7 @@ pub mod spin_up_equations {
         let t29 = theta.sin();
         let t30 = 6.283185307179586 / model.T_s;
         let t31 = (if t <= model.T_s {
-            t23 * (t * 2.0 / 2.0 - t24 * (t30 * t25.sin()))
+            t23 * (t - t24 * (t30 * t25.sin()))
         } else {
             model.omega_s
         });
@@ -1168,7 +1175,7 @@ pub mod spin_up_equations {
     }
     /// Joint `root`: conditions, jerk level.
     ///
-    /// Operations: 36 additions, 52 multiplications, 7 divisions, 4 function calls.
+    /// Operations: 36 additions, 51 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_jerk(
         model: &super::SpinUp,
         t: f64,
@@ -1191,11 +1198,7 @@ pub mod spin_up_equations {
         let t31 = theta.sin();
         let t32 = 6.283185307179586 / model.T_s;
         let t33 = t32 * t27.sin();
-        let t34 = (if t <= model.T_s {
-            t25 * (t * 2.0 / 2.0 - t26 * t33)
-        } else {
-            model.omega_s
-        });
+        let t34 = (if t <= model.T_s { t25 * (t - t26 * t33) } else { model.omega_s });
         let t35 = t31 * t34;
         let t36 = t30 * t34;
         let t37 = (if t <= model.T_s {
@@ -1262,7 +1265,7 @@ pub mod spin_up_equations {
     }
     /// Joint `root`: what it prescribes, with two derivatives.
     ///
-    /// Operations: 22 additions, 44 multiplications, 7 divisions, 4 function calls.
+    /// Operations: 22 additions, 43 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_prescribed(
         model: &super::SpinUp,
         t: f64,
@@ -1282,7 +1285,7 @@ pub mod spin_up_equations {
         let t25 = theta.sin();
         let t26 = 6.283185307179586 / model.T_s;
         let t27 = (if t <= model.T_s {
-            t19 * (t * 2.0 / 2.0 - t20 * (t26 * t21.sin()))
+            t19 * (t - t20 * (t26 * t21.sin()))
         } else {
             model.omega_s
         });
@@ -1346,35 +1349,56 @@ pub mod spin_up_equations {
     impl ::rncf::mesh::Parts for Equations {
         fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
             let model = &self.model;
-            ::std::vec![
-                ::rncf::mesh::BodySpec { name : "beam", frame : 1, axes : & [0, 1], line
-                : ::rncf::mesh::Line::Straight { from : [0.0, 0.0, 0.0], to : [8.0, 0.0,
-                0.0] }, count : (model.elements as f64) as usize, meanings : &
-                ["position", "slope", "position", "slope"], orders : & [0, 1, 0, 1],
-                connectivity : & [0, 1, 2, 3], vectors_per_node : 2 },
-            ]
+            ::std::vec::Vec::from([
+                ::rncf::mesh::BodySpec {
+                    name: "beam",
+                    frame: 1,
+                    axes: &[0, 1],
+                    line: ::rncf::mesh::Line::Straight {
+                        from: [0.0, 0.0, 0.0],
+                        to: [8.0, 0.0, 0.0],
+                    },
+                    count: (model.elements as f64) as usize,
+                    meanings: &["position", "slope", "position", "slope"],
+                    orders: &[0, 1, 0, 1],
+                    connectivity: &[0, 1, 2, 3],
+                    vectors_per_node: 2,
+                },
+            ])
         }
         fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
             let model = &self.model;
-            ::std::vec![
-                ::rncf::mesh::JointSpec { name : "root", kind :
-                ::rncf::mesh::JointKind::Clamp, body : 0, at_end : false, frame : 1,
-                point : None },
-            ]
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 1,
+                    point: None,
+                },
+            ])
         }
         fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
             let model = &self.model;
-            ::std::vec![]
+            ::std::vec::Vec::from([])
         }
         fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
             let model = &self.model;
-            ::std::vec![
-                ::rncf::mesh::ObservedSpec::Point { body : 0, at :
-                ::rncf::mesh::Place::End, what : ::rncf::mesh::PointQuantity::Position,
-                component : 0 }, ::rncf::mesh::ObservedSpec::Point { body : 0, at :
-                ::rncf::mesh::Place::End, what : ::rncf::mesh::PointQuantity::Position,
-                component : 1 },
-            ]
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+            ])
         }
         fn output_columns(&self) -> usize {
             2
@@ -1400,53 +1424,49 @@ pub mod spin_up_equations {
             shape: &[f64],
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
-            match body {
-                _ => {
-                    let density = ::rncf::mesh::positive(
-                        "material `aluminium`",
-                        "density",
-                        2766.67,
-                        "kg/m^3",
-                    )?;
-                    let young = ::rncf::mesh::positive(
-                        "material `aluminium`",
-                        "young",
-                        68950000000.0,
-                        "Pa",
-                    )?;
-                    let poisson = ::rncf::mesh::poisson(
-                        "material `aluminium`",
-                        "poisson",
-                        0.3,
-                        "1",
-                    )?;
-                    let damping = ::rncf::mesh::non_negative(
-                        "material `aluminium`",
-                        "damping",
-                        0.0,
-                        "s",
-                    )?;
-                    let area = ::rncf::mesh::positive(
-                        "section `tube`",
-                        "area",
-                        7.299e-5,
-                        "m^2",
-                    )?;
-                    let second_moment = ::rncf::mesh::positive(
-                        "section `tube`",
-                        "second_moment",
-                        8.215e-9,
-                        "m^4",
-                    )?;
-                    self.row_beam = CablePlanar {
-                        length,
-                        EA: young * area,
-                        EI: young * second_moment,
-                        rhoA: density * area,
-                        damping: damping,
-                    };
-                }
-            }
+            let density = ::rncf::mesh::positive(
+                "material `aluminium`",
+                "density",
+                2766.67,
+                "kg/m^3",
+            )?;
+            let young = ::rncf::mesh::positive(
+                "material `aluminium`",
+                "young",
+                68950000000.0,
+                "Pa",
+            )?;
+            let poisson = ::rncf::mesh::poisson(
+                "material `aluminium`",
+                "poisson",
+                0.3,
+                "1",
+            )?;
+            let damping = ::rncf::mesh::non_negative(
+                "material `aluminium`",
+                "damping",
+                0.0,
+                "s",
+            )?;
+            let area = ::rncf::mesh::positive(
+                "section `tube`",
+                "area",
+                7.299e-5,
+                "m^2",
+            )?;
+            let second_moment = ::rncf::mesh::positive(
+                "section `tube`",
+                "second_moment",
+                8.215e-9,
+                "m^4",
+            )?;
+            self.row_beam = CablePlanar {
+                length,
+                EA: young * area,
+                EI: young * second_moment,
+                rhoA: density * area,
+                damping: damping,
+            };
             Ok(())
         }
         fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
@@ -1464,11 +1484,7 @@ pub mod spin_up_equations {
             outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
-            match body {
-                _ => {
-                    cable_planar_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
-                }
-            }
+            cable_planar_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
         }
         fn force(
             &self,
@@ -1481,29 +1497,13 @@ pub mod spin_up_equations {
             a: &[f64],
             force: &mut [f64],
         ) {
-            match body {
-                _ => {
-                    let [q, v, a]: [&[f64; 8]; 3] = [q, v, a].map(::rncf::mesh::array);
-                    let force = ::rncf::mesh::array_mut(force);
-                    cable_planar_elastic_force(&self.row_beam, q, force);
-                    if absolute {
-                        cable_planar_absolute_inertia_force(
-                            &self.row_beam,
-                            frame,
-                            a,
-                            force,
-                        );
-                    } else {
-                        cable_planar_inertia_force(
-                            &self.row_beam,
-                            frame,
-                            q,
-                            v,
-                            a,
-                            force,
-                        );
-                    }
-                }
+            let [q, v, a]: [&[f64; 8]; 3] = [q, v, a].map(::rncf::mesh::array);
+            let force = ::rncf::mesh::array_mut(force);
+            cable_planar_elastic_force(&self.row_beam, q, force);
+            if absolute {
+                cable_planar_absolute_inertia_force(&self.row_beam, frame, a, force);
+            } else {
+                cable_planar_inertia_force(&self.row_beam, frame, q, v, a, force);
             }
         }
         fn tangent(
@@ -1517,47 +1517,35 @@ pub mod spin_up_equations {
             stiffness: &mut [f64],
             damping: &mut [f64],
         ) {
-            match body {
-                _ => {
-                    let [q, v]: [&[f64; 8]; 2] = [q, v].map(::rncf::mesh::array);
-                    let stiffness = ::rncf::mesh::array_mut(stiffness);
-                    let damping_matrix = ::rncf::mesh::array_mut(damping);
-                    cable_planar_elastic_tangent(&self.row_beam, q, stiffness);
-                    if !absolute {
-                        cable_planar_inertia_tangent(
-                            &self.row_beam,
-                            frame,
-                            stiffness,
-                            damping_matrix,
-                        );
-                    }
-                }
+            let [q, v]: [&[f64; 8]; 2] = [q, v].map(::rncf::mesh::array);
+            let stiffness = ::rncf::mesh::array_mut(stiffness);
+            let damping_matrix = ::rncf::mesh::array_mut(damping);
+            cable_planar_elastic_tangent(&self.row_beam, q, stiffness);
+            if !absolute {
+                cable_planar_inertia_tangent(
+                    &self.row_beam,
+                    frame,
+                    stiffness,
+                    damping_matrix,
+                );
             }
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
             let mut energy = 0.0;
-            match body {
-                _ => {
-                    cable_planar_strain_energy(
-                        &self.row_beam,
-                        ::rncf::mesh::array(q),
-                        &mut energy,
-                    );
-                }
-            }
+            cable_planar_strain_energy(
+                &self.row_beam,
+                ::rncf::mesh::array(q),
+                &mut energy,
+            );
             energy
         }
         fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]) {
-            match body {
-                _ => {
-                    cable_planar_shapes(
-                        self.row_beam.length,
-                        xi,
-                        ::rncf::mesh::array_mut(values),
-                        ::rncf::mesh::array_mut(slopes),
-                    );
-                }
-            }
+            cable_planar_shapes(
+                self.row_beam.length,
+                xi,
+                ::rncf::mesh::array_mut(values),
+                ::rncf::mesh::array_mut(slopes),
+            );
         }
         fn moment(
             &self,

@@ -14,7 +14,9 @@ use crate::{check, emit, parse, stub};
 pub fn expand(tokens: TokenStream) -> TokenStream {
     let mut errors = Errors::new();
     let tree = parse::parse(tokens, &mut errors);
-    let model = tree.as_ref().and_then(|tree| check::check(tree, &Library::standard(), &mut errors));
+    let model = tree
+        .as_ref()
+        .and_then(|tree| check::check(tree, &Library::standard(), &mut errors));
     match (tree, model) {
         (Some(tree), Some(model)) if errors.is_empty() => {
             let _ = errors.finish();
@@ -23,7 +25,10 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
                 Ok(tokens) => respan(tokens, &names(&tree)),
                 Err(error) => {
                     let mut errors = Errors::new();
-                    errors.at(Span::call_site(), format!("the generator wrote text that is no Rust ({error}): a defect of rncf"));
+                    errors.at(
+                        Span::call_site(),
+                        format!("the generator wrote text that is no Rust ({error}): a defect of rncf"),
+                    );
                     errors.into_tokens()
                 }
             }
@@ -57,15 +62,23 @@ pub fn text(tokens: TokenStream, library: &Library) -> Result<String, Vec<Mistak
 /// # Panics
 /// If the text is no Rust: a defect of the generator.
 pub fn format(text: &str) -> String {
-    let file = syn::parse_file(text).unwrap_or_else(|error| panic!("the generator wrote text that is no Rust: {error}"));
+    let file =
+        syn::parse_file(text).unwrap_or_else(|error| panic!("the generator wrote text that is no Rust: {error}"));
     prettyplease::unparse(&file)
 }
 
 fn names(tree: &parse::tree::Tree) -> HashMap<String, Span> {
     let spans = Spans::of(tree);
     let mut names = HashMap::from([(tree.name.text.clone(), spans.name)]);
-    let params = tree.items.iter().filter(|item| item.keyword == parse::tree::Keyword::Param);
-    names.extend(params.zip(spans.params).map(|(item, span)| (item.name.text.clone(), span)));
+    let params = tree
+        .items
+        .iter()
+        .filter(|item| item.keyword == parse::tree::Keyword::Param);
+    names.extend(
+        params
+            .zip(spans.params)
+            .map(|(item, span)| (item.name.text.clone(), span)),
+    );
     names
 }
 

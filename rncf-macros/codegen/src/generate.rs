@@ -29,7 +29,13 @@ pub fn generate(models: &Path) -> Result<Vec<(String, String)>, String> {
         let mut expansion = String::new();
         for item in file.items {
             let syn::Item::Macro(item) = item else { continue };
-            if item.mac.path.segments.last().is_some_and(|segment| segment.ident == "model") {
+            if item
+                .mac
+                .path
+                .segments
+                .last()
+                .is_some_and(|segment| segment.ident == "model")
+            {
                 let text = expand::text(item.mac.tokens, &Library::standard()).map_err(|mistakes| {
                     let messages: Vec<String> = mistakes.iter().map(|mistake| mistake.message.clone()).collect();
                     format!("{}: {}", path.display(), messages.join("; "))

@@ -12,9 +12,9 @@
 pub mod check;
 pub mod elements;
 pub mod emit;
+pub mod errors;
 pub mod expand;
 pub mod generate;
-pub mod errors;
 pub mod lower;
 pub mod model;
 pub mod parse;

@@ -59,8 +59,17 @@ mod tests {
 
     #[test]
     fn near_words_are_found() {
-        assert_eq!(unknown("field", "yuong", ["density", "young"]), "unknown field `yuong`: did you mean `young`?");
-        assert_eq!(unknown("field", "q", ["density", "young"]), "unknown field `q`: use `density` or `young`");
-        assert_eq!(unknown("unit", "pa", ["Pa", "kPa"]), "unknown unit `pa`: did you mean `Pa`?");
+        assert_eq!(
+            unknown("field", "yuong", ["density", "young"]),
+            "unknown field `yuong`: did you mean `young`?"
+        );
+        assert_eq!(
+            unknown("field", "q", ["density", "young"]),
+            "unknown field `q`: use `density` or `young`"
+        );
+        assert_eq!(
+            unknown("unit", "pa", ["Pa", "kPa"]),
+            "unknown unit `pa`: did you mean `Pa`?"
+        );
     }
 }

@@ -41,7 +41,12 @@ impl Connectivity {
         (0..self.count()).flat_map(move |element| {
             let unknowns = move |component: &usize| layout.unknown(*component).map(|(unknown, _)| unknown);
             let rows = self.element(element).iter().filter_map(unknowns);
-            rows.flat_map(move |row| self.element(element).iter().filter_map(unknowns).map(move |column| (row, column)))
+            rows.flat_map(move |row| {
+                self.element(element)
+                    .iter()
+                    .filter_map(unknowns)
+                    .map(move |column| (row, column))
+            })
         })
     }
 }
@@ -71,7 +76,10 @@ impl Scatter {
                 }
             }
         }
-        Self { entries, size: connectivity.size.pow(2) }
+        Self {
+            entries,
+            size: connectivity.size.pow(2),
+        }
     }
 
     /// Adds the matrix of one element.
@@ -95,6 +103,9 @@ pub fn evaluate(count: usize, width: usize, results: &mut Vec<f64>, element: imp
             element(index, result);
         }
     } else {
-        results.par_chunks_exact_mut(width).enumerate().for_each(|(index, result)| element(index, result));
+        results
+            .par_chunks_exact_mut(width)
+            .enumerate()
+            .for_each(|(index, result)| element(index, result));
     }
 }

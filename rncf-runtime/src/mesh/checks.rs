@@ -11,10 +11,16 @@ pub fn check_params<M: Model>(model: &M) -> Result<(), ModelError> {
     for (index, param) in M::params().iter().enumerate() {
         let value = model.get(index);
         if !value.is_finite() {
-            return Err(ModelError::new(format!("parameter `{}` is {value}: give it a finite value", param.name)));
+            return Err(ModelError::new(format!(
+                "parameter `{}` is {value}: give it a finite value",
+                param.name
+            )));
         }
         if param.kind == ParamKind::Count && value < 1.0 {
-            return Err(ModelError::new(format!("parameter `{}` is {value}: it counts things and must be at least 1", param.name)));
+            return Err(ModelError::new(format!(
+                "parameter `{}` is {value}: it counts things and must be at least 1",
+                param.name
+            )));
         }
     }
     Ok(())
@@ -24,7 +30,9 @@ fn check(holds: bool, owner: &str, name: &str, value: f64, unit: &str, range: &s
     if holds {
         return Ok(value);
     }
-    Err(ModelError::new(format!("{owner}: {name} is {value} {unit}, it must be {range}")))
+    Err(ModelError::new(format!(
+        "{owner}: {name} is {value} {unit}, it must be {range}"
+    )))
 }
 
 /// `value`, if it is greater than zero.
@@ -32,7 +40,14 @@ fn check(holds: bool, owner: &str, name: &str, value: f64, unit: &str, range: &s
 /// # Errors
 /// The property by name.
 pub fn positive(owner: &str, name: &str, value: f64, unit: &str) -> Result<f64, ModelError> {
-    check(value.is_finite() && value > 0.0, owner, name, value, unit, "greater than zero")
+    check(
+        value.is_finite() && value > 0.0,
+        owner,
+        name,
+        value,
+        unit,
+        "greater than zero",
+    )
 }
 
 /// `value`, if it is not negative.
@@ -40,7 +55,14 @@ pub fn positive(owner: &str, name: &str, value: f64, unit: &str) -> Result<f64, 
 /// # Errors
 /// The property by name.
 pub fn non_negative(owner: &str, name: &str, value: f64, unit: &str) -> Result<f64, ModelError> {
-    check(value.is_finite() && value >= 0.0, owner, name, value, unit, "zero or greater")
+    check(
+        value.is_finite() && value >= 0.0,
+        owner,
+        name,
+        value,
+        unit,
+        "zero or greater",
+    )
 }
 
 /// `value`, if it is a Poisson's ratio.
@@ -48,7 +70,14 @@ pub fn non_negative(owner: &str, name: &str, value: f64, unit: &str) -> Result<f
 /// # Errors
 /// The property by name.
 pub fn poisson(owner: &str, name: &str, value: f64, unit: &str) -> Result<f64, ModelError> {
-    check(value > -1.0 && value < 0.5, owner, name, value, unit, "between -1 and 0.5")
+    check(
+        value > -1.0 && value < 0.5,
+        owner,
+        name,
+        value,
+        unit,
+        "between -1 and 0.5",
+    )
 }
 
 /// A slice as an array.
@@ -56,7 +85,9 @@ pub fn poisson(owner: &str, name: &str, value: f64, unit: &str) -> Result<f64, M
 /// # Panics
 /// If the length differs: a defect of generated code.
 pub fn array<const N: usize>(slice: &[f64]) -> &[f64; N] {
-    slice.try_into().expect("generated code passes slices of the element's size")
+    slice
+        .try_into()
+        .expect("generated code passes slices of the element's size")
 }
 
 /// A mutable slice as an array.
@@ -64,5 +95,7 @@ pub fn array<const N: usize>(slice: &[f64]) -> &[f64; N] {
 /// # Panics
 /// If the length differs: a defect of generated code.
 pub fn array_mut<const N: usize>(slice: &mut [f64]) -> &mut [f64; N] {
-    slice.try_into().expect("generated code passes slices of the element's size")
+    slice
+        .try_into()
+        .expect("generated code passes slices of the element's size")
 }

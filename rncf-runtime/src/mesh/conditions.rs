@@ -49,8 +49,16 @@ pub fn joint_data(joint: &JointSpec, body: &BodySpec, frames: &[FrameMotion]) ->
         tangent = other.direction_to_frame(own.direction_to_inertial(tangent));
         normal = other.direction_to_frame(own.direction_to_inertial(normal));
     }
-    let first = if body.dimension() == 2 { cross(normal, tangent) } else { perpendicular(tangent) };
-    JointData { point: joint.point.unwrap_or(point), tangent, normals: [first, cross(tangent, first)] }
+    let first = if body.dimension() == 2 {
+        cross(normal, tangent)
+    } else {
+        perpendicular(tangent)
+    };
+    JointData {
+        point: joint.point.unwrap_or(point),
+        tangent,
+        normals: [first, cross(tangent, first)],
+    }
 }
 
 /// A unit vector normal to `t`.
@@ -73,7 +81,12 @@ pub fn condition(
     absolute: bool,
     joints: Joints,
 ) -> Condition {
-    let node = first_vector + if joint.at_end { body.count * body.vectors_per_node } else { 0 };
+    let node = first_vector
+        + if joint.at_end {
+            body.count * body.vectors_per_node
+        } else {
+            0
+        };
     let place = |order: usize| {
         let local = body.orders.iter().position(|&other| other == order).unwrap_or(0);
         node + body.connectivity[local]
@@ -96,5 +109,14 @@ pub fn condition(
             (true, VectorKind::Directed(direction), Vec::new())
         }
     };
-    Condition { joint: index, position, slope, data, absolute, position_eliminated, slope_kind, rows }
+    Condition {
+        joint: index,
+        position,
+        slope,
+        data,
+        absolute,
+        position_eliminated,
+        slope_kind,
+        rows,
+    }
 }

@@ -62,7 +62,10 @@ impl FrameMotion {
 
     /// Rate of a direction that changes in inertial axes, seen in the frame: `A^T d' - w x A^T d`.
     pub fn rate_to_frame(&self, d: [f64; 3], rate: [f64; 3]) -> [f64; 3] {
-        subtract(self.direction_to_frame(rate), cross(self.spin, self.direction_to_frame(d)))
+        subtract(
+            self.direction_to_frame(rate),
+            cross(self.spin, self.direction_to_frame(d)),
+        )
     }
 
     /// Rate in inertial axes of a direction that changes in the frame: `A (d' + w x d)`.
@@ -112,7 +115,11 @@ pub(crate) fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 
 /// `a x b`
 pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
 }
 
 /// `a . b`

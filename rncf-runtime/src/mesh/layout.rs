@@ -45,7 +45,12 @@ impl Layout {
             };
             offsets.push(map.len());
         }
-        Self { kinds, offsets, map, unknowns }
+        Self {
+            kinds,
+            offsets,
+            map,
+            unknowns,
+        }
     }
 
     /// Number of unknowns.

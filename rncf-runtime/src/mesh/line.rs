@@ -50,7 +50,13 @@ impl Line {
                 };
                 (point, whole.map(|x| x / length))
             }
-            Line::Arc { from, direction, normal, radius, angle } => {
+            Line::Arc {
+                from,
+                direction,
+                normal,
+                radius,
+                angle,
+            } => {
                 let size = norm(direction);
                 let tangent = direction.map(|x| x / size);
                 // Centre to the left of the tangent for a positive angle.
@@ -73,10 +79,18 @@ mod tests {
 
     #[test]
     fn an_arc_ends_where_trigonometry_says() {
-        let arc =
-            Line::Arc { from: [0.0; 3], direction: [2.0, 0.0, 0.0], normal: [0.0, 0.0, 1.0], radius: 16.0, angle: -0.5 };
+        let arc = Line::Arc {
+            from: [0.0; 3],
+            direction: [2.0, 0.0, 0.0],
+            normal: [0.0, 0.0, 1.0],
+            radius: 16.0,
+            angle: -0.5,
+        };
         let (tip, tangent) = arc.at(1.0);
-        assert!((tip[0] - 7.67081).abs() < 1e-5 && (tip[1] + 1.95868).abs() < 1e-5, "{tip:?}");
+        assert!(
+            (tip[0] - 7.67081).abs() < 1e-5 && (tip[1] + 1.95868).abs() < 1e-5,
+            "{tip:?}"
+        );
         assert!((tangent[1] + 0.5f64.sin()).abs() < 1e-15);
         assert_eq!(arc.length(), 8.0);
     }

@@ -17,5 +17,8 @@ pub use checks::{array, array_mut, check_params, non_negative, poisson, positive
 pub use frame::{FrameAction, FrameMotion};
 pub use layout::{Layout, VectorKind};
 pub use line::Line;
-pub use parts::{BodySpec, JointData, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed};
+pub use parts::{
+    BodySpec, JointData, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, PointQuantity,
+    Prescribed,
+};
 pub use scene::MeshScene;

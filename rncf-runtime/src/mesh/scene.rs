@@ -104,8 +104,10 @@ impl<P: Parts> MeshScene<P> {
                 condition(index, joint, body, firsts[joint.body], data, absolute(body), joints)
             })
             .collect();
-        let dimensions: Vec<usize> =
-            specs.iter().flat_map(|spec| std::iter::repeat_n(spec.dimension(), spec.vectors())).collect();
+        let dimensions: Vec<usize> = specs
+            .iter()
+            .flat_map(|spec| std::iter::repeat_n(spec.dimension(), spec.vectors()))
+            .collect();
         let mut kinds = vec![VectorKind::Free; dimensions.len()];
         for condition in &conditions {
             if condition.position_eliminated {
@@ -116,9 +118,14 @@ impl<P: Parts> MeshScene<P> {
             }
         }
         let layout = Layout::new(&dimensions, kinds);
-        let connectivities: Vec<Connectivity> =
-            specs.iter().zip(&firsts).map(|(spec, &first)| connectivity(spec, first, &layout)).collect();
-        let entries = connectivities.iter().flat_map(|connectivity| connectivity.entries(&layout));
+        let connectivities: Vec<Connectivity> = specs
+            .iter()
+            .zip(&firsts)
+            .map(|(spec, &first)| connectivity(spec, first, &layout))
+            .collect();
+        let entries = connectivities
+            .iter()
+            .flat_map(|connectivity| connectivity.entries(&layout));
         let diagonal = (0..layout.unknowns()).map(|unknown| (unknown, unknown));
         let pattern = Pattern::new(layout.unknowns(), layout.unknowns(), entries.chain(diagonal));
         let bodies: Vec<MeshBody> = specs
@@ -131,7 +138,14 @@ impl<P: Parts> MeshScene<P> {
                 parts.mass(index, &mut mass);
                 let frame = if absolute(&spec) { 0 } else { spec.frame };
                 let scatter = Scatter::new(&connectivity, &layout, &pattern);
-                MeshBody { spec, first_vector, frame, connectivity, scatter, mass }
+                MeshBody {
+                    spec,
+                    first_vector,
+                    frame,
+                    connectivity,
+                    scatter,
+                    mass,
+                }
             })
             .collect();
         let mut scene = Self {
@@ -162,8 +176,16 @@ impl<P: Parts> MeshScene<P> {
         scene.number_constraints();
         scene.sizes = scene.unknown_sizes();
         scene.assemble_mass();
-        scene.load_points = scene.loads.iter().map(|load| scene.load_point(load)).collect::<Result<_, _>>()?;
-        scene.observed_points = scene.observed.iter().map(|observed| scene.observed_point(observed)).collect::<Result<_, _>>()?;
+        scene.load_points = scene
+            .loads
+            .iter()
+            .map(|load| scene.load_point(load))
+            .collect::<Result<_, _>>()?;
+        scene.observed_points = scene
+            .observed
+            .iter()
+            .map(|observed| scene.observed_point(observed))
+            .collect::<Result<_, _>>()?;
         Ok(scene)
     }
 
@@ -194,7 +216,11 @@ impl<P: Parts> MeshScene<P> {
         let origins = self.layout.origins();
         let size = |&(vector, _): &(usize, usize)| {
             let (body, _, local) = self.locate(vector);
-            if body.spec.orders[local] == 0 { body.spec.line.length() } else { 1.0 }
+            if body.spec.orders[local] == 0 {
+                body.spec.line.length()
+            } else {
+                1.0
+            }
         };
         origins.iter().map(size).collect()
     }
@@ -205,7 +231,12 @@ impl<P: Parts> MeshScene<P> {
         let body = &self.bodies[index];
         let within = vector - body.first_vector;
         let place = within % body.spec.vectors_per_node;
-        let local = body.spec.connectivity.iter().position(|&other| other == place).unwrap_or(0);
+        let local = body
+            .spec
+            .connectivity
+            .iter()
+            .position(|&other| other == place)
+            .unwrap_or(0);
         (body, within / body.spec.vectors_per_node, local)
     }
 
@@ -260,7 +291,12 @@ impl<P: Parts> MeshScene<P> {
             }
         };
         let count = spec.orders.len();
-        let mut point = MeshPoint { body, element, values: vec![0.0; count], slopes: vec![0.0; count] };
+        let mut point = MeshPoint {
+            body,
+            element,
+            values: vec![0.0; count],
+            slopes: vec![0.0; count],
+        };
         self.parts.shapes(body, xi, &mut point.values, &mut point.slopes);
         Ok(point)
     }
@@ -281,7 +317,8 @@ impl<P: Parts> MeshScene<P> {
                 continue;
             }
             let mut prescribed = Prescribed::default();
-            self.parts.prescribed(condition.joint, condition.absolute, t, &condition.data, &mut prescribed);
+            self.parts
+                .prescribed(condition.joint, condition.absolute, t, &condition.data, &mut prescribed);
             let mut set = |vector: usize, values: [[f64; 3]; 3]| {
                 let place = self.layout.offset(vector);
                 buffers.q[place..place + dimension].copy_from_slice(&values[0][..dimension]);
@@ -305,7 +342,10 @@ impl<P: Parts> MeshScene<P> {
         let mut sum = [0.0; 3];
         for (index, load) in self.loads.iter().enumerate() {
             if load.kind == LoadKind::Gravity {
-                sum = add(sum, self.buffers.frames[load.frame].direction_to_inertial(self.parts.load(index, t)));
+                sum = add(
+                    sum,
+                    self.buffers.frames[load.frame].direction_to_inertial(self.parts.load(index, t)),
+                );
             }
         }
         sum
@@ -314,7 +354,14 @@ impl<P: Parts> MeshScene<P> {
     /// `M a + f` of all components at the loaded state; loads are multiplied by `load_scale`.
     pub(super) fn full_force(&mut self, t: f64, load_scale: f64) {
         let gravity = self.gravity(t).map(|g| load_scale * g);
-        let Buffers { q, v, a, force, frames, results } = &mut self.buffers;
+        let Buffers {
+            q,
+            v,
+            a,
+            force,
+            frames,
+            results,
+        } = &mut self.buffers;
         force.fill(0.0);
         for (index, body) in self.bodies.iter().enumerate() {
             let action = frames[body.frame].action(body.spec.axes, gravity);
@@ -326,7 +373,16 @@ impl<P: Parts> MeshScene<P> {
                     body.connectivity.gather(element, full, &mut values[..size]);
                 }
                 let [q, v, a] = &local;
-                self.parts.force(index, element, body.frame == 0, &action, &q[..size], &v[..size], &a[..size], result);
+                self.parts.force(
+                    index,
+                    element,
+                    body.frame == 0,
+                    &action,
+                    &q[..size],
+                    &v[..size],
+                    &a[..size],
+                    result,
+                );
             });
             for element in 0..body.spec.count {
                 let local = &results[element * size..(element + 1) * size];
@@ -360,7 +416,9 @@ impl<P: Parts> MeshScene<P> {
 
     fn add_loads(&mut self, t: f64, load_scale: f64) {
         for index in 0..self.loads.len() {
-            let Some(point) = &self.load_points[index] else { continue };
+            let Some(point) = &self.load_points[index] else {
+                continue;
+            };
             let body = &self.bodies[point.body];
             let dimension = body.spec.dimension();
             let value = self.load_in_body(index, t, body).map(|x| load_scale * x);
@@ -376,7 +434,8 @@ impl<P: Parts> MeshScene<P> {
                 LoadKind::Moment { .. } => {
                     let slope = weighted(&self.buffers.q, components, dimension, &point.slopes);
                     let mut force = [0.0; 3];
-                    self.parts.moment(dimension, &slope[..dimension], value, &mut force[..dimension]);
+                    self.parts
+                        .moment(dimension, &slope[..dimension], value, &mut force[..dimension]);
                     for (place, &component) in components.iter().enumerate() {
                         let weight = point.slopes[place / dimension];
                         self.buffers.force[component] -= weight * force[place % dimension];
@@ -390,7 +449,9 @@ impl<P: Parts> MeshScene<P> {
     pub(super) fn full_tangent(&mut self, t: f64, load_scale: f64, stiffness: &mut [f64], damping: &mut [f64]) {
         stiffness.fill(0.0);
         damping.fill(0.0);
-        let Buffers { q, v, frames, results, .. } = &mut self.buffers;
+        let Buffers {
+            q, v, frames, results, ..
+        } = &mut self.buffers;
         for (index, body) in self.bodies.iter().enumerate() {
             let action = frames[body.frame].action(body.spec.axes, [0.0; 3]);
             let size = body.spec.element_size();
@@ -403,7 +464,8 @@ impl<P: Parts> MeshScene<P> {
                 }
                 let (k, c) = result.split_at_mut(size * size);
                 let [q, v] = &local;
-                self.parts.tangent(index, element, body.frame == 0, &action, &q[..size], &v[..size], k, c);
+                self.parts
+                    .tangent(index, element, body.frame == 0, &action, &q[..size], &v[..size], k, c);
             });
             for element in 0..body.spec.count {
                 let (k, c) = results[element * width..(element + 1) * width].split_at(size * size);
@@ -416,13 +478,25 @@ impl<P: Parts> MeshScene<P> {
 
     fn add_load_tangents(&self, t: f64, load_scale: f64, stiffness: &mut [f64]) {
         for (index, point) in self.load_points.iter().enumerate() {
-            let (Some(point), LoadKind::Moment { .. }) = (point, self.loads[index].kind) else { continue };
+            let (Some(point), LoadKind::Moment { .. }) = (point, self.loads[index].kind) else {
+                continue;
+            };
             let body = &self.bodies[point.body];
             let (dimension, size) = (body.spec.dimension(), body.spec.element_size());
             let value = self.load_in_body(index, t, body).map(|x| load_scale * x);
-            let slope = weighted(&self.buffers.q, body.connectivity.element(point.element), dimension, &point.slopes);
+            let slope = weighted(
+                &self.buffers.q,
+                body.connectivity.element(point.element),
+                dimension,
+                &point.slopes,
+            );
             let mut block = [0.0; 9];
-            self.parts.moment_tangent(dimension, &slope[..dimension], value, &mut block[..dimension * dimension]);
+            self.parts.moment_tangent(
+                dimension,
+                &slope[..dimension],
+                value,
+                &mut block[..dimension * dimension],
+            );
             let mut local = vec![0.0; size * size];
             for row in 0..size {
                 for column in 0..size {
@@ -459,10 +533,16 @@ pub(super) fn weighted(full: &[f64], components: &[usize], dimension: usize, wei
 fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
     let length = spec.line.length();
     if !(length.is_finite() && length > 0.0) {
-        return Err(ModelError::new(format!("body `{}` has the length {length} m: give its line two ends", spec.name)));
+        return Err(ModelError::new(format!(
+            "body `{}` has the length {length} m: give its line two ends",
+            spec.name
+        )));
     }
     if spec.count == 0 {
-        return Err(ModelError::new(format!("body `{}` has no elements: its mesh needs at least one", spec.name)));
+        return Err(ModelError::new(format!(
+            "body `{}` has no elements: its mesh needs at least one",
+            spec.name
+        )));
     }
     Ok(())
 }
@@ -494,7 +574,10 @@ fn connectivity(spec: &BodySpec, first_vector: usize, layout: &Layout) -> Connec
             components.extend(offset..offset + spec.dimension());
         }
     }
-    Connectivity { size: spec.element_size(), components }
+    Connectivity {
+        size: spec.element_size(),
+        components,
+    }
 }
 
 impl<P: Parts> System for MeshScene<P> {
@@ -599,7 +682,10 @@ impl<P: Parts> System for MeshScene<P> {
             VectorKind::Directed(_) => "norm",
             _ => AXES[body.spec.axes[component]],
         };
-        format!("body `{}`, node {node}, {} {what}", body.spec.name, body.spec.meanings[local])
+        format!(
+            "body `{}`, node {node}, {} {what}",
+            body.spec.name, body.spec.meanings[local]
+        )
     }
 
     fn describe_constraint(&self, index: usize) -> String {

@@ -49,9 +49,13 @@ impl<P: Parts> MeshScene<P> {
                 let body = &self.bodies[point.body];
                 let force = self.parts.load(index, state.t);
                 let components = body.connectivity.element(point.element);
-                let position = self.spread(body, weighted(&self.buffers.q, components, body.spec.dimension(), &point.values));
+                let position = self.spread(
+                    body,
+                    weighted(&self.buffers.q, components, body.spec.dimension(), &point.values),
+                );
                 let frames = &self.buffers.frames;
-                let position = frames[load.frame].direction_to_frame(frames[body.frame].direction_to_inertial(position));
+                let position =
+                    frames[load.frame].direction_to_frame(frames[body.frame].direction_to_inertial(position));
                 energy -= force[0] * position[0] + force[1] * position[1] + force[2] * position[2];
             }
         }
@@ -76,26 +80,34 @@ impl<P: Parts> MeshScene<P> {
         match what {
             PointQuantity::Position => frame.point_to_frame(q),
             PointQuantity::Slope => frame.direction_to_frame(q),
-            PointQuantity::Velocity => {
-                frame.rate_to_frame(subtract(q, frame.position), subtract(v, frame.velocity))
-            }
+            PointQuantity::Velocity => frame.rate_to_frame(subtract(q, frame.position), subtract(v, frame.velocity)),
         }
     }
 
     /// Value of something observed at the loaded state; forces must be evaluated for reactions.
     fn observe(&self, index: usize) -> f64 {
         match self.observed[index] {
-            ObservedSpec::Point { body, what, component, .. } => {
-                let Some(point) = &self.observed_points[index] else { return f64::NAN };
-                let body = &self.bodies[body];
-                let weights = if what == PointQuantity::Slope { &point.slopes } else { &point.values };
-                let components = body.connectivity.element(point.element);
-                let at = |full: &[f64]| {
-                    self.spread(body, weighted(full, components, body.spec.dimension(), weights))
+            ObservedSpec::Point {
+                body, what, component, ..
+            } => {
+                let Some(point) = &self.observed_points[index] else {
+                    return f64::NAN;
                 };
+                let body = &self.bodies[body];
+                let weights = if what == PointQuantity::Slope {
+                    &point.slopes
+                } else {
+                    &point.values
+                };
+                let components = body.connectivity.element(point.element);
+                let at = |full: &[f64]| self.spread(body, weighted(full, components, body.spec.dimension(), weights));
                 self.in_declared(body, what, [at(&self.buffers.q), at(&self.buffers.v)])[component]
             }
-            ObservedSpec::Reaction { joint, moment, component } => self.reaction(joint, moment)[component],
+            ObservedSpec::Reaction {
+                joint,
+                moment,
+                component,
+            } => self.reaction(joint, moment)[component],
         }
     }
 
@@ -113,7 +125,10 @@ impl<P: Parts> MeshScene<P> {
             self.spread(body, components)
         };
         let vector = if moment {
-            cross(of(condition.slope, &self.buffers.q), of(condition.slope, &self.buffers.force))
+            cross(
+                of(condition.slope, &self.buffers.q),
+                of(condition.slope, &self.buffers.force),
+            )
         } else {
             of(condition.position, &self.buffers.force)
         };
@@ -136,10 +151,17 @@ impl<P: Parts> MeshScene<P> {
             };
             let pair = [at(full[0]), at(full[1])];
             let (position, rate) = if order == 0 {
-                (PointQuantity::Position, self.in_declared(body, PointQuantity::Velocity, pair))
+                (
+                    PointQuantity::Position,
+                    self.in_declared(body, PointQuantity::Velocity, pair),
+                )
             } else {
                 let frame = &self.buffers.frames[body.spec.frame];
-                let rate = if body.frame == body.spec.frame { pair[1] } else { frame.rate_to_frame(pair[0], pair[1]) };
+                let rate = if body.frame == body.spec.frame {
+                    pair[1]
+                } else {
+                    frame.rate_to_frame(pair[0], pair[1])
+                };
                 (PointQuantity::Slope, rate)
             };
             let value = self.in_declared(body, position, pair);
@@ -154,8 +176,17 @@ impl<P: Parts> MeshScene<P> {
         for body in &self.bodies {
             for within in 0..body.spec.vectors() {
                 let place = within % body.spec.vectors_per_node;
-                let local = body.spec.connectivity.iter().position(|&other| other == place).unwrap_or(0);
-                each(body, body.spec.orders[local], self.layout.offset(body.first_vector + within));
+                let local = body
+                    .spec
+                    .connectivity
+                    .iter()
+                    .position(|&other| other == place)
+                    .unwrap_or(0);
+                each(
+                    body,
+                    body.spec.orders[local],
+                    self.layout.offset(body.first_vector + within),
+                );
             }
         }
     }
@@ -200,7 +231,9 @@ impl<P: Parts> Scene for MeshScene<P> {
     }
 
     fn outputs_need_acceleration(&self) -> bool {
-        self.observed.iter().any(|observed| matches!(observed, ObservedSpec::Reaction { .. }))
+        self.observed
+            .iter()
+            .any(|observed| matches!(observed, ObservedSpec::Reaction { .. }))
     }
 
     fn outputs(&mut self, state: &State, out: &mut [f64]) {
@@ -217,7 +250,12 @@ impl<P: Parts> Scene for MeshScene<P> {
         for body in &self.bodies {
             for within in 0..body.spec.vectors() {
                 let (node, place) = (within / body.spec.vectors_per_node, within % body.spec.vectors_per_node);
-                let local = body.spec.connectivity.iter().position(|&other| other == place).unwrap_or(0);
+                let local = body
+                    .spec
+                    .connectivity
+                    .iter()
+                    .position(|&other| other == place)
+                    .unwrap_or(0);
                 q.extend(undeformed(&body.spec, node, body.spec.orders[local]));
             }
         }
@@ -261,7 +299,9 @@ impl<P: Parts> Scene for MeshScene<P> {
             let (spin, rate) = (norm(frame.spin), norm(frame.spin_rate));
             let name = self.parts.frame_name(body.spec.frame);
             if rate > NEGLIGIBLE * spin.max(1.0) {
-                return Some(format!("frame `{name}` turns with the angular acceleration {rate:e} rad/s^2, not uniformly"));
+                return Some(format!(
+                    "frame `{name}` turns with the angular acceleration {rate:e} rad/s^2, not uniformly"
+                ));
             }
             for (index, load) in self.loads.iter().enumerate() {
                 if load.frame == body.spec.frame || spin == 0.0 {
@@ -286,8 +326,14 @@ impl<P: Parts> Scene for MeshScene<P> {
         for condition in &self.conditions {
             let joint = &self.joints[condition.joint];
             let body = &self.bodies[joint.body].spec;
-            if joint.frame != body.frame && norm(frames[body.frame].spin) > 0.0 && condition.slope_kind != VectorKind::Free {
-                return Some(format!("joint `{}` holds body `{}` in a frame that does not turn with it", joint.name, body.name));
+            if joint.frame != body.frame
+                && norm(frames[body.frame].spin) > 0.0
+                && condition.slope_kind != VectorKind::Free
+            {
+                return Some(format!(
+                    "joint `{}` holds body `{}` in a frame that does not turn with it",
+                    joint.name, body.name
+                ));
             }
             if joint.frame != body.frame {
                 let spin = frames[body.frame].spin;
@@ -296,7 +342,10 @@ impl<P: Parts> Scene for MeshScene<P> {
                     frames[body.frame].position,
                 ));
                 if norm(cross(spin, at)) > NEGLIGIBLE * norm(spin) * norm(at).max(1e-300) {
-                    return Some(format!("joint `{}` holds body `{}` at a point off its axis of rotation", joint.name, body.name));
+                    return Some(format!(
+                        "joint `{}` holds body `{}` at a point off its axis of rotation",
+                        joint.name, body.name
+                    ));
                 }
             }
         }
@@ -306,6 +355,9 @@ impl<P: Parts> Scene for MeshScene<P> {
     fn spin(&self, t: f64) -> f64 {
         let mut frames = vec![FrameMotion::INERTIAL; self.parts.frame_count()];
         self.parts.frames(t, &mut frames);
-        self.bodies.iter().map(|body| norm(frames[body.spec.frame].spin)).fold(0.0, f64::max)
+        self.bodies
+            .iter()
+            .map(|body| norm(frames[body.spec.frame].spin))
+            .fold(0.0, f64::max)
     }
 }

@@ -11,18 +11,41 @@ use crate::model::{Model, Space};
 /// The struct, its defaults and what it says of itself.
 pub fn declaration(model: &Model, equations: &Equations) -> String {
     let name = &model.name;
-    let mut text = documentation(std::iter::once(if model.doc.is_empty() { name } else { &model.doc }.as_str()));
-    let _ = writeln!(text, "#[derive(Clone, Debug, PartialEq)]\n#[allow(non_snake_case)]\n{}struct {name} {{", visibility(model));
+    let mut text = documentation(std::iter::once(
+        if model.doc.is_empty() { name } else { &model.doc }.as_str(),
+    ));
+    let _ = writeln!(
+        text,
+        "#[derive(Clone, Debug, PartialEq)]\n#[allow(non_snake_case)]\n{}struct {name} {{",
+        visibility(model)
+    );
     for param in &model.params {
         let kind = if param.is_count { "usize" } else { "f64" };
-        let unit = if param.is_count { "count".to_string() } else { format!("SI; declared in {}", param.unit) };
-        let doc = if param.doc.is_empty() { format!("`{}`, {unit}.", param.name) } else { format!("{} ({unit})", param.doc) };
-        let _ = writeln!(text, "{}pub {}: {kind},", documentation(std::iter::once(doc.as_str())), param.name);
+        let unit = if param.is_count {
+            "count".to_string()
+        } else {
+            format!("SI; declared in {}", param.unit)
+        };
+        let doc = if param.doc.is_empty() {
+            format!("`{}`, {unit}.", param.name)
+        } else {
+            format!("{} ({unit})", param.doc)
+        };
+        let _ = writeln!(
+            text,
+            "{}pub {}: {kind},",
+            documentation(std::iter::once(doc.as_str())),
+            param.name
+        );
     }
     text += "}\n";
     let _ = writeln!(text, "impl Default for {name} {{\nfn default() -> Self {{\nSelf {{");
     for param in &model.params {
-        let value = if param.is_count { format!("{}", param.default as usize) } else { number(param.default) };
+        let value = if param.is_count {
+            format!("{}", param.default as usize)
+        } else {
+            number(param.default)
+        };
         let _ = writeln!(text, "{}: {value},", param.name);
     }
     text += "}\n}\n}\n";
@@ -60,7 +83,11 @@ fn implementation(model: &Model, equations: &Equations) -> String {
     for output in &model.outputs {
         let scalar = output.components.len() == 1 && output.components[0].0.is_empty();
         let components: Vec<&String> = output.components.iter().map(|(suffix, _)| suffix).collect();
-        let components = if scalar { "[]".to_string() } else { format!("{components:?}") };
+        let components = if scalar {
+            "[]".to_string()
+        } else {
+            format!("{components:?}")
+        };
         let _ = writeln!(
             text,
             "::rncf::Output {{ name: {:?}, unit: {:?}, components: &{components}, doc: {:?} }},",
@@ -69,7 +96,12 @@ fn implementation(model: &Model, equations: &Equations) -> String {
     }
     text += "]\n}\n";
     let arms = |template: &dyn Fn(usize, &crate::model::Param) -> String| -> String {
-        model.params.iter().enumerate().map(|(index, param)| template(index, param)).collect()
+        model
+            .params
+            .iter()
+            .enumerate()
+            .map(|(index, param)| template(index, param))
+            .collect()
     };
     let get = arms(&|index, param| {
         let cast = if param.is_count { " as f64" } else { "" };
@@ -107,9 +139,15 @@ fn notes(model: &Model, equations: &Equations) -> Vec<String> {
     let mut notes = Vec::new();
     for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
         let variant = &equations.variants[variant];
-        notes.push(format!("Body `{}` uses `{}`. {}", body.name, variant.name, variant.elastic.choice));
+        notes.push(format!(
+            "Body `{}` uses `{}`. {}",
+            body.name, variant.name, variant.elastic.choice
+        ));
         if let Space::Planar { .. } = body.space {
-            notes.push(format!("Body `{}` is planar: two components a vector, no motion along the normal.", body.name));
+            notes.push(format!(
+                "Body `{}` is planar: two components a vector, no motion along the normal.",
+                body.name
+            ));
         }
         if body.frame != crate::model::INERTIAL {
             notes.push(format!(

@@ -56,10 +56,13 @@ impl Equations {
         let mut variant_of = Vec::new();
         for body in &model.bodies {
             let variant = Variant::of(body, library);
-            let index = variants.iter().position(|other| other.variant == variant).unwrap_or_else(|| {
-                variants.push(variant_kernels(variant, library));
-                variants.len() - 1
-            });
+            let index = variants
+                .iter()
+                .position(|other| other.variant == variant)
+                .unwrap_or_else(|| {
+                    variants.push(variant_kernels(variant, library));
+                    variants.len() - 1
+                });
             variant_of.push(index);
         }
         let mut moments: Vec<(usize, [Kernel; 2])> = Vec::new();
@@ -73,11 +76,16 @@ impl Equations {
         }
         let joints = model.joints.iter().map(|joint| {
             let moving = model.bodies[joint.body.0].frame != INERTIAL;
-            (moving.then(|| joint_kernels(model, joint, false)), joint_kernels(model, joint, true))
+            (
+                moving.then(|| joint_kernels(model, joint, false)),
+                joint_kernels(model, joint, true),
+            )
         });
         Self {
             variant_of,
-            frames: (1..model.frames.len()).map(|frame| motions::frame_kernel(model, FrameId(frame))).collect(),
+            frames: (1..model.frames.len())
+                .map(|frame| motions::frame_kernel(model, FrameId(frame)))
+                .collect(),
             joints: joints.collect(),
             loads: model.loads.iter().map(|load| loads::load_kernel(model, load)).collect(),
             moments,
@@ -94,16 +102,24 @@ impl Equations {
         let mut text = String::new();
         let mut add = |kernel: &Kernel| text += &function(kernel);
         for variant in &self.variants {
-            for kernel in [&variant.elastic.force, &variant.elastic.tangent, &variant.elastic.energy] {
+            for kernel in [
+                &variant.elastic.force,
+                &variant.elastic.tangent,
+                &variant.elastic.energy,
+            ] {
                 add(kernel);
             }
             if let Some((kernel, _)) = &variant.elastic.reference {
                 add(kernel);
             }
             let inertia = &variant.inertia;
-            for kernel in
-                [&inertia.mass, &inertia.referenced, &inertia.referenced_tangent, &inertia.absolute, &variant.shapes]
-            {
+            for kernel in [
+                &inertia.mass,
+                &inertia.referenced,
+                &inertia.referenced_tangent,
+                &inertia.absolute,
+                &variant.shapes,
+            ] {
                 add(kernel);
             }
         }
@@ -143,14 +159,22 @@ fn variant_kernels(variant: Variant, library: &Library) -> VariantKernels {
 /// The struct with the constants of an element.
 fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Library) -> String {
     let element = variant.declaration(library);
-    let names = element.vectors.iter().map(|vector| vector.name).collect::<Vec<_>>().join(", ");
+    let names = element
+        .vectors
+        .iter()
+        .map(|vector| vector.name)
+        .collect::<Vec<_>>()
+        .join(", ");
     let mut doc = vec![
         format!("Constants of one element `{name}`. {}.", element.doc),
         format!("Nodal vectors: {names}, {} components each.", variant.dimension),
         elastic.choice.clone(),
     ];
     if elastic.form != Form::Tensor && variant.quadrature == crate::model::Quadrature::Exact {
-        doc.push(format!("The energy is integrated with {} Gauss points.", element.default_points));
+        doc.push(format!(
+            "The energy is integrated with {} Gauss points.",
+            element.default_points
+        ));
     }
     let mut text = documentation(doc.iter().map(String::as_str));
     text += &format!(
@@ -167,7 +191,11 @@ fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Librar
 /// Energy is conserved where no frame that matters moves, no load varies and nothing damps. Moments
 /// have no potential in general.
 fn conservative(model: &Model, variants: &[VariantKernels]) -> bool {
-    let frames = model.bodies.iter().map(|body| body.frame).chain(model.joints.iter().map(|joint| joint.frame));
+    let frames = model
+        .bodies
+        .iter()
+        .map(|body| body.frame)
+        .chain(model.joints.iter().map(|joint| joint.frame));
     let mut frames = frames.chain(model.loads.iter().filter_map(|load| match load.kind {
         LoadKind::Force { frame, .. } => Some(frame),
         _ => None,

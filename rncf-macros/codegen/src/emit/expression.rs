@@ -50,7 +50,12 @@ impl<'g> Writer<'g> {
         for root in roots {
             *uses.entry(root).or_default() += 1;
         }
-        Self { graph, uses, texts: HashMap::new(), taken }
+        Self {
+            graph,
+            uses,
+            texts: HashMap::new(),
+            taken,
+        }
     }
 
     /// Takes a name so that no variable gets it.
@@ -70,7 +75,14 @@ impl<'g> Writer<'g> {
             if !is_atom && (shared || named || long || (bind.contains(&id) && text.operations > 0)) {
                 let name = self.fresh(id);
                 out.push(format!("let {name} = {};", text.text));
-                self.texts.insert(id, Text { text: name, binding: Binding::Atom, operations: 0 });
+                self.texts.insert(
+                    id,
+                    Text {
+                        text: name,
+                        binding: Binding::Atom,
+                        operations: 0,
+                    },
+                );
             } else {
                 self.texts.insert(id, text);
             }
@@ -98,27 +110,51 @@ impl<'g> Writer<'g> {
 
     fn operand(&self, id: Id, least: Binding) -> (String, usize) {
         let part = &self.texts[&id];
-        let text = if part.binding < least { format!("({})", part.text) } else { part.text.clone() };
+        let text = if part.binding < least {
+            format!("({})", part.text)
+        } else {
+            part.text.clone()
+        };
         (text, part.operations)
     }
 
     fn infix(&self, a: Id, operator: &str, b: Id, binding: Binding) -> Text {
         // The left operand may bind as loosely, the right one must bind more tightly: the text then
         // means the same order of rounding as the graph.
-        let right_least = if binding == Binding::Sum { Binding::Product } else { Binding::Sign };
+        let right_least = if binding == Binding::Sum {
+            Binding::Product
+        } else {
+            Binding::Sign
+        };
         let (left, m) = self.operand(a, binding);
         let (right, n) = self.operand(b, right_least);
-        let right = if right.starts_with('-') { format!("({right})") } else { right };
-        Text { text: format!("{left} {operator} {right}"), binding, operations: m + n + 1 }
+        let right = if right.starts_with('-') {
+            format!("({right})")
+        } else {
+            right
+        };
+        Text {
+            text: format!("{left} {operator} {right}"),
+            binding,
+            operations: m + n + 1,
+        }
     }
 
     fn build(&self, id: Id) -> Text {
-        let atom = |text: String| Text { text, binding: Binding::Atom, operations: 0 };
+        let atom = |text: String| Text {
+            text,
+            binding: Binding::Atom,
+            operations: 0,
+        };
         match self.graph.node(id) {
             Node::Number(bits) => {
                 let value = f64::from_bits(bits);
                 let binding = if value < 0.0 { Binding::Sign } else { Binding::Atom };
-                Text { text: number(value), binding, operations: 0 }
+                Text {
+                    text: number(value),
+                    binding,
+                    operations: 0,
+                }
             }
             Node::Symbol(_) => atom(self.graph.symbol_text(id).to_string()),
             Node::Add(a, b) => self.infix(a, "+", b, Binding::Sum),
@@ -127,20 +163,36 @@ impl<'g> Writer<'g> {
             Node::Divide(a, b) => self.infix(a, "/", b, Binding::Product),
             Node::Negate(a) => {
                 let (text, operations) = self.operand(a, Binding::Product);
-                Text { text: format!("-{text}"), binding: Binding::Sign, operations }
+                Text {
+                    text: format!("-{text}"),
+                    binding: Binding::Sign,
+                    operations,
+                }
             }
             Node::Power(a, n) => {
                 let (base, operations) = self.operand(a, Binding::Atom);
                 let repeatable = operations == 0 && !base.contains('(') && n <= 3;
                 if repeatable {
                     let text = vec![base; n as usize].join(" * ");
-                    return Text { text, binding: Binding::Product, operations: n as usize - 1 };
+                    return Text {
+                        text,
+                        binding: Binding::Product,
+                        operations: n as usize - 1,
+                    };
                 }
-                Text { text: format!("{base}.powi({n})"), binding: Binding::Atom, operations: operations + 1 }
+                Text {
+                    text: format!("{base}.powi({n})"),
+                    binding: Binding::Atom,
+                    operations: operations + 1,
+                }
             }
             Node::Call(function, a) => {
                 let (argument, operations) = self.operand(a, Binding::Atom);
-                let argument = if self.graph.value(a).is_some() { format!("({argument}_f64)") } else { argument };
+                let argument = if self.graph.value(a).is_some() {
+                    format!("({argument}_f64)")
+                } else {
+                    argument
+                };
                 Text {
                     text: format!("{argument}.{}()", method(function)),
                     binding: Binding::Atom,
@@ -149,10 +201,18 @@ impl<'g> Writer<'g> {
             }
             Node::Call2(function, a, b) => {
                 let (left, m) = self.operand(a, Binding::Atom);
-                let left = if self.graph.value(a).is_some() { format!("({left}_f64)") } else { left };
+                let left = if self.graph.value(a).is_some() {
+                    format!("({left}_f64)")
+                } else {
+                    left
+                };
                 let (right, n) = self.operand(b, Binding::Sum);
                 let text = format!("{left}.{}({right})", method(function));
-                Text { text, binding: Binding::Atom, operations: m + n + 1 }
+                Text {
+                    text,
+                    binding: Binding::Atom,
+                    operations: m + n + 1,
+                }
             }
             Node::Select(comparison, operands) => {
                 let parts = operands.map(|operand| self.operand(operand, Binding::Sum));
@@ -161,7 +221,11 @@ impl<'g> Writer<'g> {
                     "if {left} {} {right} {{ {then} }} else {{ {otherwise} }}",
                     operator(comparison)
                 );
-                Text { text: format!("({text})"), binding: Binding::Atom, operations: a + b + c + d + 1 }
+                Text {
+                    text: format!("({text})"),
+                    binding: Binding::Atom,
+                    operations: a + b + c + d + 1,
+                }
             }
         }
     }

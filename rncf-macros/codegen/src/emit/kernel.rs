@@ -22,8 +22,9 @@ pub fn function(kernel: &Kernel) -> String {
 
 /// Paragraphs as documentation lines.
 pub fn documentation<'a>(paragraphs: impl Iterator<Item = &'a str>) -> String {
-    let blocks: Vec<String> =
-        paragraphs.map(|paragraph| paragraph.lines().map(|line| format!("/// {line}\n")).collect()).collect();
+    let blocks: Vec<String> = paragraphs
+        .map(|paragraph| paragraph.lines().map(|line| format!("/// {line}\n")).collect())
+        .collect();
     blocks.join("///\n")
 }
 
@@ -32,14 +33,34 @@ fn body(kernel: &Kernel) -> Vec<String> {
     let graph = &kernel.graph;
     let schedule = kernel.schedule();
     let at = |stage: Stage| -> Vec<Id> {
-        schedule.iter().filter(|&&(_, place)| place == stage).map(|&(id, _)| id).collect()
+        schedule
+            .iter()
+            .filter(|&&(_, place)| place == stage)
+            .map(|&(id, _)| id)
+            .collect()
     };
     let (before, inside, after) = (at(Stage::Before), at(Stage::Inside), at(Stage::After));
     let all: Vec<Id> = schedule.iter().map(|&(id, _)| id).collect();
-    let summands = kernel.points.iter().flat_map(|points| points.sums.iter().map(|&(_, summand)| summand));
+    let summands = kernel
+        .points
+        .iter()
+        .flat_map(|points| points.sums.iter().map(|&(_, summand)| summand));
     let roots = kernel.outputs.iter().map(|&(_, id)| id).chain(summands);
     let mut writer = Writer::new(graph, &all, roots);
-    for word in ["q", "v", "a", "row", "frame", "force", "stiffness", "damping_matrix", "energy", "reference", "table", "point"] {
+    for word in [
+        "q",
+        "v",
+        "a",
+        "row",
+        "frame",
+        "force",
+        "stiffness",
+        "damping_matrix",
+        "energy",
+        "reference",
+        "table",
+        "point",
+    ] {
         writer.reserve(word);
     }
     let mut out = kernel.bindings.clone();

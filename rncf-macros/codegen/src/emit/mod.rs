@@ -30,7 +30,11 @@ pub fn model(model: &Model, library: &Library) -> String {
 }
 
 fn visibility(model: &Model) -> String {
-    if model.visibility.is_empty() { String::new() } else { format!("{} ", model.visibility) }
+    if model.visibility.is_empty() {
+        String::new()
+    } else {
+        format!("{} ", model.visibility)
+    }
 }
 
 /// Module of the equations: `SpinUp` to `spin_up_equations`.

@@ -17,7 +17,9 @@ mod tests {
         assert_eq!(number(1.0), "1.0");
         let mut bits = 0x3ff0_0000_0000_0001u64;
         for _ in 0..20_000 {
-            bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            bits = bits
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             let value = f64::from_bits(bits);
             if value.is_finite() {
                 let text = number(value);

@@ -8,9 +8,7 @@ use crate::elements::Library;
 use crate::lower::camel_case;
 use crate::lower::joints::LEVELS;
 use crate::lower::motions::Time;
-use crate::model::{
-    Body, Expr, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity, Space,
-};
+use crate::model::{Body, Expr, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity, Space};
 use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
 
 /// The struct with the constants of all bodies and its implementation.
@@ -24,7 +22,11 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
             let _ = writeln!(text, "pub reference_{}: ::std::vec::Vec<[f64; {count}]>,", body.name);
         }
     }
-    let _ = writeln!(text, "}}\nimpl Equations {{\n/// Constants for the given parameters; filled in when the bodies are meshed.\npub fn new(model: &super::{}) -> Self {{\nSelf {{ model: model.clone(),", model.name);
+    let _ = writeln!(
+        text,
+        "}}\nimpl Equations {{\n/// Constants for the given parameters; filled in when the bodies are meshed.\npub fn new(model: &super::{}) -> Self {{\nSelf {{ model: model.clone(),",
+        model.name
+    );
     for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
         let _ = writeln!(text, "row_{}: Default::default(),", body.name);
         if equations.variants[variant].elastic.reference.is_some() {
@@ -32,7 +34,11 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
         }
     }
     text += "}\n}\n}\nimpl ::rncf::mesh::Parts for Equations {\n";
-    let writer = Parts { model, library, equations };
+    let writer = Parts {
+        model,
+        library,
+        equations,
+    };
     text += &writer.bodies();
     text += &writer.joints();
     text += &writer.loads();
@@ -61,7 +67,10 @@ impl Parts<'_> {
     }
 
     fn vector(&self, exprs: &[Expr; 3]) -> String {
-        format!("[{}]", exprs.iter().map(|expr| self.expr(expr)).collect::<Vec<_>>().join(", "))
+        format!(
+            "[{}]",
+            exprs.iter().map(|expr| self.expr(expr)).collect::<Vec<_>>().join(", ")
+        )
     }
 
     fn place(&self, location: &Location) -> String {
@@ -75,9 +84,18 @@ impl Parts<'_> {
     fn line(&self, body: &Body) -> String {
         match &body.line {
             Line::Straight { from, to } => {
-                format!("::rncf::mesh::Line::Straight {{ from: {}, to: {} }}", self.vector(from), self.vector(to))
+                format!(
+                    "::rncf::mesh::Line::Straight {{ from: {}, to: {} }}",
+                    self.vector(from),
+                    self.vector(to)
+                )
             }
-            Line::Arc { from, direction, radius, angle } => {
+            Line::Arc {
+                from,
+                direction,
+                radius,
+                angle,
+            } => {
                 let normal = match body.space {
                     Space::Planar { normal } => normal,
                     Space::Spatial => 2,
@@ -95,7 +113,7 @@ impl Parts<'_> {
     }
 
     fn bodies(&self) -> String {
-        let mut text = "fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {\nlet model = &self.model;\n::std::vec![\n".to_string();
+        let mut text = "fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
         for (body, &variant) in self.model.bodies.iter().zip(&self.equations.variant_of) {
             let variant = &self.equations.variants[variant].variant;
             let (connectivity, vectors_per_node) = variant.connectivity(self.library);
@@ -116,11 +134,11 @@ impl Parts<'_> {
                 self.line(body),
             );
         }
-        text + "]\n}\n"
+        text + "])\n}\n"
     }
 
     fn joints(&self) -> String {
-        let mut text = "fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {\nlet model = &self.model;\n::std::vec![\n".to_string();
+        let mut text = "fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
         for joint in &self.model.joints {
             let kind = match joint.kind {
                 JointKind::Clamp => "Clamp",
@@ -140,20 +158,21 @@ impl Parts<'_> {
                 joint.frame.0
             );
         }
-        text + "]\n}\n"
+        text + "])\n}\n"
     }
 
     fn loads(&self) -> String {
-        let mut text = "fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {\nlet model = &self.model;\n::std::vec![\n".to_string();
+        let mut text = "fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
         for load in &self.model.loads {
             let (kind, frame) = match &load.kind {
                 LoadKind::Gravity(_) => ("Gravity".to_string(), 0),
                 LoadKind::Force { body, at, frame, .. } => {
                     (format!("Force {{ body: {}, at: {} }}", body.0, self.place(at)), frame.0)
                 }
-                LoadKind::Moment { body, at, frame, .. } => {
-                    (format!("Moment {{ body: {}, at: {} }}", body.0, self.place(at)), frame.0)
-                }
+                LoadKind::Moment { body, at, frame, .. } => (
+                    format!("Moment {{ body: {}, at: {} }}", body.0, self.place(at)),
+                    frame.0,
+                ),
             };
             let _ = writeln!(
                 text,
@@ -161,14 +180,19 @@ impl Parts<'_> {
                 load.name
             );
         }
-        text + "]\n}\n"
+        text + "])\n}\n"
     }
 
     fn observed(&self) -> String {
-        let mut text = "fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {\nlet model = &self.model;\n::std::vec![\n".to_string();
+        let mut text = "fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
         for observable in &self.equations.outputs.1 {
             let spec = match observable {
-                Observable::Point { body, at, what, component } => {
+                Observable::Point {
+                    body,
+                    at,
+                    what,
+                    component,
+                } => {
                     let what = match what {
                         PointQuantity::Position => "Position",
                         PointQuantity::Velocity => "Velocity",
@@ -180,13 +204,20 @@ impl Parts<'_> {
                         self.place(at)
                     )
                 }
-                Observable::Reaction { joint, moment, component } => {
-                    format!("Reaction {{ joint: {}, moment: {moment}, component: {component} }}", joint.0)
+                Observable::Reaction {
+                    joint,
+                    moment,
+                    component,
+                } => {
+                    format!(
+                        "Reaction {{ joint: {}, moment: {moment}, component: {component} }}",
+                        joint.0
+                    )
                 }
             };
             let _ = writeln!(text, "::rncf::mesh::ObservedSpec::{spec},");
         }
-        text + "]\n}\n"
+        text + "])\n}\n"
     }
 
     fn facts(&self) -> String {
@@ -206,9 +237,16 @@ impl Parts<'_> {
 
     /// One arm for each body; the last one takes the rest.
     fn by_body(&self, arm: impl Fn(usize, &Body) -> String) -> String {
+        if let [body] = &self.model.bodies[..] {
+            return arm(0, body) + "\n";
+        }
         let last = self.model.bodies.len() - 1;
         let arms = self.model.bodies.iter().enumerate().map(|(index, body)| {
-            let pattern = if index == last { "_".to_string() } else { index.to_string() };
+            let pattern = if index == last {
+                "_".to_string()
+            } else {
+                index.to_string()
+            };
             format!("{pattern} => {{\n{}\n}}\n", arm(index, body))
         });
         format!("match body {{\n{}}}\n", arms.collect::<String>())
@@ -276,7 +314,11 @@ impl Parts<'_> {
             None => String::new(),
         };
         let mass = self.by_body(|index, body| {
-            format!("{}_mass(&self.row_{}, ::rncf::mesh::array_mut(mass));", self.variant(index).name, body.name)
+            format!(
+                "{}_mass(&self.row_{}, ::rncf::mesh::array_mut(mass));",
+                self.variant(index).name,
+                body.name
+            )
         });
         let force = self.by_body(|index, body| {
             let (name, row, reference) = (&self.variant(index).name, &body.name, reference(index, body));
@@ -308,7 +350,10 @@ impl Parts<'_> {
         });
         let energy = self.by_body(|index, body| {
             let (name, reference) = (&self.variant(index).name, reference(index, body));
-            format!("{name}_strain_energy(&self.row_{}, {reference}::rncf::mesh::array(q), &mut energy);", body.name)
+            format!(
+                "{name}_strain_energy(&self.row_{}, {reference}::rncf::mesh::array(q), &mut energy);",
+                body.name
+            )
         });
         let shapes = self.by_body(|index, body| {
             format!(
@@ -333,7 +378,9 @@ impl Parts<'_> {
                 .equations
                 .moments
                 .iter()
-                .map(|(dimension, kernels)| format!("{dimension} => {}(slope, moment, {argument}),\n", kernels[which].name))
+                .map(|(dimension, kernels)| {
+                    format!("{dimension} => {}(slope, moment, {argument}),\n", kernels[which].name)
+                })
                 .collect();
             let _ = writeln!(
                 text,
@@ -358,12 +405,17 @@ impl Parts<'_> {
     fn conditions(&self) -> String {
         let condition = self.by_joint(|kernels| {
             let levels = kernels.levels.iter().zip(LEVELS).map(|(kernel, level)| {
-                format!("::rncf::system::ConstraintLevel::{} => {}(&self.model, t, data, q, v, a, rows),\n", camel_case(level), kernel.name)
+                format!(
+                    "::rncf::system::ConstraintLevel::{} => {}(&self.model, t, data, q, v, a, rows),\n",
+                    camel_case(level),
+                    kernel.name
+                )
             });
             format!("match level {{\n{}}}", levels.collect::<String>())
         });
         let jacobian = self.by_joint(|kernels| format!("{}(&self.model, t, data, jacobian);", kernels.jacobian.name));
-        let prescribed = self.by_joint(|kernels| format!("{}(&self.model, t, data, prescribed);", kernels.prescribed.name));
+        let prescribed =
+            self.by_joint(|kernels| format!("{}(&self.model, t, data, prescribed);", kernels.prescribed.name));
         format!(
             "fn condition(&self, joint: usize, absolute: bool, level: ::rncf::system::ConstraintLevel, t: f64, data: &::rncf::mesh::JointData, q: &[f64], v: &[f64], a: &[f64], rows: &mut [f64]) {{\n{condition}}}\n\
              fn condition_jacobian(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::mesh::JointData, jacobian: &mut [f64]) {{\n{jacobian}}}\n\
@@ -379,5 +431,8 @@ fn check(property: &Property, kind: &str, owner: &str, value: &str) -> String {
         Range::NonNegative => "non_negative",
         Range::Poisson => "poisson",
     };
-    format!("::rncf::mesh::{function}(\"{kind} `{owner}`\", \"{}\", {value}, \"{}\")?", property.name, property.unit)
+    format!(
+        "::rncf::mesh::{function}(\"{kind} `{owner}`\", \"{}\", {value}, \"{}\")?",
+        property.name, property.unit
+    )
 }

@@ -49,7 +49,12 @@ pub fn elastic_kernels(variant: &Variant, library: &Library) -> ElasticKernels {
     let counts: Vec<String> = candidates
         .iter()
         .map(|(form, force, tangent)| {
-            format!("{}: {} and {}", form_name(*form), operations(force.cost()), operations(tangent.cost()))
+            format!(
+                "{}: {} and {}",
+                form_name(*form),
+                operations(force.cost()),
+                operations(tangent.cost())
+            )
         })
         .collect();
     let best = (0..candidates.len())
@@ -58,7 +63,11 @@ pub fn elastic_kernels(variant: &Variant, library: &Library) -> ElasticKernels {
             let unwanted = wanted.is_some_and(|wanted| wanted != *form);
             let too_long = *form != Form::Loop && tangent.size() > UNROLL_LIMIT;
             let cost = (force.cost() + tangent.cost()).weighted();
-            let cost = if *form == Form::Loop { cost * LOOP_PENALTY.0 / LOOP_PENALTY.1 } else { cost };
+            let cost = if *form == Form::Loop {
+                cost * LOOP_PENALTY.0 / LOOP_PENALTY.1
+            } else {
+                cost
+            };
             (unwanted, too_long, cost)
         })
         .unwrap_or(0);
@@ -80,7 +89,14 @@ pub fn elastic_kernels(variant: &Variant, library: &Library) -> ElasticKernels {
         .map(|kernel| (kernel.outputs.len(), kernel))
         .map(|(count, kernel)| (kernel, count));
     let energy = kernel(variant, library, form, Quantity::Energy).expect("a form that has a force has an energy");
-    ElasticKernels { form, force, tangent, energy, reference, choice }
+    ElasticKernels {
+        form,
+        force,
+        tangent,
+        energy,
+        reference,
+        choice,
+    }
 }
 
 fn form_name(form: Form) -> &'static str {

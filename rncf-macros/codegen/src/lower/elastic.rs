@@ -49,7 +49,11 @@ pub fn points(element: &Element, quadrature: Quadrature) -> usize {
 /// energy that is not quadratic).
 pub fn kernel(variant: &Variant, library: &Library, form: Form, quantity: Quantity) -> Option<Kernel> {
     // Reference values are computed once, so that nothing is gained by a loop.
-    let form = if (form, quantity) == (Form::Loop, Quantity::Reference) { Form::Points } else { form };
+    let form = if (form, quantity) == (Form::Loop, Quantity::Reference) {
+        Form::Points
+    } else {
+        form
+    };
     let mut builder = Builder::new(variant, library, form, quantity);
     match form {
         Form::Tensor => builder.tensor()?,
@@ -98,7 +102,11 @@ impl<'a> Builder<'a> {
         let inverse_length = graph.divide(one, length);
         graph.name(inverse_length, "inverse_length");
         let damping = graph.symbol("damping");
-        let coefficients = element.coefficients.iter().map(|c| (c.name, graph.symbol(c.name))).collect();
+        let coefficients = element
+            .coefficients
+            .iter()
+            .map(|c| (c.name, graph.symbol(c.name)))
+            .collect();
         let mut builder = Self {
             variant,
             library,
@@ -129,8 +137,10 @@ impl<'a> Builder<'a> {
     /// Relative vectors from nodal ones: differences of positions over the length, slopes.
     fn relative_vectors(&mut self, prefix: &str) -> Vec<Vector> {
         let names = self.variant.component_names(self.library, prefix);
-        let nodal: Vec<Vector> =
-            names.iter().map(|list| list.iter().map(|name| self.graph.symbol(name.clone())).collect()).collect();
+        let nodal: Vec<Vector> = names
+            .iter()
+            .map(|list| list.iter().map(|name| self.graph.symbol(name.clone())).collect())
+            .collect();
         let base = base_vector(self.element);
         let mut relative = Vec::new();
         for (index, vector) in self.element.vectors.iter().enumerate() {
@@ -154,8 +164,21 @@ impl<'a> Builder<'a> {
     /// Names of the relative vectors for documentation and variables.
     fn relative_names(&self) -> Vec<String> {
         let base = base_vector(self.element);
-        let vectors = self.element.vectors.iter().enumerate().filter(|&(index, _)| index != base);
-        vectors.map(|(_, vector)| if vector.order == 0 { "d".to_string() } else { vector.name.to_string() }).collect()
+        let vectors = self
+            .element
+            .vectors
+            .iter()
+            .enumerate()
+            .filter(|&(index, _)| index != base);
+        vectors
+            .map(|(_, vector)| {
+                if vector.order == 0 {
+                    "d".to_string()
+                } else {
+                    vector.name.to_string()
+                }
+            })
+            .collect()
     }
 
     fn length_power(&mut self, power: i32) -> Id {
@@ -181,7 +204,11 @@ impl<'a> Builder<'a> {
         let all = invariants(self.vectors.len(), variant.dimension);
         let names = self.relative_names();
         let used: Vec<usize> = (0..all.len())
-            .filter(|&a| terms.iter().any(|term| term.tensor[a].iter().any(|&value| value != 0.0)))
+            .filter(|&a| {
+                terms
+                    .iter()
+                    .any(|term| term.tensor[a].iter().any(|&value| value != 0.0))
+            })
             .collect();
         let count = used.len();
         let zero = self.graph.zero();
@@ -189,7 +216,11 @@ impl<'a> Builder<'a> {
             invariants: used.iter().map(|&a| all[a]).collect(),
             stress: vec![zero; count],
             stiffness: vec![vec![zero; count]; count],
-            viscosity: if self.rates.is_empty() { Vec::new() } else { vec![vec![zero; count]; count] },
+            viscosity: if self.rates.is_empty() {
+                Vec::new()
+            } else {
+                vec![vec![zero; count]; count]
+            },
             energy: zero,
         };
         let vectors = self.vectors.clone();
@@ -203,9 +234,13 @@ impl<'a> Builder<'a> {
                 self.references.push(value);
                 continue;
             }
-            let reference =
-                if variant.curved { self.reference_symbol(place) } else { self.graph.number(all[a].straight()) };
+            let reference = if variant.curved {
+                self.reference_symbol(place)
+            } else {
+                self.graph.number(all[a].straight())
+            };
             let change = self.graph.subtract(value, reference);
+            self.graph.name(change, format!("strain_{}", all[a].name(&names)));
             plain.push(value);
             changes.push(change);
             damped.push(if self.rates.is_empty() {
@@ -224,7 +259,11 @@ impl<'a> Builder<'a> {
             let coefficient = self.coefficients[term.coefficient];
             let power = self.length_power(term.power);
             let scale = self.graph.multiply(coefficient, power);
-            let (inputs, strains) = if term.is_measure { (&damped, &changes) } else { (&plain, &plain) };
+            let (inputs, strains) = if term.is_measure {
+                (&damped, &changes)
+            } else {
+                (&plain, &plain)
+            };
             for (row, &a) in used.iter().enumerate() {
                 let numbers: Vec<Id> = used.iter().map(|&b| self.graph.number(term.tensor[a][b])).collect();
                 let unscaled = self.graph.dot(&numbers, inputs);
@@ -247,7 +286,8 @@ impl<'a> Builder<'a> {
             }
         }
         for (row, &a) in used.iter().enumerate() {
-            self.graph.name(state.stress[row], format!("stress_{}", all[a].name(&names)));
+            self.graph
+                .name(state.stress[row], format!("stress_{}", all[a].name(&names)));
         }
         self.energy = state.energy;
         let rates = self.rates.clone();
@@ -274,7 +314,11 @@ impl<'a> Builder<'a> {
         let row = |rule: &Rule, point: usize| {
             let mut row = vec![rule.weights[point]];
             for field in self.element.fields {
-                row.extend(shapes.iter().map(|(_, shape)| shape.derivative(field.order).at(rule.points[point])));
+                row.extend(
+                    shapes
+                        .iter()
+                        .map(|(_, shape)| shape.derivative(field.order).at(rule.points[point])),
+                );
             }
             row
         };
@@ -288,7 +332,9 @@ impl<'a> Builder<'a> {
             }
             return;
         }
-        let row: Vec<Id> = (0..table[0].len()).map(|k| self.graph.symbol(format!("table[{k}]"))).collect();
+        let row: Vec<Id> = (0..table[0].len())
+            .map(|k| self.graph.symbol(format!("table[{k}]")))
+            .collect();
         let partial = self.point(&row, 0);
         let mut varying = row;
         if self.quantity != Quantity::Reference {
@@ -299,7 +345,13 @@ impl<'a> Builder<'a> {
         for field in self.element.fields {
             columns.extend(names.iter().map(|name| format!("{}[{name}]", field.name)));
         }
-        self.points = Some(PointLoop { count: table.len(), columns, table, varying, sums: Vec::new() });
+        self.points = Some(PointLoop {
+            count: table.len(),
+            columns,
+            table,
+            varying,
+            sums: Vec::new(),
+        });
         self.add_point(partial);
     }
 
@@ -332,7 +384,11 @@ impl<'a> Builder<'a> {
         let shape = |field: usize, vector: usize| row[1 + field * count + vector];
         let (vectors, rates) = (self.vectors.clone(), self.rates.clone());
         let fields = self.fields(&vectors, &shape, "");
-        let field_rates = if rates.is_empty() { Vec::new() } else { self.fields(&rates, &shape, "v_") };
+        let field_rates = if rates.is_empty() {
+            Vec::new()
+        } else {
+            self.fields(&rates, &shape, "v_")
+        };
         let state = self.field_state(&fields, &field_rates, point, weight);
         let response = Response {
             invariants: &state.invariants,
@@ -342,8 +398,12 @@ impl<'a> Builder<'a> {
             vectors: &fields,
             rates: &field_rates,
         };
-        let mut contribution =
-            Contribution { energy: state.energy, force: Vec::new(), stiffness: Vec::new(), viscosity: None };
+        let mut contribution = Contribution {
+            energy: state.energy,
+            force: Vec::new(),
+            stiffness: Vec::new(),
+            viscosity: None,
+        };
         match self.quantity {
             Quantity::Energy | Quantity::Reference => {}
             Quantity::Force => {
@@ -381,7 +441,8 @@ impl<'a> Builder<'a> {
             let scaled = self.graph.scale(scale, &sum);
             for (c, &id) in scaled.iter().enumerate() {
                 if self.form == Form::Loop {
-                    self.graph.name(id, format!("{prefix}{}_{}", field.name, ["x", "y", "z"][c]));
+                    self.graph
+                        .name(id, format!("{prefix}{}_{}", field.name, ["x", "y", "z"][c]));
                 }
             }
             fields.push(scaled);
@@ -395,7 +456,10 @@ impl<'a> Builder<'a> {
         let (symbols, list) = field_invariants(&mut self.graph, self.element, variant.dimension);
         let terms = (self.element.energy)(&mut self.graph, &symbols, &variant.options);
         let rate_symbols: Vec<Id> = list.iter().map(|_| self.graph.symbol("rate")).collect();
-        let measures = terms.iter().filter(|term| matches!(term.density, Density::Measure(_))).count();
+        let measures = terms
+            .iter()
+            .filter(|term| matches!(term.density, Density::Measure(_)))
+            .count();
         let mut real: HashMap<Id, Id> = HashMap::new();
         let mut straight: HashMap<Id, Id> = HashMap::new();
         for (&(invariant, symbol), &rate_symbol) in list.iter().zip(&rate_symbols) {
@@ -429,7 +493,11 @@ impl<'a> Builder<'a> {
                     let change = self.graph.subtract(measure, reference);
                     let mut strain = change;
                     if !rates.is_empty() {
-                        let chain = list.iter().zip(&rate_symbols).map(|(&(_, s), &rate)| (s, rate)).collect();
+                        let chain = list
+                            .iter()
+                            .zip(&rate_symbols)
+                            .map(|(&(_, s), &rate)| (s, rate))
+                            .collect();
                         let rate = self.graph.differentiate(measure, &chain);
                         let viscous = self.graph.multiply(self.damping, rate);
                         strain = self.graph.add(change, viscous);
@@ -456,19 +524,30 @@ impl<'a> Builder<'a> {
                 }
             }
         }
-        let used: Vec<usize> = (0..list.len()).filter(|&index| !self.graph.is_zero(stress[index])).collect();
+        let used: Vec<usize> = (0..list.len())
+            .filter(|&index| !self.graph.is_zero(stress[index]))
+            .collect();
         let matrix = |builder: &mut Self, with: &dyn Fn(usize) -> Id| -> Vec<Vec<Id>> {
             let entry = |builder: &mut Self, row: usize, column: usize| {
                 let derivative = builder.graph.partial(stress[row], with(column));
                 builder.graph.substitute(derivative, &real)
             };
-            used.iter().map(|&row| used.iter().map(|&column| entry(builder, row, column)).collect()).collect()
+            used.iter()
+                .map(|&row| used.iter().map(|&column| entry(builder, row, column)).collect())
+                .collect()
         };
         let stiffness = matrix(self, &|column| list[column].1);
-        let viscosity = if rates.is_empty() { Vec::new() } else { matrix(self, &|column| rate_symbols[column]) };
+        let viscosity = if rates.is_empty() {
+            Vec::new()
+        } else {
+            matrix(self, &|column| rate_symbols[column])
+        };
         State {
             invariants: used.iter().map(|&index| list[index].0).collect(),
-            stress: used.iter().map(|&index| self.graph.substitute(stress[index], &real)).collect(),
+            stress: used
+                .iter()
+                .map(|&index| self.graph.substitute(stress[index], &real))
+                .collect(),
             stiffness,
             viscosity,
             energy: self.graph.substitute(energy, &real),
@@ -565,9 +644,12 @@ impl<'a> Builder<'a> {
     fn finish(mut self) -> Kernel {
         let outputs = match self.quantity {
             Quantity::Energy => vec![("*energy".to_string(), self.energy)],
-            Quantity::Reference => {
-                self.references.iter().enumerate().map(|(index, &id)| (format!("reference[{index}]"), id)).collect()
-            }
+            Quantity::Reference => self
+                .references
+                .iter()
+                .enumerate()
+                .map(|(index, &id)| (format!("reference[{index}]"), id))
+                .collect(),
             Quantity::Force => self.nodal_force(),
             Quantity::Tangent => {
                 let stiffness = std::mem::take(&mut self.stiffness);
@@ -578,7 +660,11 @@ impl<'a> Builder<'a> {
                 outputs
             }
         };
-        let signature = Signature { variant: self.variant, library: self.library, references: self.references.len() };
+        let signature = Signature {
+            variant: self.variant,
+            library: self.library,
+            references: self.references.len(),
+        };
         signature.elastic(self.form, self.quantity, self.graph, self.points, outputs)
     }
 
@@ -605,8 +691,10 @@ impl<'a> Builder<'a> {
         let mut outputs = Vec::new();
         for (index, parts) in map.iter().enumerate() {
             for c in 0..dimension {
-                let terms: Vec<Id> =
-                    parts.iter().map(|&(place, factor)| self.graph.multiply(factor, self.force[place][c])).collect();
+                let terms: Vec<Id> = parts
+                    .iter()
+                    .map(|&(place, factor)| self.graph.multiply(factor, self.force[place][c]))
+                    .collect();
                 let sum = self.graph.sum(&terms);
                 outputs.push((format!("force[{}]", index * dimension + c), sum));
             }

@@ -25,17 +25,28 @@ pub struct InertiaKernels {
 pub fn unit_mass(variant: &Variant, library: &Library) -> Vec<Vec<f64>> {
     let vectors = variant.declaration(library).vectors;
     let entry = |a: usize, b: usize| (vectors[a].shape)().product(&(vectors[b].shape)()).integral().to_f64();
-    (0..vectors.len()).map(|a| (0..vectors.len()).map(|b| entry(a, b)).collect()).collect()
+    (0..vectors.len())
+        .map(|a| (0..vectors.len()).map(|b| entry(a, b)).collect())
+        .collect()
 }
 
 /// Derives the inertia kernels.
 pub fn inertia_kernels(variant: &Variant, library: &Library) -> InertiaKernels {
-    let signature = Signature { variant, library, references: 0 };
+    let signature = Signature {
+        variant,
+        library,
+        references: 0,
+    };
     let what = |text: &str| vec![text.to_string(), "Mass tensors integrated exactly.".to_string()];
     let mass = {
         let mut inertia = Inertia::new(variant, library);
         let outputs = inertia.mass();
-        signature.inertia("mass", what("Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2)."), inertia.graph, outputs)
+        signature.inertia(
+            "mass",
+            what("Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2)."),
+            inertia.graph,
+            outputs,
+        )
     };
     let referenced = {
         let mut inertia = Inertia::new(variant, library);
@@ -47,20 +58,35 @@ pub fn inertia_kernels(variant: &Variant, library: &Library) -> InertiaKernels {
     let referenced_tangent = {
         let mut inertia = Inertia::new(variant, library);
         let outputs = inertia.tangent();
-        let text = "Adds the derivatives of the inertia forces with respect to q (Euler and centrifugal) and q' (gyroscopic).";
+        let text =
+            "Adds the derivatives of the inertia forces with respect to q (Euler and centrifugal) and q' (gyroscopic).";
         signature.inertia("inertia_tangent", what(text), inertia.graph, outputs)
     };
     let absolute = {
         let mut inertia = Inertia::new(variant, library);
         let (residual, _) = inertia.residual(false);
         let text = "Adds the inertia forces of one element in the inertial frame; e is minus gravity.";
-        signature.inertia("absolute_inertia_force", what(text), inertia.graph, name_force(&residual))
+        signature.inertia(
+            "absolute_inertia_force",
+            what(text),
+            inertia.graph,
+            name_force(&residual),
+        )
     };
-    InertiaKernels { mass, referenced, referenced_tangent, absolute }
+    InertiaKernels {
+        mass,
+        referenced,
+        referenced_tangent,
+        absolute,
+    }
 }
 
 fn name_force(residual: &[Id]) -> Vec<(String, Id)> {
-    residual.iter().enumerate().map(|(place, &id)| (format!("force[{place}]"), id)).collect()
+    residual
+        .iter()
+        .enumerate()
+        .map(|(place, &id)| (format!("force[{place}]"), id))
+        .collect()
 }
 
 struct Inertia<'a> {
@@ -78,18 +104,27 @@ impl<'a> Inertia<'a> {
         let density = graph.symbol(variant.declaration(library).inertia);
         let mass = graph.multiply(density, length);
         graph.name(mass, "element_mass");
-        Self { variant, library, graph, length, mass }
+        Self {
+            variant,
+            library,
+            graph,
+            length,
+            mass,
+        }
     }
 
     /// `l^order` of a nodal vector times the element's mass, one entry of the mass matrix.
     fn entry(&mut self, unit: &[Vec<f64>], a: usize, b: usize) -> Id {
         let vectors = self.variant.declaration(self.library).vectors;
-        let power = self.graph.power(self.length, (vectors[a].order + vectors[b].order) as i32);
+        let power = self
+            .graph
+            .power(self.length, (vectors[a].order + vectors[b].order) as i32);
         let scale = self.graph.multiply(self.mass, power);
         let number = self.graph.number(unit[a][b]);
         let entry = self.graph.multiply(number, scale);
         let (first, second) = (a.min(b), a.max(b));
-        self.graph.name(entry, format!("mass_{}_{}", vectors[first].name, vectors[second].name))
+        self.graph
+            .name(entry, format!("mass_{}_{}", vectors[first].name, vectors[second].name))
     }
 
     fn mass(&mut self) -> Vec<(String, Id)> {
@@ -106,19 +141,28 @@ impl<'a> Inertia<'a> {
 
     fn symbols(&mut self, prefix: &str) -> Vec<Vector> {
         let names = self.variant.component_names(self.library, prefix);
-        names.into_iter().map(|list| list.into_iter().map(|name| self.graph.symbol(name)).collect()).collect()
+        names
+            .into_iter()
+            .map(|list| list.into_iter().map(|name| self.graph.symbol(name)).collect())
+            .collect()
     }
 
     /// Residual, and the symbols of q and v.
     fn residual(&mut self, moving: bool) -> (Vec<Id>, [Vec<Vector>; 2]) {
         let (positions, velocities, accelerations) = (self.symbols(""), self.symbols("v_"), self.symbols("a_"));
         let dimension = self.variant.dimension;
-        let frame: Vector = ["e_x", "e_y", "e_z"][..dimension].iter().map(|&name| self.graph.symbol(name)).collect();
+        let frame: Vector = ["e_x", "e_y", "e_z"][..dimension]
+            .iter()
+            .map(|&name| self.graph.symbol(name))
+            .collect();
         let words = |graph: &mut Graph, word: &str| -> Vector {
             if dimension == 2 {
                 return vec![graph.symbol(word)];
             }
-            ["x", "y", "z"].iter().map(|axis| graph.symbol(format!("{word}_{axis}"))).collect()
+            ["x", "y", "z"]
+                .iter()
+                .map(|axis| graph.symbol(format!("{word}_{axis}")))
+                .collect()
         };
         let (spin, spin_rate) = (words(&mut self.graph, "w"), words(&mut self.graph, "dw"));
         let vectors = self.variant.declaration(self.library).vectors;
@@ -141,7 +185,8 @@ impl<'a> Inertia<'a> {
                 sum = self.graph.add_vectors(&sum, &frame);
             }
             for (c, &id) in sum.iter().enumerate() {
-                self.graph.name(id, format!("total_{}_{}", vector.name, ["x", "y", "z"][c]));
+                self.graph
+                    .name(id, format!("total_{}_{}", vector.name, ["x", "y", "z"][c]));
             }
             total.push(sum);
         }
@@ -161,7 +206,10 @@ impl<'a> Inertia<'a> {
         let (residual, [positions, velocities]) = self.residual(true);
         let size = residual.len();
         let mut outputs = Vec::new();
-        for (name, symbols) in [("stiffness", positions.concat()), ("damping_matrix", velocities.concat())] {
+        for (name, symbols) in [
+            ("stiffness", positions.concat()),
+            ("damping_matrix", velocities.concat()),
+        ] {
             for (row, &force) in residual.iter().enumerate() {
                 for (column, &symbol) in symbols.iter().enumerate() {
                     let derivative = self.graph.partial(force, symbol);

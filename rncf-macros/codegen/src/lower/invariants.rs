@@ -33,11 +33,19 @@ pub struct Invariant {
 pub fn invariants(count: usize, dimension: usize) -> Vec<Invariant> {
     let mut list = Vec::new();
     for i in 0..count {
-        list.extend((i..count).map(|j| Invariant { product: Product::Dot, i, j }));
+        list.extend((i..count).map(|j| Invariant {
+            product: Product::Dot,
+            i,
+            j,
+        }));
     }
     if dimension == 2 {
         for i in 0..count {
-            list.extend((i + 1..count).map(|j| Invariant { product: Product::Cross, i, j }));
+            list.extend((i + 1..count).map(|j| Invariant {
+                product: Product::Cross,
+                i,
+                j,
+            }));
         }
     }
     list
@@ -103,7 +111,9 @@ impl Invariant {
     /// Second derivative with respect to vectors `p` and `q` (rows p): a constant matrix.
     fn second(self, p: usize, q: usize, dimension: usize) -> Option<Vec<Vec<f64>>> {
         let diagonal = |factor: f64| {
-            (0..dimension).map(|r| (0..dimension).map(|c| if r == c { factor } else { 0.0 }).collect()).collect()
+            (0..dimension)
+                .map(|r| (0..dimension).map(|c| if r == c { factor } else { 0.0 }).collect())
+                .collect()
         };
         match self.product {
             Product::Dot if self.i == self.j && (p, q) == (self.i, self.i) => Some(diagonal(2.0)),
@@ -180,7 +190,9 @@ impl Response<'_> {
     /// `[A][j]`: gradient of invariant A with respect to vector j.
     fn gradients(&self, graph: &mut Graph, vectors: &[Vector]) -> Vec<Vec<Option<Vector>>> {
         let of = |graph: &mut Graph, invariant: &Invariant| {
-            (0..vectors.len()).map(|j| invariant.gradient(graph, j, vectors)).collect()
+            (0..vectors.len())
+                .map(|j| invariant.gradient(graph, j, vectors))
+                .collect()
         };
         self.invariants.iter().map(|invariant| of(graph, invariant)).collect()
     }
@@ -198,12 +210,20 @@ impl Response<'_> {
             }
             sum
         };
-        (0..gradients.len()).map(|a| (0..count).map(|j| row(graph, a, j)).collect()).collect()
+        (0..gradients.len())
+            .map(|a| (0..count).map(|j| row(graph, a, j)).collect())
+            .collect()
     }
 
     /// `sum_A gradient_Ai (along_Aj)^T`; of a symmetric result only blocks and entries on and above
     /// the diagonal.
-    fn outer(&self, graph: &mut Graph, gradients: &[Vec<Option<Vector>>], along: &[Vec<Vector>], upper: bool) -> Blocks {
+    fn outer(
+        &self,
+        graph: &mut Graph,
+        gradients: &[Vec<Option<Vector>>],
+        along: &[Vec<Vector>],
+        upper: bool,
+    ) -> Blocks {
         let (dimension, count) = (self.vectors[0].len(), self.vectors.len());
         let mut blocks = zero_blocks(graph, count, dimension);
         for (gradient, along) in gradients.iter().zip(along) {
@@ -227,7 +247,9 @@ impl Response<'_> {
         for (invariant, &stress) in self.invariants.iter().zip(self.stress) {
             for i in 0..count {
                 for j in 0..count {
-                    let Some(second) = invariant.second(i, j, dimension) else { continue };
+                    let Some(second) = invariant.second(i, j, dimension) else {
+                        continue;
+                    };
                     for r in 0..dimension {
                         for c in 0..dimension {
                             let factor = graph.number(second[r][c]);

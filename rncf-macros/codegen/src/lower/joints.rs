@@ -38,12 +38,15 @@ impl<'m> Conditions<'m> {
         let (axes, dimension) = (body.space.axes(), body.space.dimension());
         let frame = if absolute { INERTIAL } else { body.frame };
         let (rotation, offset) = time.relative_pose(joint.frame, frame);
-        let mut symbols = |text: &str| -> Vec<Id> { (0..3).map(|i| time.graph.symbol(format!("{text}[{i}]"))).collect() };
+        let mut symbols =
+            |text: &str| -> Vec<Id> { (0..3).map(|i| time.graph.symbol(format!("{text}[{i}]"))).collect() };
         let point = symbols("data.point");
         let tangent = symbols("data.tangent");
         let normals = [symbols("data.normals[0]"), symbols("data.normals[1]")];
         let q = ["q", "v", "a"].map(|word| {
-            (0..2 * dimension).map(|i| time.graph.symbol(format!("{word}[{i}]"))).collect::<Vec<Id>>()
+            (0..2 * dimension)
+                .map(|i| time.graph.symbol(format!("{word}[{i}]")))
+                .collect::<Vec<Id>>()
         });
         let pick = |vector: &[Id]| -> Vector { axes.iter().map(|&axis| vector[axis]).collect() };
         let place = |graph: &mut Graph, vector: &[Id]| {
@@ -65,7 +68,12 @@ impl<'m> Conditions<'m> {
                 }
             }
         }
-        Self { time, q, rows, targets: [position, slope] }
+        Self {
+            time,
+            q,
+            rows,
+            targets: [position, slope],
+        }
     }
 
     /// Total time derivative along q, v, a; the derivative of a is zero.
@@ -75,20 +83,26 @@ impl<'m> Conditions<'m> {
         for level in 0..2 {
             rates.extend(self.q[level].iter().copied().zip(self.q[level + 1].iter().copied()));
         }
-        ids.iter().map(|&id| self.time.graph.differentiate(id, &rates)).collect()
+        ids.iter()
+            .map(|&id| self.time.graph.differentiate(id, &rates))
+            .collect()
     }
 
     /// The rows with one level of q's derivatives set to zero.
     fn without(&mut self, ids: &[Id], level: usize) -> Vec<Id> {
         let zero = self.time.graph.zero();
         let replacements = self.q[level].iter().map(|&symbol| (symbol, zero)).collect();
-        ids.iter().map(|&id| self.time.graph.substitute(id, &replacements)).collect()
+        ids.iter()
+            .map(|&id| self.time.graph.substitute(id, &replacements))
+            .collect()
     }
 
     fn kernel(self, name: String, title: String, outputs: Vec<(String, Id)>, arguments: &[&str]) -> Kernel {
         let mut kernel = self.time.kernel(name, title, outputs);
         kernel.arguments.push("data: &::rncf::mesh::JointData".to_string());
-        kernel.arguments.extend(arguments.iter().map(|argument| argument.to_string()));
+        kernel
+            .arguments
+            .extend(arguments.iter().map(|argument| argument.to_string()));
         kernel
     }
 }
@@ -108,7 +122,11 @@ pub fn joint_kernels(model: &Model, joint: &Joint, absolute: bool) -> JointKerne
             rows = conditions.without(&rows, level);
         }
         let title = format!("Joint `{}`: conditions, {} level.", joint.name, LEVELS[level]);
-        let outputs = rows.iter().enumerate().map(|(row, &id)| (format!("rows[{row}]"), id)).collect();
+        let outputs = rows
+            .iter()
+            .enumerate()
+            .map(|(row, &id)| (format!("rows[{row}]"), id))
+            .collect();
         conditions.kernel(name(LEVELS[level]), title, outputs, &states)
     });
     let jacobian = {
@@ -135,7 +153,16 @@ pub fn joint_kernels(model: &Model, joint: &Joint, absolute: bool) -> JointKerne
             }
         }
         let title = format!("Joint `{}`: what it prescribes, with two derivatives.", joint.name);
-        conditions.kernel(name("prescribed"), title, outputs, &["prescribed: &mut ::rncf::mesh::Prescribed"])
+        conditions.kernel(
+            name("prescribed"),
+            title,
+            outputs,
+            &["prescribed: &mut ::rncf::mesh::Prescribed"],
+        )
     };
-    JointKernels { levels, jacobian, prescribed }
+    JointKernels {
+        levels,
+        jacobian,
+        prescribed,
+    }
 }

@@ -78,9 +78,16 @@ impl Kernel {
     pub fn cost(&self) -> Cost {
         let schedule = self.schedule();
         let at = |stage: Stage| -> Vec<Id> {
-            schedule.iter().filter(|&&(_, place)| place == stage).map(|&(id, _)| id).collect()
+            schedule
+                .iter()
+                .filter(|&&(_, place)| place == stage)
+                .map(|&(id, _)| id)
+                .collect()
         };
-        let additions = |count: usize| Cost { additions: count, ..Cost::default() };
+        let additions = |count: usize| Cost {
+            additions: count,
+            ..Cost::default()
+        };
         let stored = if self.assign { 0 } else { self.outputs.len() };
         let mut cost = self.graph.cost(&at(Stage::Before)) + self.graph.cost(&at(Stage::After)) + additions(stored);
         if let Some(points) = &self.points {
@@ -91,6 +98,10 @@ impl Kernel {
 
     /// Number of operations written in the source: the size of the emitted function.
     pub fn size(&self) -> usize {
-        self.schedule().iter().filter(|&&(id, _)| self.graph.node_cost(id).weighted() > 0).count() + self.outputs.len()
+        self.schedule()
+            .iter()
+            .filter(|&&(id, _)| self.graph.node_cost(id).weighted() > 0)
+            .count()
+            + self.outputs.len()
     }
 }

@@ -13,7 +13,11 @@ pub fn load_kernel(model: &Model, load: &Load) -> Kernel {
     let (LoadKind::Gravity(components) | LoadKind::Force { components, .. } | LoadKind::Moment { components, .. }) =
         &load.kind;
     let value = time.vector(components);
-    let outputs = value.iter().enumerate().map(|(i, &id)| (format!("value[{i}]"), id)).collect();
+    let outputs = value
+        .iter()
+        .enumerate()
+        .map(|(i, &id)| (format!("value[{i}]"), id))
+        .collect();
     let title = format!("Load `{}` in its frame's axes.", load.name);
     let mut kernel = time.kernel(format!("load_{}", load.name), title, outputs);
     kernel.arguments.push("value: &mut [f64; 3]".to_string());
@@ -115,7 +119,9 @@ pub fn outputs_kernel(model: &Model) -> (Kernel, Vec<Observable>) {
     let observed = time.observed.iter().map(|(observable, _)| observable.clone()).collect();
     let title = "Output columns from what they observe.".to_string();
     let mut kernel = time.kernel("outputs".to_string(), title, outputs);
-    kernel.arguments.extend(["observed: &[f64]", "out: &mut [f64]"].map(str::to_string));
+    kernel
+        .arguments
+        .extend(["observed: &[f64]", "out: &mut [f64]"].map(str::to_string));
     (kernel, observed)
 }
 
@@ -126,7 +132,11 @@ pub fn run_kernel(model: &Model) -> Kernel {
         ("run.t_end".to_string(), time.expression(&model.run.t_end)),
         ("run.every".to_string(), time.expression(&model.run.every)),
     ];
-    let mut kernel = time.kernel("run_defaults".to_string(), "Defaults of a run (s).".to_string(), outputs);
+    let mut kernel = time.kernel(
+        "run_defaults".to_string(),
+        "Defaults of a run (s).".to_string(),
+        outputs,
+    );
     kernel.arguments.remove(1);
     kernel.arguments.push("run: &mut ::rncf::RunDefaults".to_string());
     kernel

@@ -27,10 +27,20 @@ impl<'m> Time<'m> {
         let t = graph.symbol("t");
         let params = model.params.iter().map(|param| {
             let field = format!("model.{}", param.name);
-            graph.symbol(if param.is_count { format!("({field} as f64)") } else { field })
+            graph.symbol(if param.is_count {
+                format!("({field} as f64)")
+            } else {
+                field
+            })
         });
         let params = params.collect();
-        Self { model, graph, t, params, observed: Vec::new() }
+        Self {
+            model,
+            graph,
+            t,
+            params,
+            observed: Vec::new(),
+        }
     }
 
     /// An expression at the model's time.
@@ -72,7 +82,10 @@ impl<'m> Time<'m> {
                 self.graph.general_power(base, exponent)
             }
             Expr::Call(function, arguments) => {
-                let arguments: Vec<Id> = arguments.iter().map(|argument| self.expression_at(argument, t)).collect();
+                let arguments: Vec<Id> = arguments
+                    .iter()
+                    .map(|argument| self.expression_at(argument, t))
+                    .collect();
                 match arguments[..] {
                     [a, b] => self.graph.call2(*function, a, b),
                     _ => self.graph.call(*function, arguments[0]),
@@ -122,7 +135,9 @@ impl<'m> Time<'m> {
         let origin = self.vector(&declaration.origin);
         let moved = self.graph.apply(&parent, &origin);
         let position = self.graph.add_vectors(&position, &moved);
-        let Some(rotation) = &declaration.rotation else { return (parent, position) };
+        let Some(rotation) = &declaration.rotation else {
+            return (parent, position);
+        };
         let angle = self.expression(&rotation.angle);
         let own = self.graph.rotation(unit(rotation.axis), angle);
         (self.graph.multiply_matrices(&parent, &own), position)
@@ -136,7 +151,9 @@ impl<'m> Time<'m> {
         }
         let declaration = self.frame(frame);
         let parent = self.spin(declaration.parent);
-        let Some(rotation) = &declaration.rotation else { return parent };
+        let Some(rotation) = &declaration.rotation else {
+            return parent;
+        };
         let axis = unit(rotation.axis);
         let angle = self.expression(&rotation.angle);
         let rate = self.derivative(angle);
@@ -160,7 +177,10 @@ impl<'m> Time<'m> {
         let (base, origin) = self.pose(to);
         let back = crate::symbolic::linear::transpose(&base);
         let offset = self.graph.subtract_vectors(&position, &origin);
-        (self.graph.multiply_matrices(&back, &rotation), self.graph.apply(&back, &offset))
+        (
+            self.graph.multiply_matrices(&back, &rotation),
+            self.graph.apply(&back, &offset),
+        )
     }
 }
 
@@ -185,15 +205,37 @@ pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
         ("spin", &spin),
         ("spin_rate", &spin_rate),
     ] {
-        outputs.extend(vector.iter().enumerate().map(|(i, &id)| (format!("motion.{name}[{i}]"), id)));
+        outputs.extend(
+            vector
+                .iter()
+                .enumerate()
+                .map(|(i, &id)| (format!("motion.{name}[{i}]"), id)),
+        );
     }
+    outputs.retain(|&(_, id)| !time.graph.is_zero(id));
     for (i, row) in rotation.iter().enumerate() {
-        outputs.extend(row.iter().enumerate().map(|(j, &id)| (format!("motion.rotation[{i}][{j}]"), id)));
+        let entries = row
+            .iter()
+            .enumerate()
+            .map(|(j, &id)| (format!("motion.rotation[{i}][{j}]"), id));
+        let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
+        let differs = |j: usize, id: Id| time.graph.value(id) != Some(unit(i, j));
+        outputs.extend(
+            entries
+                .enumerate()
+                .filter(|&(j, (_, id))| differs(j, id))
+                .map(|(_, entry)| entry),
+        );
     }
     let declaration = &model.frames[frame.0];
     let title = format!("Motion of frame `{}` and its first two derivatives.", declaration.name);
     let mut kernel = time.kernel(format!("frame_{}", declaration.name), title, outputs);
-    kernel.arguments.push("motion: &mut ::rncf::mesh::FrameMotion".to_string());
+    kernel
+        .arguments
+        .push("motion: &mut ::rncf::mesh::FrameMotion".to_string());
+    kernel
+        .bindings
+        .push("*motion = ::rncf::mesh::FrameMotion::INERTIAL;".to_string());
     if !declaration.doc.is_empty() {
         kernel.doc.push(declaration.doc.clone());
     }
@@ -235,7 +277,9 @@ pub fn kinks_kernel(model: &Model) -> (Kernel, usize) {
     let start = HashMap::from([(time.t, zero)]);
     let mut kinks = Vec::new();
     for id in time.graph.reachable(&roots) {
-        let Node::Select(_, [left, right, ..]) = time.graph.node(id) else { continue };
+        let Node::Select(_, [left, right, ..]) = time.graph.node(id) else {
+            continue;
+        };
         let gap = time.graph.subtract(left, right);
         let slope = time.graph.partial(gap, time.t);
         if time.graph.is_zero(slope) || time.graph.depends_on(slope, &[time.t]) {
@@ -249,7 +293,11 @@ pub fn kinks_kernel(model: &Model) -> (Kernel, usize) {
         }
     }
     let count = kinks.len();
-    let outputs = kinks.into_iter().enumerate().map(|(index, id)| (format!("kinks[{index}]"), id)).collect();
+    let outputs = kinks
+        .into_iter()
+        .enumerate()
+        .map(|(index, id)| (format!("kinks[{index}]"), id))
+        .collect();
     let title = "Times at which a derivative of a motion or load may jump (s).".to_string();
     let mut kernel = time.kernel("kinks".to_string(), title, outputs);
     kernel.arguments.remove(1);
@@ -262,7 +310,11 @@ pub fn moves(model: &Model, frame: FrameId) -> bool {
     let mut time = Time::new(model);
     let (rotation, position) = time.pose(frame);
     let t = time.t;
-    rotation.iter().flatten().chain(&position).any(|&id| time.graph.depends_on(id, &[t]))
+    rotation
+        .iter()
+        .flatten()
+        .chain(&position)
+        .any(|&id| time.graph.depends_on(id, &[t]))
 }
 
 /// Whether a vector of expressions depends on time.

@@ -31,7 +31,10 @@ pub struct TensorTerm {
 pub fn relative_shapes(element: &Element) -> Vec<(usize, Polynomial)> {
     let base = base_vector(element);
     let vectors = element.vectors.iter().enumerate();
-    vectors.filter(|&(index, _)| index != base).map(|(index, vector)| (index, (vector.shape)())).collect()
+    vectors
+        .filter(|&(index, _)| index != base)
+        .map(|(index, vector)| (index, (vector.shape)()))
+        .collect()
 }
 
 /// The nodal vector that positions are taken relative to.
@@ -43,8 +46,11 @@ pub fn base_vector(element: &Element) -> usize {
 pub fn field_invariants(graph: &mut Graph, element: &Element, dimension: usize) -> (Invariants, Vec<(Invariant, Id)>) {
     let count = element.fields.len();
     let zero = graph.zero();
-    let mut fields =
-        Invariants { dimension, dots: vec![vec![zero; count]; count], crosses: vec![vec![zero; count]; count] };
+    let mut fields = Invariants {
+        dimension,
+        dots: vec![vec![zero; count]; count],
+        crosses: vec![vec![zero; count]; count],
+    };
     let mut symbols = Vec::new();
     let names: Vec<String> = element.fields.iter().map(|field| field.name.to_string()).collect();
     for invariant in invariants(count, dimension) {
@@ -69,7 +75,10 @@ pub fn tensor_terms(
     let mut graph = Graph::new();
     let (fields, symbols) = field_invariants(&mut graph, element, dimension);
     let terms = (element.energy)(&mut graph, &fields, options);
-    terms.iter().map(|term| tensor_term(&mut graph, element, dimension, &symbols, term, quadrature)).collect()
+    terms
+        .iter()
+        .map(|term| tensor_term(&mut graph, element, dimension, &symbols, term, quadrature))
+        .collect()
 }
 
 fn tensor_term(
@@ -83,15 +92,27 @@ fn tensor_term(
     // weights[I][J] = d2(density)/dI dJ as exact numbers.
     let (weights, is_measure) = match term.density {
         Density::Measure(measure) => {
-            let slopes: Option<Vec<Rational>> = symbols.iter().map(|&(_, symbol)| constant(graph, measure, symbol)).collect();
+            let slopes: Option<Vec<Rational>> = symbols
+                .iter()
+                .map(|&(_, symbol)| constant(graph, measure, symbol))
+                .collect();
             let slopes = slopes?;
-            (slopes.iter().map(|&a| slopes.iter().map(|&b| a * b).collect()).collect::<Vec<Vec<Rational>>>(), true)
+            (
+                slopes
+                    .iter()
+                    .map(|&a| slopes.iter().map(|&b| a * b).collect())
+                    .collect::<Vec<Vec<Rational>>>(),
+                true,
+            )
         }
         Density::Energy(energy) => {
             let mut weights = Vec::new();
             for &(_, symbol) in symbols {
                 let slope = graph.partial(energy, symbol);
-                let row: Option<Vec<Rational>> = symbols.iter().map(|&(_, other)| constant(graph, slope, other)).collect();
+                let row: Option<Vec<Rational>> = symbols
+                    .iter()
+                    .map(|&(_, other)| constant(graph, slope, other))
+                    .collect();
                 weights.push(row?);
                 if !vanishes_at_zero(graph, slope, symbols) {
                     return None;
@@ -123,7 +144,11 @@ fn tensor_term(
             }
         }
     }
-    let tensor = densities.iter().map(|row| row.iter().map(|density| integrate(density, quadrature).to_f64()).collect());
+    let tensor = densities.iter().map(|row| {
+        row.iter()
+            .map(|density| integrate(density, quadrature).to_f64())
+            .collect()
+    });
     Some(TensorTerm {
         name: term.name,
         coefficient: term.coefficient,

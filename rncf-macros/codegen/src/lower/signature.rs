@@ -20,7 +20,13 @@ impl Signature<'_> {
         let element = self.variant.declaration(self.library);
         let mut fields = vec!["length"];
         if coefficients {
-            fields.extend(element.coefficients.iter().map(|c| c.name).filter(|&name| name != element.inertia));
+            fields.extend(
+                element
+                    .coefficients
+                    .iter()
+                    .map(|c| c.name)
+                    .filter(|&name| name != element.inertia),
+            );
             if self.variant.damped {
                 fields.push("damping");
             }
@@ -74,27 +80,36 @@ impl Signature<'_> {
         let (suffix, what) = match quantity {
             Quantity::Force => {
                 arguments.push(format!("force: &mut [f64; {size}]"));
-                ("elastic_force", "Adds the generalised elastic force F_e = dU/dq (N on positions, N m on slopes)")
+                (
+                    "elastic_force",
+                    "Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes)",
+                )
             }
             Quantity::Tangent => {
                 arguments.push(format!("stiffness: &mut [f64; {}]", size * size));
                 if with_rates {
                     arguments.push(format!("damping_matrix: &mut [f64; {}]", size * size));
                 }
-                ("elastic_tangent", "Adds the exact tangent dF_e/dq (and dF_e/dq' where damped), rows first")
+                (
+                    "elastic_tangent",
+                    "Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first",
+                )
             }
             Quantity::Energy => {
                 arguments.push("energy: &mut f64".to_string());
-                ("strain_energy", "Adds the strain energy U (J)")
+                ("strain_energy", "Adds the strain energy U of one element (J)")
             }
             Quantity::Reference => {
                 arguments.push(format!("reference: &mut [f64; {}]", self.references));
-                ("reference", "Values in the stress-free shape, which the other kernels subtract")
+                (
+                    "reference",
+                    "Values of one element in the stress-free shape, which the other kernels subtract",
+                )
             }
         };
         Kernel {
             name: format!("{name}_{suffix}"),
-            doc: vec![format!("{what} of one element."), self.energy_text(), self.form_text(form)],
+            doc: vec![format!("{what}."), self.energy_text(), self.form_text(form)],
             arguments,
             bindings: self.bindings(quantity != Quantity::Reference, &states),
             graph,
@@ -112,7 +127,10 @@ impl Signature<'_> {
         let mut bindings = self.bindings(false, &[]);
         let assign = suffix == "mass";
         if assign {
-            arguments.push(format!("mass: &mut [f64; {}]", element.vectors.len() * element.vectors.len()));
+            arguments.push(format!(
+                "mass: &mut [f64; {}]",
+                element.vectors.len() * element.vectors.len()
+            ));
         } else {
             arguments.push("frame: &::rncf::mesh::FrameAction".to_string());
             bindings.extend(frame_bindings(self.variant.dimension, suffix));
@@ -120,8 +138,11 @@ impl Signature<'_> {
                 arguments.push(format!("stiffness: &mut [f64; {}]", size * size));
                 arguments.push(format!("damping_matrix: &mut [f64; {}]", size * size));
             } else {
-                let states: &[(&str, &str)] =
-                    if suffix.starts_with("absolute") { &[("a", "a_")] } else { &[("q", ""), ("v", "v_"), ("a", "a_")] };
+                let states: &[(&str, &str)] = if suffix.starts_with("absolute") {
+                    &[("a", "a_")]
+                } else {
+                    &[("q", ""), ("v", "v_"), ("a", "a_")]
+                };
                 for (argument, prefix) in states {
                     arguments.push(format!("{argument}: &[f64; {size}]"));
                     let names = self.variant.component_names(self.library, prefix).concat();
@@ -131,7 +152,16 @@ impl Signature<'_> {
             }
         }
         let name = format!("{}_{suffix}", self.variant.name(self.library));
-        Kernel { name, doc, arguments, bindings, graph, points: None, outputs, assign }
+        Kernel {
+            name,
+            doc,
+            arguments,
+            bindings,
+            graph,
+            points: None,
+            outputs,
+            assign,
+        }
     }
 
     /// The strain energy in words: terms, coefficients, damping.
@@ -150,17 +180,25 @@ impl Signature<'_> {
         let element = self.variant.declaration(self.library);
         let count = points(element, self.variant.quadrature);
         let exact = self.variant.quadrature == crate::model::Quadrature::Exact;
+        let tensor = "U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the \
+                      slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is";
+        let points = "U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I \
+                      of the fields, force S dI/dq.";
         match form {
-            Form::Tensor if exact => "Constant tensor, integrated exactly, unrolled.".to_string(),
-            Form::Tensor => format!("Constant tensor of the {count}-point Gauss rule, unrolled."),
-            Form::Points => format!("{count} Gauss points, unrolled."),
-            Form::Loop => format!("{count} Gauss points, in a loop."),
+            Form::Tensor if exact => format!("{tensor} integrated exactly, unrolled."),
+            Form::Tensor => format!("{tensor} integrated with {count} Gauss points, unrolled."),
+            Form::Points => format!("{points} {count} Gauss points, unrolled."),
+            Form::Loop => format!("{points} {count} Gauss points, in a loop."),
         }
     }
 }
 
 fn frame_bindings(dimension: usize, suffix: &str) -> Vec<String> {
-    let acceleration = if dimension == 2 { "let [e_x, e_y, _] = frame.acceleration;" } else { "let [e_x, e_y, e_z] = frame.acceleration;" };
+    let acceleration = if dimension == 2 {
+        "let [e_x, e_y, _] = frame.acceleration;"
+    } else {
+        "let [e_x, e_y, e_z] = frame.acceleration;"
+    };
     let spin = if dimension == 2 {
         "let ([w, ..], [dw, ..]) = (frame.spin, frame.spin_rate);"
     } else {
@@ -180,7 +218,10 @@ fn frame_bindings(dimension: usize, suffix: &str) -> Vec<String> {
 pub fn camel_case(name: &str) -> String {
     let words = name.split('_').map(|word| {
         let mut letters = word.chars();
-        letters.next().map(|first| first.to_uppercase().chain(letters).collect::<String>()).unwrap_or_default()
+        letters
+            .next()
+            .map(|first| first.to_uppercase().chain(letters).collect::<String>())
+            .unwrap_or_default()
     });
     words.collect()
 }

@@ -49,7 +49,11 @@ impl Variant {
     /// Name in generated code, e.g. `cable_planar_exact_damped`.
     pub fn name(&self, library: &Library) -> String {
         let element = self.declaration(library);
-        let mut name = format!("{}_{}", element.names[0], if self.dimension == 2 { "planar" } else { "spatial" });
+        let mut name = format!(
+            "{}_{}",
+            element.names[0],
+            if self.dimension == 2 { "planar" } else { "spatial" }
+        );
         for (option, &choice) in element.options.iter().zip(&self.options) {
             if choice > 0 {
                 name += &format!("_{}", option.values[choice]);
@@ -82,7 +86,9 @@ impl Variant {
     pub fn component_names(&self, library: &Library, prefix: &str) -> Vec<Vec<String>> {
         let component = |name: &str, c: usize| format!("{prefix}{name}_{}", COMPONENTS[c]);
         let vectors = self.declaration(library).vectors.iter();
-        vectors.map(|vector| (0..self.dimension).map(|c| component(vector.name, c)).collect()).collect()
+        vectors
+            .map(|vector| (0..self.dimension).map(|c| component(vector.name, c)).collect())
+            .collect()
     }
 
     /// Place of each local nodal vector relative to the first vector of the element's first node,

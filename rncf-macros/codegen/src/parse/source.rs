@@ -10,7 +10,10 @@ pub fn declaration(tree: &Tree, body: &Group) -> String {
     if !head.is_empty() {
         head.push(' ');
     }
-    let body = body.span().source_text().map_or_else(|| printed(body), |text| dedent(&text));
+    let body = body
+        .span()
+        .source_text()
+        .map_or_else(|| printed(body), |text| dedent(&text));
     format!("{head}model {} {body}", tree.name.text)
 }
 
@@ -18,7 +21,9 @@ pub fn declaration(tree: &Tree, body: &Group) -> String {
 fn dedent(text: &str) -> String {
     let last = text.lines().last().unwrap_or_default();
     let indent = &last[..last.len() - last.trim_start().len()];
-    let lines = text.lines().map(|line| line.strip_prefix(indent).unwrap_or(line.trim_start()).trim_end());
+    let lines = text
+        .lines()
+        .map(|line| line.strip_prefix(indent).unwrap_or(line.trim_start()).trim_end());
     lines.collect::<Vec<_>>().join("\n")
 }
 
@@ -49,7 +54,9 @@ fn group(group: &Group, level: usize, out: &mut String) {
 }
 
 fn has_statements(stream: TokenStream) -> bool {
-    stream.into_iter().any(|token| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ';'))
+    stream
+        .into_iter()
+        .any(|token| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ';'))
 }
 
 fn new_line(level: usize, out: &mut String) {

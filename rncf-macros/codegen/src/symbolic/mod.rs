@@ -247,6 +247,9 @@ impl Graph {
         match (self.node(a), self.node(b)) {
             _ if self.is_zero(a) => a,
             _ if self.value(b) == Some(1.0) => a,
+            // (x b)/b: the derivative of x^2/2
+            (Node::Multiply(x, y), Node::Number(_)) if x == b => y,
+            (Node::Multiply(x, y), Node::Number(_)) if y == b => x,
             (Node::Negate(x), Node::Negate(y)) => self.divide(x, y),
             (Node::Negate(x), _) => {
                 let quotient = self.divide(x, b);

@@ -36,7 +36,10 @@ fn print() {
         ("const g = 9.81 m/s^2;", "const g = 9.81 m/s**2;"),
         ("const g = 9.81 m/s^2;", "const g = 9.81 m/s s;"),
         ("const g = 9.81 m/s^2;", "const g = 2 * 9.81 m/s^2;"),
-        ("const g = 9.81 m/s^2;", "const g = 9.81 m/s^2 * 2; #[cfg(x)] const k = 3;"),
+        (
+            "const g = 9.81 m/s^2;",
+            "const g = 9.81 m/s^2 * 2; #[cfg(x)] const k = 3;",
+        ),
         ("const g = 9.81 m/s^2;", "const s = 3 s; const g = 9.81 m/s^2;"),
         ("const g = 9.81 m/s^2;", "const g = (9.81 m)/s^2;"),
         ("const g = 9.81 m/s^2;", "const g = 9.81 N·m;"),
@@ -83,7 +86,10 @@ fn print() {
         ("axis = z", "axis = z, center = [0, 0, 0] m"),
         ("frame hub = rotating", "frame hub = spinning"),
         ("frame hub =", "frame hub in hub ="),
-        ("axis = z, angle = theta(t)", "axis = z, angle = theta(t), origin = [0, 0, 1] m"),
+        (
+            "axis = z, angle = theta(t)",
+            "axis = z, angle = theta(t), origin = [0, 0, 1] m",
+        ),
         ("body beam in hub", "body beam in hbu"),
         ("body beam in hub", "body beam in tube"),
         ("planar xy;", ""),
@@ -98,7 +104,10 @@ fn print() {
         (line, "line from [0, 0, 0] m to [8, 0, 0] s;"),
         (line, "line from [0, 0, 0] m to [8 m, t, 0];"),
         (line, "arc from [0, 0, 0] m direction [1, 0, 0] radius 16 angle 0.5;"),
-        ("planar xy;\n        line from [0, 0, 0] m to [8, 0, 0] m;", "spatial; arc from [0, 0, 0] m direction [1, 0, 0] radius 16 m angle 0.5 rad;"),
+        (
+            "planar xy;\n        line from [0, 0, 0] m to [8, 0, 0] m;",
+            "spatial; arc from [0, 0, 0] m direction [1, 0, 0] radius 16 m angle 0.5 rad;",
+        ),
         (mesh, "mesh elements * beam(tube, aluminium);"),
         (mesh, "mesh elements * cable(aluminium, tube);"),
         (mesh, "mesh elements * cable(tube);"),
@@ -114,7 +123,10 @@ fn print() {
         (root, "joint root = clamp(beam, hub);"),
         (root, "joint root = weld(beam.start, hub);"),
         (root, "joint root = clamp(beam.at(2 m), hub);"),
-        (root, "joint root = clamp(beam.start, hub); joint again = pin(beam.start, inertial);"),
+        (
+            root,
+            "joint root = clamp(beam.start, hub); joint again = pin(beam.start, inertial);",
+        ),
         (root, "joint root = pin(beam.start, hub);"),
         (root, "joint root = pin(beam.start, hub, at = [0, 0, 1] m);"),
         ("[0, -g, 0]", "[0, 0, -g]"),
@@ -148,7 +160,11 @@ fn print() {
         let (_, mistakes) = run(&changed(from, to));
         println!("        (\n            {from:?},\n            {to:?},\n            &[");
         for mistake in mistakes {
-            println!("                ({:?}, {:?}),", mistake.area.source_text().unwrap_or_default(), mistake.message);
+            println!(
+                "                ({:?}, {:?}),",
+                mistake.area.source_text().unwrap_or_default(),
+                mistake.message
+            );
         }
         println!("            ],\n        ),");
     }
