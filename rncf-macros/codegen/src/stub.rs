@@ -19,6 +19,7 @@ pub fn stub(tree: &Tree) -> TokenStream {
     let text = &tree.name.text;
     quote! {
         #[doc = #doc]
+        #[allow(dead_code)]
         #[derive(Clone, Debug)]
         #visibility struct #name { #(#fields),* }
 

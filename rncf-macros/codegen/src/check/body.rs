@@ -112,7 +112,7 @@ impl<'a> Check<'a> {
 
     fn space(&mut self, item: &Item, statements: &'a [Statement], complete: bool) -> Option<Space> {
         let missing = "`planar xy;` (or `yz`, `zx`) or `spatial;`";
-        let statement = self.single(item, statements, complete, "planar or spatial", missing, |statement| {
+        let statement = self.single(item, statements, complete, "`planar` or `spatial`", missing, |statement| {
             if let Statement::Space { area, .. } = statement { Some(*area) } else { None }
         })?;
         let Statement::Space { plane: Some(plane), .. } = statement else {
@@ -127,7 +127,7 @@ impl<'a> Check<'a> {
 
     fn line(&mut self, item: &Item, statements: &'a [Statement], complete: bool, known: &mut Known) -> Option<Line> {
         let missing = "its stress-free axis: `line from [..] m to [..] m;` or `arc ..;`";
-        let statement = self.single(item, statements, complete, "line or arc", missing, |statement| match statement {
+        let statement = self.single(item, statements, complete, "`line` or `arc`", missing, |statement| match statement {
             Statement::Line { area, .. } | Statement::Arc { area, .. } => Some(*area),
             _ => None,
         })?;
@@ -165,13 +165,9 @@ impl<'a> Check<'a> {
     }
 
     fn arc(&mut self, statement: &'a Statement, known: &mut Known) -> Option<Line> {
-        let Statement::Arc { area, from, direction, radius, angle } = statement else {
+        let Statement::Arc { from, direction, radius, angle, .. } = statement else {
             return None;
         };
-        if known.space == Some(Space::Spatial) {
-            // With a mesh the element says why; see `curved_in_space`.
-            known.length = None;
-        }
         let from = self.vector(from, Scope::Parameter, FROM);
         let direction_vector = self.vector(direction, Scope::Parameter, DIRECTION);
         let radius_value = self.quantity(radius, Scope::Parameter, RADIUS);
@@ -191,7 +187,6 @@ impl<'a> Check<'a> {
         self.in_space(&from, known.space, "the axis");
         self.in_space(&direction_vector, known.space, "the direction");
         known.length = radius_constant.zip(angle_constant).map(|(radius, angle)| (radius * angle).abs());
-        let _ = area;
         Some(Line::Arc {
             from: from.values,
             direction: direction_vector.values,
@@ -208,7 +203,7 @@ impl<'a> Check<'a> {
         space: Option<Space>,
     ) -> Option<Mesh> {
         let missing = "its elements: `mesh 6 * cable(section, material);`";
-        let statement = self.single(item, statements, complete, "mesh", missing, |statement| {
+        let statement = self.single(item, statements, complete, "`mesh`", missing, |statement| {
             if let Statement::Mesh { area, .. } = statement { Some(*area) } else { None }
         })?;
         let Statement::Mesh { count, element: call, .. } = statement else {
@@ -368,7 +363,7 @@ impl<'a> Check<'a> {
                 continue;
             };
             if let Some((_, line)) = seen.iter().find(|(name, _)| *name == word) {
-                self.errors.at(field.name.span, say::duplicate_statement(word, &line.to_string()));
+                self.errors.at(field.name.span, say::duplicate_statement(&format!("`{word}`"), &line.to_string()));
             }
             seen.push((word, Area::from(field.name.span).line()));
             let wanted = Wanted { what: property.name, dimension: property.dimension, unit: property.unit };
@@ -421,7 +416,9 @@ impl<'a> Check<'a> {
                     properties.insert(property.name, Value::Number(default));
                 } else if let Some(need) = need(element, property.name) {
                     complete = false;
-                    if fields.complete {
+                    // A misspelt field has been reported, and may be the missing one.
+                    let is_known = |name: &str| vocabulary.iter().any(|property| property.name == name);
+                    if fields.complete && fields.fields.iter().all(|field| is_known(&field.name.text)) {
                         let kind = item.keyword.word();
                         let message = say::missing_property(kind, &name.text, property.name, &call.name.text, &need);
                         self.errors.at(name.span, message);

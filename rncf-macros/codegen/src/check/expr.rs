@@ -1,6 +1,6 @@
 //! Expressions: names, dimensions, functions.
 
-use super::quantity::{Nature, Typed, bare_literal};
+use super::quantity::{Nature, Typed, bare_literal, behind_number};
 use super::{Check, fold, say};
 use crate::model::{self, Binary, Function, ParamId};
 use crate::parse::ascii;
@@ -84,8 +84,10 @@ impl<'a> Check<'a> {
             return None;
         }
         let Some(item) = self.names.get(text).copied() else {
-            let message = self.unknown_value(text);
-            self.errors.at(name.span, message);
+            if self.is_news(text) {
+                let message = self.unknown_value(text);
+                self.errors.at(name.span, message);
+            }
             return None;
         };
         match item.keyword {
@@ -180,9 +182,11 @@ impl<'a> Check<'a> {
             return self.function(call, function, arity, scope);
         }
         let Some(item) = self.names.get(name).copied() else {
-            let known = FUNCTIONS.iter().map(|(word, ..)| *word).chain(self.known(&[Keyword::Motion]));
-            let message = suggest::unknown("function", name, known.collect::<Vec<_>>());
-            self.errors.at(call.name.span, message);
+            if self.is_news(name) {
+                let known = FUNCTIONS.iter().map(|(word, ..)| *word).chain(self.known(&[Keyword::Motion]));
+                let message = suggest::unknown("function", name, known.collect::<Vec<_>>());
+                self.errors.at(call.name.span, message);
+            }
             return None;
         };
         if item.keyword != Keyword::Motion {
@@ -225,7 +229,7 @@ impl<'a> Check<'a> {
         let angle = Nature { angle: true, ..Nature::default() };
         let (dimension, nature) = match function {
             Function::Abs | Function::Min | Function::Max => {
-                (first.dimension, arguments.iter().fold(first.nature, |all, argument| all.with(argument.nature)))
+                (first.dimension, arguments.iter().fold(first.nature, |all, argument| all.plus(argument.nature)))
             }
             Function::Atan2 => (Dimension::NONE, angle),
             Function::Sqrt => (self.raised(first.dimension, half, call.area)?, Nature::default()),
@@ -264,7 +268,8 @@ impl<'a> Check<'a> {
             self.errors.at(left.area.to(right.area), say::EXPONENT_RANGE);
             return None;
         };
-        let nature = a.nature.with(b.nature);
+        let is_sum = matches!(operator, Binary::Add | Binary::Subtract);
+        let nature = if is_sum { a.nature.plus(b.nature) } else { a.nature.with(b.nature) };
         Some(Typed { value: model::Expr::Binary(operator, Box::new(a.value), Box::new(b.value)), dimension, nature })
     }
 
@@ -272,7 +277,7 @@ impl<'a> Check<'a> {
     fn unlike_terms(&mut self, left: &Expr, a: &Typed, right: &Expr, b: &Typed) {
         let (wrong, own, other) = if bare_literal(left).is_some() { (left, a, b) } else { (right, b, a) };
         let message = match bare_literal(wrong) {
-            Some(text) => say::unlike_literal(&text, &other.describe(), &other.dimension.symbol(other.nature.angle)),
+            Some(text) => say::unlike_literal(&text, &other.describe(), &behind_number(&other.dimension.symbol(other.nature.angle))),
             None => say::unlike(&own.describe(), &other.describe()),
         };
         self.errors.at(wrong.area, message);
@@ -320,7 +325,7 @@ impl<'a> Check<'a> {
             return None;
         }
         let (left, right) = condition?;
-        let nature = then.nature.with(otherwise.nature);
+        let nature = then.nature.plus(otherwise.nature);
         let [left, right, a, b] = [left.value, right.value, then.value, otherwise.value].map(Box::new);
         Some(Typed { value: model::Expr::If(inner.comparison, left, right, a, b), dimension: then.dimension, nature })
     }

@@ -36,8 +36,8 @@ macro_rules! messages {
 
 messages! {
     reserved(name) = "`{name}` has a meaning of its own: choose another name";
-    duplicate(name, kind, line) = "`{name}` is already the name of a {kind}, declared in line {line}";
-    duplicate_statement(name, line) = "`{name}` is already given in line {line}: one is enough";
+    duplicate(name, kind, line) = "`{name}` is already declared as `{kind}` in line {line}";
+    duplicate_statement(name, line) = "{name} is already given in line {line}: one is enough";
     twice(name) = "`{name}` is given twice";
     wrong_kind(name, kind, wanted) = "`{name}` is a {kind}; a {wanted} is expected here";
     recursion(name, chain) = "`{name}` is defined by itself: {chain}";
@@ -47,7 +47,9 @@ messages! {
     not_a_number(text) = "`{text}` is not a decimal number: write e.g. `8`, `0.5` or `1e-5`";
     number_range(text) = "`{text}` with this unit is outside the range of numbers";
     missing_star(name) = "`{name}` is no unit: a product is written with `*`";
-    unit_or_name(name, unit) = "`{name}` is read as a part of the unit `{unit}` here: put the number with its own unit in parentheses";
+    unit_or_name(name, unit) = "`{name}` could be a unit or the name that is declared: write `[{unit}]` for the unit, or parentheses around the number with its own unit";
+    unknown_unit(word) = "unknown unit `{word}`: units are e.g. `m`, `mm`, `kg`, `s`, `N`, `Pa`, `GPa`, `rad`, `deg`, `rpm`, `K`";
+    unknown_unit_near(word, near) = "unknown unit `{word}`: did you mean `{near}`?";
     no_unit(what, kind, text, unit) = "{what} is {kind}: give the number a unit, e.g. `{text} {unit}`";
     wrong_dimension(what, kind, found) = "{what} is {kind}, but this is {found}";
     bare_angle(what, text) = "{what} needs a unit: `{text} rad` or `{text} deg`";
@@ -65,7 +67,7 @@ messages! {
     kink(name) = "`{name}` has a kink and can be used in outputs only: a motion or load needs derivatives; use `if t < T {{ .. }} else {{ .. }}`";
     function_of(name, found) = "`{name}` takes a plain number, but this is {found}";
     unlike(found, wanted) = "this is {found}, but it is combined with {wanted}";
-    unlike_literal(text, wanted, unit) = "`{text}` is a plain number, but it is combined with {wanted}: give it a unit, e.g. `{text} [{unit}]`";
+    unlike_literal(text, wanted, unit) = "`{text}` is a plain number, but it is combined with {wanted}: give it a unit, e.g. `{text} {unit}`";
     unlike_cases(found, wanted) = "this case is {found}, but the other one is {wanted}";
     exponent_dimension(found) = "an exponent is a plain number, but this is {found}";
     exponent_constant(found) = "the exponent of {found} must be a constant such as `2` or `(1/2)`";

@@ -34,6 +34,9 @@ impl Check<'_> {
             let leaves = frame.rotation.as_ref().is_some_and(|rotation| rotation.axis[normal].abs() < PARALLEL);
             let drifts = fold::constant(&frame.origin[normal]) != Some(0.0);
             if leaves || drifts {
+                if !self.out_of_plane.insert((at, normal)) {
+                    return false;
+                }
                 let axis = AXES[normal];
                 let message = if leaves {
                     say::rotation_leaves_plane(&name, plane(normal), axis)

@@ -31,7 +31,14 @@ pub struct Nature {
 }
 
 impl Nature {
-    /// Of a product, quotient or sum.
+    /// Of a sum, or of one of two cases.
+    #[must_use]
+    pub fn plus(self, other: Nature) -> Nature {
+        let (angle, hertz) = (self.angle || other.angle, self.hertz || other.hertz);
+        Nature { angle, hertz, pi: self.pi && other.pi }
+    }
+
+    /// Of a product or quotient.
     #[must_use]
     pub fn with(self, other: Nature) -> Nature {
         let pi = self.pi || other.pi;
@@ -86,6 +93,12 @@ pub fn bare_literal(expr: &Expr) -> Option<String> {
         ExprKind::Negate(inner) => bare_literal(inner).map(|text| format!("-{text}")),
         _ => None,
     }
+}
+
+/// A unit as it stands behind a number in an expression: compound ones in brackets.
+pub fn behind_number(unit: &str) -> String {
+    let is_single = unit.chars().all(|c| c.is_ascii_alphabetic());
+    if is_single { unit.into() } else { format!("[{unit}]") }
 }
 
 fn is_bare_zero(expr: &Expr) -> bool {
@@ -165,6 +178,13 @@ impl<'a> Check<'a> {
     fn component(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<model::Expr> {
         if is_bare_zero(expr) {
             return Some(model::Expr::Number(0.0));
+        }
+        if let Some(text) = bare_literal(expr) {
+            let kind = Dimension::of(wanted.dimension).describe(wanted.dimension[5] != 0);
+            if !Dimension::of(wanted.dimension).is_none() {
+                self.errors.at(expr.area, say::no_unit(wanted.what, &kind, &text, &behind_number(wanted.unit)));
+                return None;
+            }
         }
         self.quantity(expr, scope, wanted)
     }

@@ -22,6 +22,7 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, errors: &mut Errors) {
         let Some(keyword) = cursor.word().and_then(|word| Keyword::of(&word.to_string())) else {
             errors.push(unknown_item(cursor));
             cursor.next();
+            tree.lost.extend(cursor.word().map(ToString::to_string));
             recover(cursor);
             continue;
         };

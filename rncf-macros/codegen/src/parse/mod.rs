@@ -97,8 +97,8 @@ fn head(cursor: &mut Cursor, errors: &mut Errors) -> Parsed<Tree> {
     }
     let name = cursor.expect_name("the name of the model")?;
     item::check_name(&name)?;
-    let (items, runs) = (Vec::new(), Vec::new());
-    Ok(Tree { doc, visibility, name, items, runs, source: String::new(), complete: false })
+    let (items, runs, lost) = (Vec::new(), Vec::new(), Vec::new());
+    Ok(Tree { doc, visibility, name, items, lost, runs, source: String::new(), complete: false })
 }
 
 fn body(cursor: &mut Cursor, name: &Name) -> Parsed<Group> {

@@ -6,7 +6,7 @@ use super::tree::Tree;
 
 /// The declaration as written where the source is at hand, else printed readably from its tokens.
 pub fn declaration(tree: &Tree, body: &Group) -> String {
-    let mut head = tree.visibility.to_string().replace(' ', "");
+    let mut head = tree.visibility_text();
     if !head.is_empty() {
         head.push(' ');
     }
