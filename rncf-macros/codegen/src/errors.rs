@@ -16,7 +16,10 @@ impl Area {
     /// From the start of one area to the end of another.
     #[must_use]
     pub fn to(self, other: Area) -> Area {
-        Area { start: self.start, end: other.end }
+        Area {
+            start: self.start,
+            end: other.end,
+        }
     }
 
     /// The source text, where the spans come from parsed text.
@@ -48,7 +51,10 @@ pub struct Mistake {
 impl Mistake {
     /// A mistake at a place.
     pub fn new(area: impl Into<Area>, message: impl Into<String>) -> Self {
-        Mistake { area: area.into(), message: message.into() }
+        Mistake {
+            area: area.into(),
+            message: message.into(),
+        }
     }
 
     /// `compile_error!` with this message, underlining from the first to the last token.
@@ -102,13 +108,7 @@ impl Errors {
 
     /// One `compile_error!` per mistake; nothing where there is none.
     pub fn into_tokens(self) -> TokenStream {
-        self.finish()
-            .iter()
-            .map(|mistake| {
-                let call = mistake.to_tokens();
-                quote_spanned!(mistake.area.start=> #call)
-            })
-            .collect()
+        self.finish().iter().map(Mistake::to_tokens).collect()
     }
 }
 

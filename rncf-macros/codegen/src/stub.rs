@@ -14,7 +14,11 @@ pub fn stub(tree: &Tree) -> TokenStream {
     let Spans { name: span, .. } = Spans::of(tree);
     let name = Ident::new(&tree.name.text, span);
     let visibility = &tree.visibility;
-    let doc = if tree.doc.is_empty() { &tree.name.text } else { &tree.doc };
+    let doc = if tree.doc.is_empty() {
+        &tree.name.text
+    } else {
+        &tree.doc
+    };
     let fields = fields(tree);
     let text = &tree.name.text;
     quote! {
@@ -66,14 +70,25 @@ pub fn stub(tree: &Tree) -> TokenStream {
 
 /// One field per parameter; of two with the same name the first.
 fn fields(tree: &Tree) -> Vec<TokenStream> {
-    let params: Vec<&Item> = tree.items.iter().filter(|item| item.keyword == Keyword::Param).collect();
+    let params: Vec<&Item> = tree
+        .items
+        .iter()
+        .filter(|item| item.keyword == Keyword::Param)
+        .collect();
     let is_first = |at: usize| params[..at].iter().all(|other| other.name.text != params[at].name.text);
-    (0..params.len()).filter(|at| is_first(*at)).map(|at| field(params[at])).collect()
+    (0..params.len())
+        .filter(|at| is_first(*at))
+        .map(|at| field(params[at]))
+        .collect()
 }
 
 fn field(item: &Item) -> TokenStream {
     let name = identifier(&item.name.text, item.name.span);
-    let doc = if item.doc.is_empty() { &item.name.text } else { &item.doc };
+    let doc = if item.doc.is_empty() {
+        &item.name.text
+    } else {
+        &item.doc
+    };
     let kind = match item.kind {
         ItemKind::Param { count: true, .. } => quote!(usize),
         _ => quote!(f64),

@@ -3,7 +3,11 @@
 /// "unknown kind `word`", with the nearest valid word, or with all of them.
 pub fn unknown<'a>(kind: &str, word: &str, valid: impl IntoIterator<Item = &'a str>) -> String {
     let valid: Vec<&str> = valid.into_iter().collect();
-    let head = if kind.contains('`') { format!("`{word}` is no {kind}") } else { format!("unknown {kind} `{word}`") };
+    let head = if kind.contains('`') {
+        format!("`{word}` is no {kind}")
+    } else {
+        format!("unknown {kind} `{word}`")
+    };
     match nearest(word, &valid) {
         Some(near) => format!("{head}: did you mean `{near}`?"),
         None if valid.is_empty() => format!("{head}: the model declares none"),
@@ -60,8 +64,17 @@ mod tests {
 
     #[test]
     fn near_words_are_found() {
-        assert_eq!(unknown("field", "yuong", ["density", "young"]), "unknown field `yuong`: did you mean `young`?");
-        assert_eq!(unknown("field", "q", ["density", "young"]), "unknown field `q`: use `density` or `young`");
-        assert_eq!(unknown("unit", "pa", ["Pa", "kPa"]), "unknown unit `pa`: did you mean `Pa`?");
+        assert_eq!(
+            unknown("field", "yuong", ["density", "young"]),
+            "unknown field `yuong`: did you mean `young`?"
+        );
+        assert_eq!(
+            unknown("field", "q", ["density", "young"]),
+            "unknown field `q`: use `density` or `young`"
+        );
+        assert_eq!(
+            unknown("unit", "pa", ["Pa", "kPa"]),
+            "unknown unit `pa`: did you mean `Pa`?"
+        );
     }
 }

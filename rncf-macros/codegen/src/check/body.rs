@@ -8,9 +8,7 @@ use super::quantity::{Vector, Wanted};
 use super::{Check, fold, say};
 use crate::elements::Element;
 use crate::errors::Area;
-use crate::model::{
-    Body, BodyId, ElementId, Evaluation, Expr as Value, FrameId, INERTIAL, Line, Quadrature, Space,
-};
+use crate::model::{Body, BodyId, ElementId, Evaluation, Expr as Value, FrameId, INERTIAL, Line, Quadrature, Space};
 use crate::parse::tree::{Argument, Call, Expr, ExprKind, Fields, Item, ItemKind, Keyword, Name, Statement};
 use crate::suggest;
 use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
@@ -27,10 +25,26 @@ pub struct Known {
     pub tangent: Option<[f64; 3]>,
 }
 
-const FROM: Wanted = Wanted { what: "the start of the axis", dimension: [1, 0, 0, 0, 0, 0], unit: "m" };
-const TO: Wanted = Wanted { what: "the end of the axis", dimension: [1, 0, 0, 0, 0, 0], unit: "m" };
-const RADIUS: Wanted = Wanted { what: "the radius", dimension: [1, 0, 0, 0, 0, 0], unit: "m" };
-const DIRECTION: Wanted = Wanted { what: "a direction", dimension: [0; 6], unit: "1" };
+const FROM: Wanted = Wanted {
+    what: "the start of the axis",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+const TO: Wanted = Wanted {
+    what: "the end of the axis",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+const RADIUS: Wanted = Wanted {
+    what: "the radius",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+const DIRECTION: Wanted = Wanted {
+    what: "a direction",
+    dimension: [0; 6],
+    unit: "1",
+};
 const PLANES: &[&str] = &["yz", "zx", "xy"];
 
 /// What a mesh statement says.
@@ -54,8 +68,19 @@ impl<'a> Check<'a> {
     }
 
     fn body(&mut self, id: BodyId, item: &'a Item) {
-        let mut known = Known { id, space: None, frame: None, length: None, tangent: None };
-        let ItemKind::Body { frame, statements, complete } = &item.kind else {
+        let mut known = Known {
+            id,
+            space: None,
+            frame: None,
+            length: None,
+            tangent: None,
+        };
+        let ItemKind::Body {
+            frame,
+            statements,
+            complete,
+        } = &item.kind
+        else {
             self.bodies.insert(item.name.text.as_str(), known);
             return;
         };
@@ -97,40 +122,63 @@ impl<'a> Check<'a> {
         missing: &str,
         area_of: impl Fn(&Statement) -> Option<Area>,
     ) -> Option<&'a Statement> {
-        let mut found = statements.iter().filter_map(|statement| Some((statement, area_of(statement)?)));
+        let mut found = statements
+            .iter()
+            .filter_map(|statement| Some((statement, area_of(statement)?)));
         let Some((first, first_area)) = found.next() else {
             if complete {
-                self.errors.at(item.name.span, say::missing_statement(&item.name.text, missing));
+                self.errors
+                    .at(item.name.span, say::missing_statement(&item.name.text, missing));
             }
             return None;
         };
         for (_, area) in found {
-            self.errors.at(area, say::duplicate_statement(word, &first_area.line().to_string()));
+            self.errors
+                .at(area, say::duplicate_statement(word, &first_area.line().to_string()));
         }
         Some(first)
     }
 
     fn space(&mut self, item: &Item, statements: &'a [Statement], complete: bool) -> Option<Space> {
         let missing = "`planar xy;` (or `yz`, `zx`) or `spatial;`";
-        let statement = self.single(item, statements, complete, "`planar` or `spatial`", missing, |statement| {
-            if let Statement::Space { area, .. } = statement { Some(*area) } else { None }
-        })?;
+        let statement = self.single(
+            item,
+            statements,
+            complete,
+            "`planar` or `spatial`",
+            missing,
+            |statement| {
+                if let Statement::Space { area, .. } = statement {
+                    Some(*area)
+                } else {
+                    None
+                }
+            },
+        )?;
         let Statement::Space { plane: Some(plane), .. } = statement else {
             return Some(Space::Spatial);
         };
         let normal = PLANES.iter().position(|name| *name == plane.text);
         if normal.is_none() {
-            self.errors.at(plane.span, suggest::unknown("plane", &plane.text, ["xy", "yz", "zx"]));
+            self.errors
+                .at(plane.span, suggest::unknown("plane", &plane.text, ["xy", "yz", "zx"]));
         }
         normal.map(|normal| Space::Planar { normal })
     }
 
     fn line(&mut self, item: &Item, statements: &'a [Statement], complete: bool, known: &mut Known) -> Option<Line> {
         let missing = "its stress-free axis: `line from [..] m to [..] m;` or `arc ..;`";
-        let statement = self.single(item, statements, complete, "`line` or `arc`", missing, |statement| match statement {
-            Statement::Line { area, .. } | Statement::Arc { area, .. } => Some(*area),
-            _ => None,
-        })?;
+        let statement = self.single(
+            item,
+            statements,
+            complete,
+            "`line` or `arc`",
+            missing,
+            |statement| match statement {
+                Statement::Line { area, .. } | Statement::Arc { area, .. } => Some(*area),
+                _ => None,
+            },
+        )?;
         match statement {
             Statement::Line { area, from, to } => self.straight(*area, from, to, known),
             Statement::Arc { .. } => self.arc(statement, known),
@@ -155,7 +203,10 @@ impl<'a> Check<'a> {
             known.length = Some(length);
             known.tangent = Some(d.map(|x| x / length));
         }
-        Some(Line::Straight { from: from_vector.values, to: to_vector.values })
+        Some(Line::Straight {
+            from: from_vector.values,
+            to: to_vector.values,
+        })
     }
 
     fn in_space(&mut self, vector: &Vector, space: Option<Space>, what: &str) {
@@ -165,7 +216,14 @@ impl<'a> Check<'a> {
     }
 
     fn arc(&mut self, statement: &'a Statement, known: &mut Known) -> Option<Line> {
-        let Statement::Arc { from, direction, radius, angle, .. } = statement else {
+        let Statement::Arc {
+            from,
+            direction,
+            radius,
+            angle,
+            ..
+        } = statement
+        else {
             return None;
         };
         let from = self.vector(from, Scope::Parameter, FROM);
@@ -186,7 +244,9 @@ impl<'a> Check<'a> {
         }
         self.in_space(&from, known.space, "the axis");
         self.in_space(&direction_vector, known.space, "the direction");
-        known.length = radius_constant.zip(angle_constant).map(|(radius, angle)| (radius * angle).abs());
+        known.length = radius_constant
+            .zip(angle_constant)
+            .map(|(radius, angle)| (radius * angle).abs());
         Some(Line::Arc {
             from: from.values,
             direction: direction_vector.values,
@@ -195,24 +255,29 @@ impl<'a> Check<'a> {
         })
     }
 
-    fn mesh(
-        &mut self,
-        item: &Item,
-        statements: &'a [Statement],
-        complete: bool,
-        space: Option<Space>,
-    ) -> Option<Mesh> {
+    fn mesh(&mut self, item: &Item, statements: &'a [Statement], complete: bool, space: Option<Space>) -> Option<Mesh> {
         let missing = "its elements: `mesh 6 * cable(section, material);`";
         let statement = self.single(item, statements, complete, "`mesh`", missing, |statement| {
-            if let Statement::Mesh { area, .. } = statement { Some(*area) } else { None }
+            if let Statement::Mesh { area, .. } = statement {
+                Some(*area)
+            } else {
+                None
+            }
         })?;
-        let Statement::Mesh { count, element: call, .. } = statement else {
+        let Statement::Mesh {
+            count, element: call, ..
+        } = statement
+        else {
             return None;
         };
         let count = self.count(count);
         let word = call.name.text.as_str();
         let Some(id) = self.library.find(word) else {
-            let known = self.library.elements.iter().flat_map(|element| element.names.iter().copied());
+            let known = self
+                .library
+                .elements
+                .iter()
+                .flat_map(|element| element.names.iter().copied());
             self.errors.at(call.name.span, suggest::unknown("element", word, known));
             return None;
         };
@@ -239,7 +304,8 @@ impl<'a> Check<'a> {
         }
         for statement in statements {
             if let Statement::Arc { area, .. } = statement {
-                self.errors.at(*area, element.curved_in_space.unwrap_or(say::ARC_IN_SPACE));
+                self.errors
+                    .at(*area, element.curved_in_space.unwrap_or(say::ARC_IN_SPACE));
             }
         }
     }
@@ -265,7 +331,12 @@ impl<'a> Check<'a> {
                 quadrature = self.quadrature(element, value);
             } else if word == "evaluation" {
                 let chosen = self.choice(value, word, &["automatic", "tensor", "points", "loop"]);
-                let forms = [Evaluation::Automatic, Evaluation::Tensor, Evaluation::Points, Evaluation::Loop];
+                let forms = [
+                    Evaluation::Automatic,
+                    Evaluation::Tensor,
+                    Evaluation::Points,
+                    Evaluation::Loop,
+                ];
                 evaluation = chosen.map(|at| forms[at]);
             } else if let Some(at) = element.options.iter().position(|option| option.name == word) {
                 match (self.choice(value, word, element.options[at].values), &mut options) {
@@ -273,7 +344,11 @@ impl<'a> Check<'a> {
                     _ => options = None,
                 }
             } else {
-                let known = element.options.iter().map(|option| option.name).chain(["quadrature", "evaluation"]);
+                let known = element
+                    .options
+                    .iter()
+                    .map(|option| option.name)
+                    .chain(["quadrature", "evaluation"]);
                 let kind = format!("option of `{}`", call.name.text);
                 self.errors.at(name.span, suggest::unknown(&kind, word, known));
             }
@@ -282,7 +357,11 @@ impl<'a> Check<'a> {
     }
 
     fn choice(&mut self, value: &Expr, option: &str, values: &[&str]) -> Option<usize> {
-        let word = if let ExprKind::Name(name) = &value.kind { name.text.as_str() } else { "" };
+        let word = if let ExprKind::Name(name) = &value.kind {
+            name.text.as_str()
+        } else {
+            ""
+        };
         let chosen = values.iter().position(|value| *value == word);
         if chosen.is_none() {
             let message = if word.is_empty() {
@@ -300,9 +379,16 @@ impl<'a> Check<'a> {
             ExprKind::Name(name) if name.text == "exact" => Some(Quadrature::Exact),
             ExprKind::Call(call) if call.name.text == "gauss" => {
                 let points = match call.arguments.as_slice() {
-                    [Argument { name: None, value: Expr { kind: ExprKind::Number { text, unit: None }, .. } }] => {
-                        text.parse::<usize>().ok()
-                    }
+                    [
+                        Argument {
+                            name: None,
+                            value:
+                                Expr {
+                                    kind: ExprKind::Number { text, unit: None },
+                                    ..
+                                },
+                        },
+                    ] => text.parse::<usize>().ok(),
                     _ => None,
                 };
                 let Some(points) = points.filter(|points| (1..=20).contains(points)) else {
@@ -317,7 +403,8 @@ impl<'a> Check<'a> {
                 Some(Quadrature::Gauss(points))
             }
             _ => {
-                self.errors.at(value.area, say::choices("quadrature", "`exact` or `gauss(3)`"));
+                self.errors
+                    .at(value.area, say::choices("quadrature", "`exact` or `gauss(3)`"));
                 None
             }
         }
@@ -325,17 +412,31 @@ impl<'a> Check<'a> {
 
     /// `cable(section, material)`: the two names.
     fn property_arguments(&mut self, call: &'a Call) -> Option<(&'a Name, &'a Name)> {
-        let positional: Vec<&Expr> =
-            call.arguments.iter().filter(|argument| argument.name.is_none()).map(|argument| &argument.value).collect();
+        let positional: Vec<&Expr> = call
+            .arguments
+            .iter()
+            .filter(|argument| argument.name.is_none())
+            .map(|argument| &argument.value)
+            .collect();
         let element = call.name.text.as_str();
         let [section, material] = positional.as_slice() else {
-            self.errors.at(call.area, say::usage(element, &format!("{element}(section, material)")));
+            self.errors
+                .at(call.area, say::usage(element, &format!("{element}(section, material)")));
             return None;
         };
-        let name = |expr: &'a Expr| if let ExprKind::Name(name) = &expr.kind { Some(name) } else { None };
+        let name = |expr: &'a Expr| {
+            if let ExprKind::Name(name) = &expr.kind {
+                Some(name)
+            } else {
+                None
+            }
+        };
         let (Some(section_name), Some(material_name)) = (name(section), name(material)) else {
             let wrong = if name(section).is_none() { section } else { material };
-            self.errors.at(wrong.area, say::usage(element, &format!("{element}(section, material)")));
+            self.errors.at(
+                wrong.area,
+                say::usage(element, &format!("{element}(section, material)")),
+            );
             return None;
         };
         Some((section_name, material_name))
@@ -363,10 +464,17 @@ impl<'a> Check<'a> {
                 continue;
             };
             if let Some((_, line)) = seen.iter().find(|(name, _)| *name == word) {
-                self.errors.at(field.name.span, say::duplicate_statement(&format!("`{word}`"), &line.to_string()));
+                self.errors.at(
+                    field.name.span,
+                    say::duplicate_statement(&format!("`{word}`"), &line.to_string()),
+                );
             }
             seen.push((word, Area::from(field.name.span).line()));
-            let wanted = Wanted { what: property.name, dimension: property.dimension, unit: property.unit };
+            let wanted = Wanted {
+                what: property.name,
+                dimension: property.dimension,
+                unit: property.unit,
+            };
             let value = self.quantity(&field.value, Scope::Parameter, wanted);
             if let Some(constant) = value.as_ref().and_then(fold::constant) {
                 self.range(property, constant, field.value.area);
@@ -442,6 +550,9 @@ impl<'a> Check<'a> {
 
 /// The coefficient of an element that a property is a factor of: `rhoA = density * area`.
 fn need(element: &Element, property: &str) -> Option<String> {
-    let coefficient = element.coefficients.iter().find(|coefficient| coefficient.factors.contains(&property))?;
+    let coefficient = element
+        .coefficients
+        .iter()
+        .find(|coefficient| coefficient.factors.contains(&property))?;
     Some(format!("{} = {}", coefficient.name, coefficient.factors.join(" * ")))
 }

@@ -33,12 +33,18 @@ const FUNCTIONS: &[(&str, Function, usize)] = &[
 
 /// The function with this name and its number of arguments.
 pub fn function(name: &str) -> Option<(Function, usize)> {
-    FUNCTIONS.iter().find(|(word, ..)| *word == name).map(|(_, function, arity)| (*function, *arity))
+    FUNCTIONS
+        .iter()
+        .find(|(word, ..)| *word == name)
+        .map(|(_, function, arity)| (*function, *arity))
 }
 
 /// What the argument of a motion must be.
-const TIME: super::quantity::Wanted =
-    super::quantity::Wanted { what: "the argument of a motion", dimension: [0, 0, 1, 0, 0, 0], unit: "s" };
+const TIME: super::quantity::Wanted = super::quantity::Wanted {
+    what: "the argument of a motion",
+    dimension: [0, 0, 1, 0, 0, 0],
+    unit: "s",
+};
 
 impl<'a> Check<'a> {
     /// Resolves an expression; `None` where something in it has been reported.
@@ -47,17 +53,31 @@ impl<'a> Check<'a> {
             ExprKind::Number { text, unit } => {
                 let compound = unit.as_ref().map_or(Some(Compound::ONE), |unit| self.unit(unit))?;
                 let value = self.number(text, compound, expr.area)?;
-                let hertz = unit.iter().flat_map(|unit| &unit.factors).any(|(name, _)| name.text.ends_with("Hz"));
-                let nature = Nature { angle: compound.dimension[5] != 0, hertz, pi: false };
+                let hertz = unit
+                    .iter()
+                    .flat_map(|unit| &unit.factors)
+                    .any(|(name, _)| name.text.ends_with("Hz"));
+                let nature = Nature {
+                    angle: compound.dimension[5] != 0,
+                    hertz,
+                    pi: false,
+                };
                 let dimension = Dimension::of(compound.dimension);
-                Some(Typed { value: model::Expr::Number(value), dimension, nature })
+                Some(Typed {
+                    value: model::Expr::Number(value),
+                    dimension,
+                    nature,
+                })
             }
             ExprKind::Name(name) => self.name(name, scope),
             ExprKind::Member { .. } => self.member(expr, scope),
             ExprKind::Call(call) => self.call(call, scope),
             ExprKind::Negate(inner) => {
                 let inner = self.expr(inner, scope)?;
-                Some(Typed { value: model::Expr::Negate(Box::new(inner.value)), ..inner })
+                Some(Typed {
+                    value: model::Expr::Negate(Box::new(inner.value)),
+                    ..inner
+                })
             }
             ExprKind::Binary(operator, left, right) => self.binary(*operator, left, right, scope),
             ExprKind::Power(base, exponent) => self.power(base, exponent, scope),
@@ -72,9 +92,17 @@ impl<'a> Check<'a> {
     fn name(&mut self, name: &'a Name, scope: Scope) -> Option<Typed> {
         let text = name.text.as_str();
         if text == "pi" {
-            let nature = Nature { angle: true, hertz: false, pi: true };
+            let nature = Nature {
+                angle: true,
+                hertz: false,
+                pi: true,
+            };
             let value = model::Expr::Number(std::f64::consts::PI);
-            return Some(Typed { value, dimension: Dimension::NONE, nature });
+            return Some(Typed {
+                value,
+                dimension: Dimension::NONE,
+                nature,
+            });
         }
         if text == "t" {
             if scope >= Scope::Prescribed {
@@ -103,8 +131,13 @@ impl<'a> Check<'a> {
             }
             _ if Self::is_broken(item) => None,
             Keyword::Body | Keyword::Joint if scope == Scope::Output => {
-                let example = if item.keyword == Keyword::Body { "end.x" } else { "force.x" };
-                self.errors.at(name.span, say::whole_thing(text, item.keyword.word(), example));
+                let example = if item.keyword == Keyword::Body {
+                    "end.x"
+                } else {
+                    "force.x"
+                };
+                self.errors
+                    .at(name.span, say::whole_thing(text, item.keyword.word(), example));
                 None
             }
             keyword => {
@@ -151,7 +184,10 @@ impl<'a> Check<'a> {
     pub(super) fn folded(&mut self, expr: &'a Expr) -> Option<Typed> {
         let typed = self.expr(expr, Scope::Constant)?;
         match fold::constant(&typed.value).filter(|value| value.is_finite()) {
-            Some(value) => Some(Typed { value: model::Expr::Number(value), ..typed }),
+            Some(value) => Some(Typed {
+                value: model::Expr::Number(value),
+                ..typed
+            }),
             None => {
                 self.errors.at(expr.area, say::NOT_FINITE);
                 None
@@ -168,8 +204,16 @@ impl<'a> Check<'a> {
 
     /// A reference to a parameter.
     pub(super) fn reference(id: ParamId, dimension: [i8; 6], hertz: bool) -> Typed {
-        let nature = Nature { angle: dimension[5] != 0, hertz, pi: false };
-        Typed { value: model::Expr::Param(id), dimension: Dimension::of(dimension), nature }
+        let nature = Nature {
+            angle: dimension[5] != 0,
+            hertz,
+            pi: false,
+        };
+        Typed {
+            value: model::Expr::Param(id),
+            dimension: Dimension::of(dimension),
+            nature,
+        }
     }
 
     fn call(&mut self, call: &'a Call, scope: Scope) -> Option<Typed> {
@@ -183,39 +227,57 @@ impl<'a> Check<'a> {
         }
         let Some(item) = self.names.get(name).copied() else {
             if self.is_news(name) {
-                let known = FUNCTIONS.iter().map(|(word, ..)| *word).chain(self.known(&[Keyword::Motion]));
+                let known = FUNCTIONS
+                    .iter()
+                    .map(|(word, ..)| *word)
+                    .chain(self.known(&[Keyword::Motion]));
                 let message = suggest::unknown("function", name, known.collect::<Vec<_>>());
                 self.errors.at(call.name.span, message);
             }
             return None;
         };
         if item.keyword != Keyword::Motion {
-            self.errors.at(call.name.span, say::not_a_function(name, item.keyword.word()));
+            self.errors
+                .at(call.name.span, say::not_a_function(name, item.keyword.word()));
             return None;
         }
         let [argument] = call.arguments.as_slice() else {
-            self.errors.at(call.area, say::arity(name, "1", &call.arguments.len().to_string()));
+            self.errors
+                .at(call.area, say::arity(name, "1", &call.arguments.len().to_string()));
             return None;
         };
         let at = self.expr(&argument.value, scope);
         let (id, motion) = self.motion(item, call.name.span.into())?;
         let at = at?;
         let is_time = self.is_wanted(&argument.value, &at, TIME);
-        is_time.then(|| Typed { value: model::Expr::Motion(id, Box::new(at.value)), ..motion })
+        is_time.then(|| Typed {
+            value: model::Expr::Motion(id, Box::new(at.value)),
+            ..motion
+        })
     }
 
     fn function(&mut self, call: &'a Call, function: Function, arity: usize, scope: Scope) -> Option<Typed> {
         let name = call.name.text.as_str();
-        let has_kink = matches!(function, Function::Abs | Function::Min | Function::Max | Function::Atan2);
+        let has_kink = matches!(
+            function,
+            Function::Abs | Function::Min | Function::Max | Function::Atan2
+        );
         if has_kink && matches!(scope, Scope::Prescribed | Scope::Parameter) {
             self.errors.at(call.name.span, say::kink(name));
             return None;
         }
         if call.arguments.len() != arity {
-            self.errors.at(call.area, say::arity(name, &arity.to_string(), &call.arguments.len().to_string()));
+            self.errors.at(
+                call.area,
+                say::arity(name, &arity.to_string(), &call.arguments.len().to_string()),
+            );
             return None;
         }
-        let arguments: Vec<_> = call.arguments.iter().map(|argument| self.expr(&argument.value, scope)).collect();
+        let arguments: Vec<_> = call
+            .arguments
+            .iter()
+            .map(|argument| self.expr(&argument.value, scope))
+            .collect();
         let arguments: Vec<Typed> = arguments.into_iter().collect::<Option<_>>()?;
         let first = &arguments[0];
         if let Some(second) = arguments.get(1)
@@ -226,11 +288,17 @@ impl<'a> Check<'a> {
             return None;
         }
         let half = Fraction { over: 1, under: 2 };
-        let angle = Nature { angle: true, ..Nature::default() };
+        let angle = Nature {
+            angle: true,
+            ..Nature::default()
+        };
         let (dimension, nature) = match function {
-            Function::Abs | Function::Min | Function::Max => {
-                (first.dimension, arguments.iter().fold(first.nature, |all, argument| all.plus(argument.nature)))
-            }
+            Function::Abs | Function::Min | Function::Max => (
+                first.dimension,
+                arguments
+                    .iter()
+                    .fold(first.nature, |all, argument| all.plus(argument.nature)),
+            ),
             Function::Atan2 => (Dimension::NONE, angle),
             Function::Sqrt => (self.raised(first.dimension, half, call.area)?, Nature::default()),
             _ => {
@@ -249,7 +317,11 @@ impl<'a> Check<'a> {
             }
         };
         let values = arguments.into_iter().map(|argument| argument.value).collect();
-        Some(Typed { value: model::Expr::Call(function, values), dimension, nature })
+        Some(Typed {
+            value: model::Expr::Call(function, values),
+            dimension,
+            nature,
+        })
     }
 
     fn binary(&mut self, operator: Binary, left: &'a Expr, right: &'a Expr, scope: Scope) -> Option<Typed> {
@@ -269,15 +341,31 @@ impl<'a> Check<'a> {
             return None;
         };
         let is_sum = matches!(operator, Binary::Add | Binary::Subtract);
-        let nature = if is_sum { a.nature.plus(b.nature) } else { a.nature.with(b.nature) };
-        Some(Typed { value: model::Expr::Binary(operator, Box::new(a.value), Box::new(b.value)), dimension, nature })
+        let nature = if is_sum {
+            a.nature.plus(b.nature)
+        } else {
+            a.nature.with(b.nature)
+        };
+        Some(Typed {
+            value: model::Expr::Binary(operator, Box::new(a.value), Box::new(b.value)),
+            dimension,
+            nature,
+        })
     }
 
     /// Reports two terms of different dimensions, at the one that lacks a unit, else at the second.
     fn unlike_terms(&mut self, left: &Expr, a: &Typed, right: &Expr, b: &Typed) {
-        let (wrong, own, other) = if bare_literal(left).is_some() { (left, a, b) } else { (right, b, a) };
+        let (wrong, own, other) = if bare_literal(left).is_some() {
+            (left, a, b)
+        } else {
+            (right, b, a)
+        };
         let message = match bare_literal(wrong) {
-            Some(text) => say::unlike_literal(&text, &other.describe(), &behind_number(&other.dimension.symbol(other.nature.angle))),
+            Some(text) => say::unlike_literal(
+                &text,
+                &other.describe(),
+                &behind_number(&other.dimension.symbol(other.nature.angle)),
+            ),
             None => say::unlike(&own.describe(), &other.describe()),
         };
         self.errors.at(wrong.area, message);
@@ -308,7 +396,11 @@ impl<'a> Check<'a> {
             self.raised(a.dimension, fraction, base.area.to(exponent.area))?
         };
         let value = model::Expr::Power(Box::new(a.value), Box::new(b.value));
-        Some(Typed { value, dimension, nature: a.nature })
+        Some(Typed {
+            value,
+            dimension,
+            nature: a.nature,
+        })
     }
 
     fn conditional(&mut self, inner: &'a If, scope: Scope) -> Option<Typed> {
@@ -327,7 +419,11 @@ impl<'a> Check<'a> {
         let (left, right) = condition?;
         let nature = then.nature.plus(otherwise.nature);
         let [left, right, a, b] = [left.value, right.value, then.value, otherwise.value].map(Box::new);
-        Some(Typed { value: model::Expr::If(inner.comparison, left, right, a, b), dimension: then.dimension, nature })
+        Some(Typed {
+            value: model::Expr::If(inner.comparison, left, right, a, b),
+            dimension: then.dimension,
+            nature,
+        })
     }
 
     /// Both sides alike; where time decides, linear in it, so that the switch is a step boundary.

@@ -73,7 +73,9 @@ pub fn is_free_of_time(expr: &Expr) -> bool {
         Expr::Motion(_, inner) | Expr::Negate(inner) => is_free_of_time(inner),
         Expr::Binary(_, left, right) | Expr::Power(left, right) => is_free_of_time(left) && is_free_of_time(right),
         Expr::Call(_, arguments) => arguments.iter().all(is_free_of_time),
-        Expr::If(_, left, right, then, otherwise) => [left, right, then, otherwise].into_iter().all(|e| is_free_of_time(e)),
+        Expr::If(_, left, right, then, otherwise) => {
+            [left, right, then, otherwise].into_iter().all(|e| is_free_of_time(e))
+        }
     }
 }
 
@@ -82,7 +84,9 @@ pub fn is_linear_in_time(expr: &Expr) -> bool {
     match expr {
         Expr::Time => true,
         Expr::Negate(inner) => is_linear_in_time(inner),
-        Expr::Binary(Binary::Add | Binary::Subtract, left, right) => is_linear_in_time(left) && is_linear_in_time(right),
+        Expr::Binary(Binary::Add | Binary::Subtract, left, right) => {
+            is_linear_in_time(left) && is_linear_in_time(right)
+        }
         Expr::Binary(Binary::Multiply, left, right) => {
             (is_linear_in_time(left) && is_free_of_time(right)) || (is_free_of_time(left) && is_linear_in_time(right))
         }

@@ -20,8 +20,16 @@ const MOVING: Shape = Shape {
     required: &["origin"],
     usage: "moving(origin = [x(t), 0 m, 0 m])",
 };
-const ORIGIN: Wanted = Wanted { what: "the origin of a frame", dimension: [1, 0, 0, 0, 0, 0], unit: "m" };
-const AXIS: Wanted = Wanted { what: "an axis", dimension: [0; 6], unit: "1" };
+const ORIGIN: Wanted = Wanted {
+    what: "the origin of a frame",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+const AXIS: Wanted = Wanted {
+    what: "an axis",
+    dimension: [0; 6],
+    unit: "1",
+};
 
 impl<'a> Check<'a> {
     pub(super) fn motions(&mut self) {
@@ -71,7 +79,11 @@ impl<'a> Check<'a> {
         }
         if !self.names.contains_key(name.text.as_str()) {
             if self.is_news(&name.text) {
-                let known = self.known(&[Keyword::Frame]).into_iter().chain(["inertial"]).collect::<Vec<_>>();
+                let known = self
+                    .known(&[Keyword::Frame])
+                    .into_iter()
+                    .chain(["inertial"])
+                    .collect::<Vec<_>>();
                 self.errors.at(name.span, suggest::unknown("frame", &name.text, known));
             }
             return None;
@@ -108,7 +120,13 @@ impl<'a> Check<'a> {
         let id = parent.zip(motion).map(|(parent, (origin, rotation))| {
             let id = FrameId(self.model.frames.len());
             let (name, doc) = (name.to_string(), item.doc.clone());
-            self.model.frames.push(Frame { name, doc, parent, origin, rotation });
+            self.model.frames.push(Frame {
+                name,
+                doc,
+                parent,
+                origin,
+                rotation,
+            });
             id
         });
         self.frames.insert(name, id);
@@ -120,13 +138,18 @@ impl<'a> Check<'a> {
             "rotating" => true,
             "moving" => false,
             other => {
-                self.errors.at(call.name.span, suggest::unknown("motion of a frame", other, ["rotating", "moving"]));
+                self.errors.at(
+                    call.name.span,
+                    suggest::unknown("motion of a frame", other, ["rotating", "moving"]),
+                );
                 return None;
             }
         };
         let arguments = self.arguments(call, if is_rotating { &ROTATING } else { &MOVING })?;
         let origin = match arguments.named.get("origin") {
-            Some(origin) => self.vector(origin, Scope::Prescribed, ORIGIN).map(|origin| origin.values),
+            Some(origin) => self
+                .vector(origin, Scope::Prescribed, ORIGIN)
+                .map(|origin| origin.values),
             None => Some(inertial().origin),
         };
         if !is_rotating {
@@ -134,7 +157,13 @@ impl<'a> Check<'a> {
         }
         let axis = self.axis(arguments.named["axis"]);
         let angle = self.angle(arguments.named["angle"], Scope::Prescribed, "the angle of a frame");
-        Some((origin?, Some(Rotation { axis: axis?, angle: angle? })))
+        Some((
+            origin?,
+            Some(Rotation {
+                axis: axis?,
+                angle: angle?,
+            }),
+        ))
     }
 
     /// `x`, `y`, `z` or a constant vector; normalised.
@@ -145,7 +174,8 @@ impl<'a> Check<'a> {
                 "y" => [0.0, 1.0, 0.0],
                 "z" => [0.0, 0.0, 1.0],
                 other => {
-                    self.errors.at(name.span, suggest::unknown("axis", other, ["x", "y", "z", "[0, 0, 1]"]));
+                    self.errors
+                        .at(name.span, suggest::unknown("axis", other, ["x", "y", "z", "[0, 0, 1]"]));
                     return None;
                 }
             };

@@ -17,8 +17,16 @@ pub struct Known {
     pub body: Option<body::Known>,
 }
 
-const POINT: Wanted = Wanted { what: "the point of a joint", dimension: [1, 0, 0, 0, 0, 0], unit: "m" };
-const PLACE: Wanted = Wanted { what: "the place on a body", dimension: [1, 0, 0, 0, 0, 0], unit: "m" };
+const POINT: Wanted = Wanted {
+    what: "the point of a joint",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+const PLACE: Wanted = Wanted {
+    what: "the place on a body",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
 
 /// A place on a body, as written.
 pub struct Place {
@@ -32,7 +40,11 @@ impl<'a> Check<'a> {
         let mut tied: Vec<BodyId> = Vec::new();
         let mut complete = self.tree.complete;
         for (at, item) in self.items(Keyword::Joint).into_iter().enumerate() {
-            let mut known = Known { id: JointId(at), kind: None, body: None };
+            let mut known = Known {
+                id: JointId(at),
+                kind: None,
+                body: None,
+            };
             if let ItemKind::Joint(call) = &item.kind {
                 self.joint(item, call, &mut known, &mut ends);
             }
@@ -50,20 +62,16 @@ impl<'a> Check<'a> {
     fn floating(&mut self, tied: &[BodyId]) {
         for (at, item) in self.items(Keyword::Body).into_iter().enumerate() {
             if !tied.contains(&BodyId(at)) {
-                let ItemKind::Body { frame, .. } = &item.kind else { continue };
+                let ItemKind::Body { frame, .. } = &item.kind else {
+                    continue;
+                };
                 let frame = frame.as_ref().map_or("inertial", |frame| frame.text.as_str());
                 self.errors.at(item.name.span, say::floating(&item.name.text, frame));
             }
         }
     }
 
-    fn joint(
-        &mut self,
-        item: &Item,
-        call: &'a Call,
-        known: &mut Known,
-        ends: &mut Vec<(BodyId, Location, usize)>,
-    ) {
+    fn joint(&mut self, item: &Item, call: &'a Call, known: &mut Known, ends: &mut Vec<(BodyId, Location, usize)>) {
         let (kind, usage) = match call.name.text.as_str() {
             "clamp" => (JointKind::Clamp, "clamp(beam.start, hub)"),
             "clamp_full" => (JointKind::ClampFull, "clamp_full(beam.start, hub)"),
@@ -75,13 +83,21 @@ impl<'a> Check<'a> {
             }
         };
         known.kind = Some(kind);
-        let shape = Shape { positional: 2, named: &["at"], required: &[], usage };
+        let shape = Shape {
+            positional: 2,
+            named: &["at"],
+            required: &[],
+            usage,
+        };
         let Some(arguments) = self.arguments(call, &shape) else {
             return;
         };
         let place = self.place(arguments.positional[0]);
         let frame = self.frame_argument(arguments.positional[1]);
-        let point = arguments.named.get("at").map(|point| self.vector(point, Scope::Parameter, POINT));
+        let point = arguments
+            .named
+            .get("at")
+            .map(|point| self.vector(point, Scope::Parameter, POINT));
         let Some(Place { body, at }) = place else {
             return;
         };
@@ -92,7 +108,8 @@ impl<'a> Check<'a> {
         }
         let line = Area::from(item.name.span).line();
         if let Some((.., first)) = ends.iter().find(|(other, end, _)| *other == body.id && *end == at) {
-            self.errors.at(arguments.positional[0].area, say::end_twice(&first.to_string()));
+            self.errors
+                .at(arguments.positional[0].area, say::end_twice(&first.to_string()));
         } else {
             ends.push((body.id, at.clone(), line));
         }
@@ -109,7 +126,15 @@ impl<'a> Check<'a> {
         };
         if let Some(frame) = frame {
             let (name, doc) = (item.name.text.clone(), item.doc.clone());
-            self.model.joints.push(Joint { name, doc, kind, body: body.id, at, frame, point });
+            self.model.joints.push(Joint {
+                name,
+                doc,
+                kind,
+                body: body.id,
+                at,
+                frame,
+                point,
+            });
         }
     }
 
@@ -148,7 +173,10 @@ impl<'a> Check<'a> {
                 return None;
             }
             (other, _) => {
-                self.errors.at(field.span, suggest::unknown("place on a body", other, ["start", "end", "at"]));
+                self.errors.at(
+                    field.span,
+                    suggest::unknown("place on a body", other, ["start", "end", "at"]),
+                );
                 return None;
             }
         };

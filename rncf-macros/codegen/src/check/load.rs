@@ -9,9 +9,21 @@ use crate::model::{FrameId, INERTIAL, Load, LoadKind, Space};
 use crate::parse::tree::{Call, Item, ItemKind, Keyword};
 use crate::suggest;
 
-const GRAVITY: Wanted = Wanted { what: "gravity", dimension: [1, 0, -2, 0, 0, 0], unit: "m/s^2" };
-const FORCE: Wanted = Wanted { what: "a force", dimension: [1, 1, -2, 0, 0, 0], unit: "N" };
-const MOMENT: Wanted = Wanted { what: "a moment", dimension: [2, 1, -2, 0, 0, 0], unit: "N m" };
+const GRAVITY: Wanted = Wanted {
+    what: "gravity",
+    dimension: [1, 0, -2, 0, 0, 0],
+    unit: "m/s^2",
+};
+const FORCE: Wanted = Wanted {
+    what: "a force",
+    dimension: [1, 1, -2, 0, 0, 0],
+    unit: "N",
+};
+const MOMENT: Wanted = Wanted {
+    what: "a moment",
+    dimension: [2, 1, -2, 0, 0, 0],
+    unit: "N m",
+};
 
 impl<'a> Check<'a> {
     pub(super) fn loads(&mut self) {
@@ -34,12 +46,21 @@ impl<'a> Check<'a> {
             }
         };
         if let Some(kind) = kind {
-            self.model.loads.push(Load { name: item.name.text.clone(), doc: item.doc.clone(), kind });
+            self.model.loads.push(Load {
+                name: item.name.text.clone(),
+                doc: item.doc.clone(),
+                kind,
+            });
         }
     }
 
     fn gravity(&mut self, call: &'a Call) -> Option<LoadKind> {
-        let shape = Shape { positional: 1, named: &[], required: &[], usage: "gravity([0, 0, -9.81] m/s^2)" };
+        let shape = Shape {
+            positional: 1,
+            named: &[],
+            required: &[],
+            usage: "gravity([0, 0, -9.81] m/s^2)",
+        };
         let arguments = self.arguments(call, &shape)?;
         let vector = self.vector(arguments.positional[0], Scope::Prescribed, GRAVITY)?;
         // One message for each plane that it leaves, however many bodies move in it.
@@ -53,8 +74,17 @@ impl<'a> Check<'a> {
     }
 
     fn point_load(&mut self, call: &'a Call, is_moment: bool) -> Option<LoadKind> {
-        let usage = if is_moment { "moment(beam.end, [0, 0, 3] N*m)" } else { "force(beam.end, [0, 10, 0] N)" };
-        let shape = Shape { positional: 2, named: &["in"], required: &[], usage };
+        let usage = if is_moment {
+            "moment(beam.end, [0, 0, 3] N*m)"
+        } else {
+            "force(beam.end, [0, 10, 0] N)"
+        };
+        let shape = Shape {
+            positional: 2,
+            named: &["in"],
+            required: &[],
+            usage,
+        };
         let arguments = self.arguments(call, &shape)?;
         let [place, components] = arguments.positional.as_slice() else {
             return None;
@@ -75,9 +105,19 @@ impl<'a> Check<'a> {
         }
         let (body, components) = (body.id, vector.values);
         Some(if is_moment {
-            LoadKind::Moment { body, at, components, frame }
+            LoadKind::Moment {
+                body,
+                at,
+                components,
+                frame,
+            }
         } else {
-            LoadKind::Force { body, at, components, frame }
+            LoadKind::Force {
+                body,
+                at,
+                components,
+                frame,
+            }
         })
     }
 

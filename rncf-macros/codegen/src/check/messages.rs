@@ -6,10 +6,14 @@ pub const NOT_FINITE: &str = "this has no finite value";
 pub const EXPONENT_RANGE: &str = "the exponent of this unit is too large to make sense";
 pub const WHOLE_EXPONENTS: &str = "a parameter needs a unit with whole exponents";
 pub const VECTOR_IN_EXPRESSION: &str = "a vector has no place in an expression: write one expression per component";
-pub const UNIT_OF_EXPRESSION: &str = "the unit behind the brackets is for literals only: give each component its own dimension, e.g. `[x(t), 0 m, 0 m]`";
-pub const HERTZ: &str = "hertz counts cycles and is no angular velocity: write `rad/s`, `rpm` or `deg/s`, or `2*pi` times the frequency";
-pub const NOT_A_COUNT: &str = "a number of elements is a whole number of at least 1: write e.g. `6`, or a `param n: count = 6;`";
-pub const CONDITION: &str = "a condition that changes with time must be linear in `t`, so that its switch is known: write e.g. `t <= T`";
+pub const UNIT_OF_EXPRESSION: &str =
+    "the unit behind the brackets is for literals only: give each component its own dimension, e.g. `[x(t), 0 m, 0 m]`";
+pub const HERTZ: &str =
+    "hertz counts cycles and is no angular velocity: write `rad/s`, `rpm` or `deg/s`, or `2*pi` times the frequency";
+pub const NOT_A_COUNT: &str =
+    "a number of elements is a whole number of at least 1: write e.g. `6`, or a `param n: count = 6;`";
+pub const CONDITION: &str =
+    "a condition that changes with time must be linear in `t`, so that its switch is known: write e.g. `t <= T`";
 pub const FRAME_EXPECTED: &str = "the name of a frame is expected here, e.g. `inertial`";
 pub const AXIS_CONSTANT: &str = "an axis is constant: use `x`, `y`, `z`, numbers or constants";
 pub const AXIS_ZERO: &str = "this axis has no direction";
@@ -19,11 +23,13 @@ pub const ZERO_DIRECTION: &str = "this vector has no direction";
 pub const ARC_IN_SPACE: &str = "an arc lies in the plane of a planar body: write `planar xy;` (or `yz`, `zx`)";
 pub const GAUSS_POINTS: &str = "`gauss` takes a literal number of points, from 1 to 20: `gauss(3)`";
 pub const POISSON: &str = "poisson must lie between -1 and 0.5";
-pub const JOINT_INSIDE: &str = "a joint holds an end of a body: use `start` or `end`, and two bodies where it must hold in between";
+pub const JOINT_INSIDE: &str =
+    "a joint holds an end of a body: use `start` or `end`, and two bodies where it must hold in between";
 pub const PLACE_EXPECTED: &str = "a place on a body is expected here: `beam.start`, `beam.end` or `beam.at(4 m)`";
 pub const TORSION: &str = "a moment along the axis would twist the body, and a centre line carries no torsion: use components across the axis";
 pub const OBSERVED_OUTSIDE_OUTPUT: &str = "only an `output` can observe bodies and joints";
-pub const NOTHING_OBSERVED: &str = "this observes nothing: write e.g. `beam.end.x`, `beam.at(4 m).velocity.y` or `root.moment.z`";
+pub const NOTHING_OBSERVED: &str =
+    "this observes nothing: write e.g. `beam.end.x`, `beam.at(4 m).velocity.y` or `root.moment.z`";
 pub const NO_OUTPUT: &str = "the model has no output: add e.g. `output u = beam.end.x;`";
 
 macro_rules! messages {

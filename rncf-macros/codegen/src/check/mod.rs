@@ -43,7 +43,10 @@ impl Spans {
     /// Of a tree that has passed [`check`].
     pub fn of(tree: &Tree) -> Self {
         let params = tree.items.iter().filter(|item| item.keyword == Keyword::Param);
-        Self { name: tree.name.span, params: params.map(|item| item.name.span).collect() }
+        Self {
+            name: tree.name.span,
+            params: params.map(|item| item.name.span).collect(),
+        }
     }
 }
 
@@ -128,10 +131,15 @@ impl<'a> Check<'a> {
             if RESERVED.contains(&name) || expr::function(name).is_some() {
                 self.errors.at(item.name.span, say::reserved(name));
             }
-            let names = if item.keyword == Keyword::Output { &mut outputs } else { &mut self.names };
+            let names = if item.keyword == Keyword::Output {
+                &mut outputs
+            } else {
+                &mut self.names
+            };
             if let Some(first) = names.get(name) {
                 let (kind, line) = (first.keyword.word(), Area::from(first.name.span).line());
-                self.errors.at(item.name.span, say::duplicate(name, kind, &line.to_string()));
+                self.errors
+                    .at(item.name.span, say::duplicate(name, kind, &line.to_string()));
             } else {
                 names.insert(name, item);
             }
@@ -142,9 +150,17 @@ impl<'a> Check<'a> {
     fn items(&self, keyword: Keyword) -> Vec<&'a Item> {
         let is_first = |item: &&Item| {
             keyword == Keyword::Output
-                || self.names.get(item.name.text.as_str()).is_some_and(|first| std::ptr::eq(*first, *item))
+                || self
+                    .names
+                    .get(item.name.text.as_str())
+                    .is_some_and(|first| std::ptr::eq(*first, *item))
         };
-        self.tree.items.iter().filter(|item| item.keyword == keyword).filter(is_first).collect()
+        self.tree
+            .items
+            .iter()
+            .filter(|item| item.keyword == keyword)
+            .filter(is_first)
+            .collect()
     }
 
     /// The declared names of some kinds.
@@ -180,7 +196,12 @@ impl<'a> Check<'a> {
     /// Marks a name as being resolved; refuses recursion.
     fn enter(&mut self, name: &'a str, area: Area) -> bool {
         if let Some(at) = self.stack.iter().position(|other| *other == name) {
-            let chain = self.stack[at..].iter().chain([&name]).copied().collect::<Vec<_>>().join(" -> ");
+            let chain = self.stack[at..]
+                .iter()
+                .chain([&name])
+                .copied()
+                .collect::<Vec<_>>()
+                .join(" -> ");
             self.errors.at(area, say::recursion(name, &chain));
             return false;
         }
@@ -199,7 +220,10 @@ impl<'a> Check<'a> {
     /// Sorts the arguments of a call into the positional and the named ones that it takes.
     fn arguments(&mut self, call: &'a Call, shape: &Shape) -> Option<Arguments<'a>> {
         let before = self.errors.len();
-        let mut found = Arguments { positional: Vec::new(), named: HashMap::new() };
+        let mut found = Arguments {
+            positional: Vec::new(),
+            named: HashMap::new(),
+        };
         for Argument { name, value } in &call.arguments {
             match name {
                 None if found.positional.len() < shape.positional => found.positional.push(value),
@@ -208,7 +232,8 @@ impl<'a> Check<'a> {
                     let text = name.text.as_str();
                     if !shape.named.contains(&text) {
                         let kind = format!("argument of `{}`", call.name.text);
-                        self.errors.at(name.span, suggest::unknown(&kind, text, shape.named.iter().copied()));
+                        self.errors
+                            .at(name.span, suggest::unknown(&kind, text, shape.named.iter().copied()));
                     } else if found.named.insert(text, value).is_some() {
                         self.errors.at(name.span, say::twice(text));
                     }

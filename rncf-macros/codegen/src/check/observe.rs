@@ -84,7 +84,8 @@ impl<'a> Check<'a> {
             None => {
                 if self.is_news(&name.text) {
                     let known = self.known(&[Keyword::Body, Keyword::Joint]);
-                    self.errors.at(name.span, suggest::unknown("body or joint", &name.text, known));
+                    self.errors
+                        .at(name.span, suggest::unknown("body or joint", &name.text, known));
                 }
                 None
             }
@@ -99,7 +100,8 @@ impl<'a> Check<'a> {
             Some(("position", rest)) => (PointQuantity::Position, rest),
             Some((word, _)) if !AXES.contains(&word) => {
                 let known = ["x", "y", "z", "velocity", "slope", "position"];
-                self.errors.at(fields[0].span, suggest::unknown("quantity of a point", word, known));
+                self.errors
+                    .at(fields[0].span, suggest::unknown("quantity of a point", word, known));
                 return None;
             }
             _ => (PointQuantity::Position, fields),
@@ -115,9 +117,18 @@ impl<'a> Check<'a> {
             None => String::new(),
         })?;
         let body = place.body.id;
-        let observe = |axis| Observable::Point { body, at: place.at.clone(), what, component: axis };
+        let observe = |axis| Observable::Point {
+            body,
+            at: place.at.clone(),
+            what,
+            component: axis,
+        };
         let components = axes.into_iter().map(|axis| (AXES[axis], observe(axis))).collect();
-        Some(Seen { components, dimension, is_scalar })
+        Some(Seen {
+            components,
+            dimension,
+            is_scalar,
+        })
     }
 
     fn reaction(&mut self, name: &Name, fields: &[&'a Name]) -> Option<Seen> {
@@ -127,7 +138,8 @@ impl<'a> Check<'a> {
             "force" => false,
             "moment" => true,
             other => {
-                self.errors.at(first.span, suggest::unknown("reaction", other, ["force", "moment"]));
+                self.errors
+                    .at(first.span, suggest::unknown("reaction", other, ["force", "moment"]));
                 return None;
             }
         };
@@ -145,10 +157,22 @@ impl<'a> Check<'a> {
             (Some(normal), false) => say::always_zero(AXES[axis], plane(normal)),
             (None, _) => String::new(),
         })?;
-        let dimension = Dimension::of(if is_moment { [2, 1, -2, 0, 0, 0] } else { [1, 1, -2, 0, 0, 0] });
-        let observe = |axis| Observable::Reaction { joint: known.id, moment: is_moment, component: axis };
+        let dimension = Dimension::of(if is_moment {
+            [2, 1, -2, 0, 0, 0]
+        } else {
+            [1, 1, -2, 0, 0, 0]
+        });
+        let observe = |axis| Observable::Reaction {
+            joint: known.id,
+            moment: is_moment,
+            component: axis,
+        };
         let components = axes.into_iter().map(|axis| (AXES[axis], observe(axis))).collect();
-        Some(Seen { components, dimension, is_scalar })
+        Some(Seen {
+            components,
+            dimension,
+            is_scalar,
+        })
     }
 
     /// The axis that the last word asks for, or all that there are.
@@ -167,7 +191,8 @@ impl<'a> Check<'a> {
         }
         let Some(axis) = AXES.iter().position(|axis| *axis == first.text) else {
             let known = valid.iter().map(|axis| AXES[*axis]).collect::<Vec<_>>();
-            self.errors.at(first.span, suggest::unknown("component", &first.text, known));
+            self.errors
+                .at(first.span, suggest::unknown("component", &first.text, known));
             return None;
         };
         if !valid.contains(&axis) {

@@ -17,7 +17,12 @@ impl<'a> Check<'a> {
             };
             if let Some((unit, components)) = self.output(value) {
                 let (name, doc) = (item.name.text.clone(), item.doc.clone());
-                self.model.outputs.push(Output { name, doc, unit, components });
+                self.model.outputs.push(Output {
+                    name,
+                    doc,
+                    unit,
+                    components,
+                });
             }
         }
     }
@@ -26,11 +31,23 @@ impl<'a> Check<'a> {
         // A vector stands alone; in an expression only components do.
         if let ExprKind::Member { .. } = &value.kind {
             let seen = self.observe(value)?;
-            let suffix = |axis: &str| if seen.is_scalar { String::new() } else { axis.to_string() };
-            let components = seen.components.iter().map(|(axis, it)| (suffix(axis), Value::Observed(it.clone())));
+            let suffix = |axis: &str| {
+                if seen.is_scalar {
+                    String::new()
+                } else {
+                    axis.to_string()
+                }
+            };
+            let components = seen
+                .components
+                .iter()
+                .map(|(axis, it)| (suffix(axis), Value::Observed(it.clone())));
             return Some((seen.dimension.symbol(false), components.collect()));
         }
         let typed = self.expr(value, Scope::Output)?;
-        Some((typed.dimension.symbol(typed.nature.angle), vec![(String::new(), typed.value)]))
+        Some((
+            typed.dimension.symbol(typed.nature.angle),
+            vec![(String::new(), typed.value)],
+        ))
     }
 }

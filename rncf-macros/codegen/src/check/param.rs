@@ -17,7 +17,11 @@ impl<'a> Check<'a> {
                 continue;
             };
             let param = value.as_ref().and_then(|value| {
-                if *count { self.count_param(item, value) } else { self.quantity_param(item, value) }
+                if *count {
+                    self.count_param(item, value)
+                } else {
+                    self.quantity_param(item, value)
+                }
             });
             let typed = param.map(|(param, hertz)| {
                 let id = ParamId(self.model.params.len());
@@ -43,7 +47,18 @@ impl<'a> Check<'a> {
         };
         let default = fold::constant(&typed.value)?;
         let (name, doc) = (item.name.text.clone(), item.doc.clone());
-        Some((Param { name, doc, unit, unit_si, dimension, default, is_count: false }, typed.nature.hertz))
+        Some((
+            Param {
+                name,
+                doc,
+                unit,
+                unit_si,
+                dimension,
+                default,
+                is_count: false,
+            },
+            typed.nature.hertz,
+        ))
     }
 
     fn count_param(&mut self, item: &Item, value: &'a Expr) -> Option<(Param, bool)> {
@@ -55,7 +70,18 @@ impl<'a> Check<'a> {
         }
         let (name, doc) = (item.name.text.clone(), item.doc.clone());
         let unit = "1".to_string();
-        Some((Param { name, doc, unit, unit_si: 1.0, dimension: [0; 6], default, is_count: true }, false))
+        Some((
+            Param {
+                name,
+                doc,
+                unit,
+                unit_si: 1.0,
+                dimension: [0; 6],
+                default,
+                is_count: true,
+            },
+            false,
+        ))
     }
 
     /// The number of elements of a mesh.
@@ -80,7 +106,8 @@ impl<'a> Check<'a> {
         for (at, run) in self.tree.runs.iter().enumerate() {
             if at > 0 {
                 let line = self.tree.runs[0].area.line();
-                self.errors.at(run.area, say::duplicate_statement("`run`", &line.to_string()));
+                self.errors
+                    .at(run.area, say::duplicate_statement("`run`", &line.to_string()));
             }
             let mut seen: Vec<&str> = Vec::new();
             for field in &run.fields {
@@ -96,7 +123,11 @@ impl<'a> Check<'a> {
                 seen.push(name);
                 let is_end = name == "t_end";
                 let what = if is_end { "`t_end`" } else { "`every`" };
-                let wanted = Wanted { what, dimension: [0, 0, 1, 0, 0, 0], unit: "s" };
+                let wanted = Wanted {
+                    what,
+                    dimension: [0, 0, 1, 0, 0, 0],
+                    unit: "s",
+                };
                 let Some(value) = self.quantity(&field.value, Scope::Parameter, wanted) else {
                     continue;
                 };

@@ -31,7 +31,10 @@ impl Check<'_> {
         while at != INERTIAL {
             let frame = &self.model.frames[at.0];
             let name = frame.name.clone();
-            let leaves = frame.rotation.as_ref().is_some_and(|rotation| rotation.axis[normal].abs() < PARALLEL);
+            let leaves = frame
+                .rotation
+                .as_ref()
+                .is_some_and(|rotation| rotation.axis[normal].abs() < PARALLEL);
             let drifts = fold::constant(&frame.origin[normal]) != Some(0.0);
             if leaves || drifts {
                 if !self.out_of_plane.insert((at, normal)) {
@@ -61,7 +64,10 @@ impl Check<'_> {
             None => strict,
         };
         if is_out {
-            self.errors.at(vector.areas[normal], say::out_of_plane(what, plane(normal), AXES[normal]));
+            self.errors.at(
+                vector.areas[normal],
+                say::out_of_plane(what, plane(normal), AXES[normal]),
+            );
         }
     }
 

@@ -35,20 +35,32 @@ impl Nature {
     #[must_use]
     pub fn plus(self, other: Nature) -> Nature {
         let (angle, hertz) = (self.angle || other.angle, self.hertz || other.hertz);
-        Nature { angle, hertz, pi: self.pi && other.pi }
+        Nature {
+            angle,
+            hertz,
+            pi: self.pi && other.pi,
+        }
     }
 
     /// Of a product or quotient.
     #[must_use]
     pub fn with(self, other: Nature) -> Nature {
         let pi = self.pi || other.pi;
-        Nature { angle: self.angle || other.angle, hertz: (self.hertz || other.hertz) && !pi, pi }
+        Nature {
+            angle: self.angle || other.angle,
+            hertz: (self.hertz || other.hertz) && !pi,
+            pi,
+        }
     }
 }
 
 impl Typed {
     pub fn new(value: model::Expr, dimension: Dimension) -> Self {
-        Self { value, dimension, nature: Nature::default() }
+        Self {
+            value,
+            dimension,
+            nature: Nature::default(),
+        }
     }
 
     pub fn describe(&self) -> String {
@@ -135,7 +147,11 @@ impl<'a> Check<'a> {
             self.errors.at(term.area, say::bare_angle(what, &text));
             return None;
         }
-        let wanted = Wanted { what, dimension: [0, 0, 0, 0, 0, 1], unit: "rad" };
+        let wanted = Wanted {
+            what,
+            dimension: [0, 0, 0, 0, 0, 1],
+            unit: "rad",
+        };
         if !self.is_wanted(expr, &typed, wanted) {
             return None;
         }
@@ -157,21 +173,32 @@ impl<'a> Check<'a> {
             return None;
         };
         let values: Vec<Option<model::Expr>> = match unit {
-            None => components.iter().map(|component| self.component(component, scope, wanted)).collect(),
+            None => components
+                .iter()
+                .map(|component| self.component(component, scope, wanted))
+                .collect(),
             Some(unit) => {
                 let compound = self.unit(unit)?;
                 if Dimension::of(compound.dimension) != Dimension::of(wanted.dimension) {
                     let kind = Dimension::of(wanted.dimension).describe(wanted.dimension[5] != 0);
                     let found = Dimension::of(compound.dimension).describe(compound.dimension[5] != 0);
-                    self.errors.at(unit.area, say::wrong_dimension(wanted.what, &kind, &found));
+                    self.errors
+                        .at(unit.area, say::wrong_dimension(wanted.what, &kind, &found));
                     return None;
                 }
-                components.iter().map(|component| self.scaled_literal(component, compound)).collect()
+                components
+                    .iter()
+                    .map(|component| self.scaled_literal(component, compound))
+                    .collect()
             }
         };
         let areas: Vec<Area> = components.iter().map(|component| component.area).collect();
         let values: Vec<model::Expr> = values.into_iter().collect::<Option<_>>()?;
-        Some(Vector { values: values.try_into().ok()?, areas: areas.try_into().ok()?, area: expr.area })
+        Some(Vector {
+            values: values.try_into().ok()?,
+            areas: areas.try_into().ok()?,
+            area: expr.area,
+        })
     }
 
     /// A component with its own unit; zero needs none.
@@ -182,7 +209,10 @@ impl<'a> Check<'a> {
         if let Some(text) = bare_literal(expr) {
             let kind = Dimension::of(wanted.dimension).describe(wanted.dimension[5] != 0);
             if !Dimension::of(wanted.dimension).is_none() {
-                self.errors.at(expr.area, say::no_unit(wanted.what, &kind, &text, &behind_number(wanted.unit)));
+                self.errors.at(
+                    expr.area,
+                    say::no_unit(wanted.what, &kind, &text, &behind_number(wanted.unit)),
+                );
                 return None;
             }
         }

@@ -64,7 +64,10 @@ impl Check<'_> {
 /// The unit that was meant, or some that there are.
 fn unknown(word: &str) -> String {
     let symbols: Vec<&str> = units::UNITS.iter().map(|unit| unit.symbol).collect();
-    let meant = units::SPELLINGS.iter().find(|(spelling, _)| *spelling == word).map(|(_, symbol)| *symbol);
+    let meant = units::SPELLINGS
+        .iter()
+        .find(|(spelling, _)| *spelling == word)
+        .map(|(_, symbol)| *symbol);
     match meant.or_else(|| suggest::nearest(word, &symbols)) {
         Some(near) => say::unknown_unit_near(word, near),
         None => say::unknown_unit(word),

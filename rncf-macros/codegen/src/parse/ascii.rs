@@ -18,10 +18,12 @@ pub fn suggestion(word: &str) -> Option<String> {
     if word.is_ascii() {
         return None;
     }
-    let spelled = word.chars().map(|c| match SPELLINGS.iter().find(|(other, _)| *other == c) {
-        Some((_, spelling)) => (*spelling).to_string(),
-        None if c.is_ascii() => c.to_string(),
-        None => "_".into(),
-    });
+    let spelled = word
+        .chars()
+        .map(|c| match SPELLINGS.iter().find(|(other, _)| *other == c) {
+            Some((_, spelling)) => (*spelling).to_string(),
+            None if c.is_ascii() => c.to_string(),
+            None => "_".into(),
+        });
     Some(spelled.collect())
 }

@@ -64,12 +64,18 @@ impl Cursor {
 
     /// Span of the token before.
     pub fn before(&self) -> Span {
-        self.at.checked_sub(1).and_then(|at| self.tokens.get(at)).map_or(self.close, TokenTree::span)
+        self.at
+            .checked_sub(1)
+            .and_then(|at| self.tokens.get(at))
+            .map_or(self.close, TokenTree::span)
     }
 
     /// From a span to the token before.
     pub fn since(&self, start: Span) -> Area {
-        Area { start, end: self.before() }
+        Area {
+            start,
+            end: self.before(),
+        }
     }
 
     pub fn word(&self) -> Option<&Ident> {
@@ -142,11 +148,19 @@ impl Cursor {
     }
 
     pub fn expect_punct(&mut self, c: char) -> Parsed<()> {
-        if self.eat_punct(c) { Ok(()) } else { Err(self.expected(&format!("`{c}`"))) }
+        if self.eat_punct(c) {
+            Ok(())
+        } else {
+            Err(self.expected(&format!("`{c}`")))
+        }
     }
 
     pub fn expect_word(&mut self, word: &str) -> Parsed<()> {
-        if self.eat_word(word) { Ok(()) } else { Err(self.expected(&format!("`{word}`"))) }
+        if self.eat_word(word) {
+            Ok(())
+        } else {
+            Err(self.expected(&format!("`{word}`")))
+        }
     }
 
     /// The `;` at the end of a statement; where it is missing the token before is underlined.
@@ -154,7 +168,8 @@ impl Cursor {
         if self.eat_punct(';') {
             return Ok(());
         }
-        let is_new = self.is_empty() || self.is_two_words() || self.is_punct('#');
+        let is_assignment = self.word().is_some() && self.is_second_punct('=');
+        let is_new = self.is_empty() || self.is_two_words() || is_assignment || self.is_punct('#');
         if is_new {
             return Err(Mistake::new(self.before(), say::missing_semicolon(&self.found())));
         }
@@ -167,7 +182,10 @@ impl Cursor {
             return Err(self.expected(what));
         };
         self.at += 1;
-        Ok(Name { text: ident.to_string(), span: ident.span() })
+        Ok(Name {
+            text: ident.to_string(),
+            span: ident.span(),
+        })
     }
 }
 

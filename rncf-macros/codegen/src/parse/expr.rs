@@ -14,8 +14,22 @@ const MAX_HEIGHT: usize = 200;
 
 /// Words that end an expression and never name a unit, besides the keywords of items.
 const STOP: &[&str] = &[
-    "angle", "radius", "direction", "to", "from", "else", "if", "in", "at", "line", "arc", "mesh", "planar", "spatial",
-    "run", "pub",
+    "angle",
+    "radius",
+    "direction",
+    "to",
+    "from",
+    "else",
+    "if",
+    "in",
+    "at",
+    "line",
+    "arc",
+    "mesh",
+    "planar",
+    "spatial",
+    "run",
+    "pub",
 ];
 
 /// Whether the next word may be a unit symbol.
@@ -55,7 +69,14 @@ fn quantity(cursor: &mut Cursor) -> Option<Expr> {
     };
     let text = number(&literal).ok()?;
     let unit = unit::compound(cursor).ok()?;
-    let area = Area { start: literal.span(), end: unit.area.end };
+    // `3 N * t` is a product with time, not with tonnes.
+    if unit.factors.iter().skip(1).any(|(name, _)| name.text == "t") {
+        return None;
+    }
+    let area = Area {
+        start: literal.span(),
+        end: unit.area.end,
+    };
     let number = node(ExprKind::Number { text, unit: Some(unit) }, area, 1).ok()?;
     if !minus {
         return Some(number);
@@ -87,7 +108,11 @@ fn nested(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
 
 fn binary(operator: Binary, left: Expr, right: Expr) -> Parsed<Expr> {
     let (area, height) = (left.area.to(right.area), 1 + left.height.max(right.height));
-    node(ExprKind::Binary(operator, Box::new(left), Box::new(right)), area, height)
+    node(
+        ExprKind::Binary(operator, Box::new(left), Box::new(right)),
+        area,
+        height,
+    )
 }
 
 fn product(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
@@ -145,7 +170,15 @@ fn member(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
             None => None,
         };
         let (area, height) = (base.area.to(cursor.before().into()), 1 + base.height);
-        base = node(ExprKind::Member { base: Box::new(base), field, arguments }, area, height)?;
+        base = node(
+            ExprKind::Member {
+                base: Box::new(base),
+                field,
+                arguments,
+            },
+            area,
+            height,
+        )?;
     }
     Ok(base)
 }
@@ -173,7 +206,12 @@ fn primary(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
     let name = cursor.expect_name("a value")?;
     if cursor.group(Delimiter::Parenthesis).is_some() {
         let call = call(cursor, name, depth)?;
-        let height = 1 + call.arguments.iter().map(|argument| argument.value.height).max().unwrap_or(0);
+        let height = 1 + call
+            .arguments
+            .iter()
+            .map(|argument| argument.value.height)
+            .max()
+            .unwrap_or(0);
         return node(ExprKind::Call(call), cursor.since(start), height);
     }
     node(ExprKind::Name(name), start.into(), 1)
@@ -185,7 +223,11 @@ fn whole(cursor: &mut Cursor, depth: usize, what: &str) -> Parsed<Expr> {
         return Err(cursor.expected(what));
     }
     let expr = nested(cursor, depth + 1)?;
-    if cursor.is_empty() { Ok(expr) } else { Err(cursor.expected("an operator")) }
+    if cursor.is_empty() {
+        Ok(expr)
+    } else {
+        Err(cursor.expected("an operator"))
+    }
 }
 
 fn literal_with_unit(cursor: &mut Cursor, literal: &Literal) -> Parsed<Expr> {
@@ -210,15 +252,24 @@ fn number(literal: &Literal) -> Parsed<String> {
     let text = literal.to_string();
     let at = text.find(|c: char| !(c.is_ascii_digit() || c == '_' || c == '.'));
     let (digits, rest) = text.split_at(at.unwrap_or(text.len()));
-    let exponent = rest.strip_prefix(['e', 'E']).map(|e| e.strip_prefix(['+', '-']).unwrap_or(e));
+    let exponent = rest
+        .strip_prefix(['e', 'E'])
+        .map(|e| e.strip_prefix(['+', '-']).unwrap_or(e));
     let is_exponent = exponent.is_some_and(|e| !e.is_empty() && e.chars().all(|c| c.is_ascii_digit()));
     if digits.is_empty() || text.starts_with("0x") || text.starts_with("0b") || text.starts_with("0o") {
         return Err(Mistake::new(literal.span(), say::not_a_number(&text)));
     }
     if !rest.is_empty() && !is_exponent {
         // `1e5rpm`: the suffix starts behind the exponent.
-        let exponent = rest.len() - rest.trim_start_matches(|c: char| "eE+-".contains(c) || c.is_ascii_digit()).len();
-        let exponent = if rest[..exponent].ends_with(|c: char| c.is_ascii_digit()) { exponent } else { 0 };
+        let exponent = rest.len()
+            - rest
+                .trim_start_matches(|c: char| "eE+-".contains(c) || c.is_ascii_digit())
+                .len();
+        let exponent = if rest[..exponent].ends_with(|c: char| c.is_ascii_digit()) {
+            exponent
+        } else {
+            0
+        };
         let (number, unit) = text.split_at(digits.len() + exponent);
         return Err(Mistake::new(literal.span(), say::missing_space(number, unit)));
     }
@@ -242,12 +293,19 @@ fn vector(cursor: &mut Cursor, group: &proc_macro2::Group, depth: usize) -> Pars
     } else if is_unit_next(cursor) {
         let unit = unit::compound(cursor)?;
         unit::check_end(cursor)?;
-        Some(UnitText { is_delimited: true, ..unit })
+        Some(UnitText {
+            is_delimited: true,
+            ..unit
+        })
     } else {
         None
     };
     let height = 1 + components.iter().map(|component| component.height).max().unwrap_or(0);
-    node(ExprKind::Vector { components, unit }, cursor.since(group.span()), height)
+    node(
+        ExprKind::Vector { components, unit },
+        cursor.since(group.span()),
+        height,
+    )
 }
 
 /// `(arguments)` behind a name.
@@ -264,11 +322,18 @@ fn arguments(cursor: &mut Cursor, depth: usize) -> Parsed<Vec<Argument>> {
     let mut arguments = Vec::new();
     while !cursor.is_empty() {
         let is_named = cursor.word().is_some() && cursor.is_second_punct('=');
-        let name = if is_named { Some(cursor.expect_name("a name")?) } else { None };
+        let name = if is_named {
+            Some(cursor.expect_name("a name")?)
+        } else {
+            None
+        };
         if is_named {
             cursor.expect_punct('=')?;
         }
-        arguments.push(Argument { name, value: nested(cursor, depth)? });
+        arguments.push(Argument {
+            name,
+            value: nested(cursor, depth)?,
+        });
         if !cursor.is_empty() && !cursor.eat_punct(',') {
             return Err(cursor.expected("`,` or `)`"));
         }
@@ -294,8 +359,18 @@ fn conditional(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
     } else {
         braced(cursor, depth, "`{` and the value where the condition does not hold")?
     };
-    let height = 1 + [&left, &right, &then, &otherwise].map(|expr| expr.height).into_iter().max().unwrap_or(0);
-    let inner = If { comparison, left, right, then, otherwise };
+    let height = 1 + [&left, &right, &then, &otherwise]
+        .map(|expr| expr.height)
+        .into_iter()
+        .max()
+        .unwrap_or(0);
+    let inner = If {
+        comparison,
+        left,
+        right,
+        then,
+        otherwise,
+    };
     node(ExprKind::If(Box::new(inner)), cursor.since(start), height)
 }
 

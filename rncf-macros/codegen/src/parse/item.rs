@@ -37,6 +37,7 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, errors: &mut Errors) {
     }
 }
 
+/// What stands where an item should: a word that is nearly one, or something else.
 fn unknown_item(cursor: &Cursor) -> Mistake {
     let valid = Keyword::ALL.map(Keyword::word).into_iter().chain(["run"]);
     match cursor.word() {
@@ -47,7 +48,9 @@ fn unknown_item(cursor: &Cursor) -> Mistake {
 
 fn item_name(cursor: &mut Cursor, keyword: Keyword) -> Parsed<Name> {
     // A keyword is a name that was forgotten: `param = 3;`, or half a line: `param` `body beam ..`.
-    let is_next_item = cursor.word().is_some_and(|word| Keyword::of(&word.to_string()).is_some());
+    let is_next_item = cursor
+        .word()
+        .is_some_and(|word| Keyword::of(&word.to_string()).is_some());
     if is_next_item && cursor.is_two_words() {
         return Err(Mistake::new(cursor.before(), say::missing_name(keyword.word())));
     }
@@ -81,7 +84,12 @@ fn item(cursor: &mut Cursor, doc: String, keyword: Keyword, name: Name, errors: 
             ItemKind::Broken
         }),
     };
-    Item { doc, keyword, name, kind }
+    Item {
+        doc,
+        keyword,
+        name,
+        kind,
+    }
 }
 
 /// A parameter keeps its kind even where its value is unreadable: the struct keeps its field.
@@ -99,7 +107,10 @@ fn param_value(cursor: &mut Cursor, count: &mut bool) -> Parsed<Option<super::tr
     if cursor.eat_punct(':') {
         let kind = cursor.expect_name("`count`")?;
         if kind.text != "count" {
-            return Err(Mistake::new(kind.span, say::unknown("kind of parameter", &kind.text, ["count"])));
+            return Err(Mistake::new(
+                kind.span,
+                say::unknown("kind of parameter", &kind.text, ["count"]),
+            ));
         }
         *count = true;
     }
@@ -130,7 +141,10 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
         Keyword::Load => ItemKind::Load(assigned_call(cursor, "`gravity(..)`, `force(..)` or `moment(..)`")?),
         Keyword::Frame => {
             let parent = in_frame(cursor)?;
-            ItemKind::Frame { parent, call: assigned_call(cursor, "`rotating(..)` or `moving(..)`")? }
+            ItemKind::Frame {
+                parent,
+                call: assigned_call(cursor, "`rotating(..)` or `moving(..)`")?,
+            }
         }
         Keyword::Body => {
             let frame = in_frame(cursor)?;
@@ -139,7 +153,11 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
             };
             let before = errors.len();
             let statements = statements(&mut Cursor::of(&group), errors);
-            ItemKind::Body { frame, statements, complete: errors.len() == before }
+            ItemKind::Body {
+                frame,
+                statements,
+                complete: errors.len() == before,
+            }
         }
     })
 }
@@ -156,7 +174,11 @@ fn time_argument(cursor: &mut Cursor) -> Parsed<()> {
 }
 
 fn in_frame(cursor: &mut Cursor) -> Parsed<Option<Name>> {
-    if cursor.eat_word("in") { cursor.expect_name("the name of a frame").map(Some) } else { Ok(None) }
+    if cursor.eat_word("in") {
+        cursor.expect_name("the name of a frame").map(Some)
+    } else {
+        Ok(None)
+    }
 }
 
 fn assigned_call(cursor: &mut Cursor, what: &str) -> Parsed<super::tree::Call> {
@@ -233,33 +255,53 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
     let statement = match word.text.as_str() {
         "planar" => {
             let plane = cursor.expect_name("a plane: `xy`, `yz` or `zx`")?;
-            Statement::Space { area: cursor.since(word.span), plane: Some(plane) }
+            Statement::Space {
+                area: cursor.since(word.span),
+                plane: Some(plane),
+            }
         }
         "spatial" => Statement::Space { area, plane: None },
         "line" => {
             cursor.expect_word("from")?;
             let from = expr::expression(cursor)?;
             cursor.expect_word("to")?;
-            Statement::Line { area, from, to: expr::expression(cursor)? }
+            Statement::Line {
+                area,
+                from,
+                to: expr::expression(cursor)?,
+            }
         }
         "arc" => {
             cursor.expect_word("from")?;
             let from = expr::expression(cursor)?;
             cursor.expect_word("direction")?;
-            let direction = expr::expression(cursor)?;
+            let direction = Box::new(expr::expression(cursor)?);
             cursor.expect_word("radius")?;
-            let radius = expr::expression(cursor)?;
+            let radius = Box::new(expr::expression(cursor)?);
             cursor.expect_word("angle")?;
-            Statement::Arc { area, from, direction, radius, angle: expr::expression(cursor)? }
+            Statement::Arc {
+                area,
+                from,
+                direction,
+                radius,
+                angle: Box::new(expr::expression(cursor)?),
+            }
         }
         "mesh" => {
             let count = expr::count(cursor)?;
             cursor.expect_punct('*')?;
             let name = cursor.expect_name("an element such as `cable(section, material)`")?;
-            Statement::Mesh { area, count, element: expr::call(cursor, name, 0)? }
+            Statement::Mesh {
+                area,
+                count,
+                element: expr::call(cursor, name, 0)?,
+            }
         }
         other => {
-            return Err(Mistake::new(word.span, say::unknown("statement", other, STATEMENTS.iter().copied())));
+            return Err(Mistake::new(
+                word.span,
+                say::unknown("statement", other, STATEMENTS.iter().copied()),
+            ));
         }
     };
     cursor.expect_end()?;
@@ -269,7 +311,9 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
 /// Skips to the next item: behind a `;` or `{..}`, or before a keyword with a name.
 fn recover(cursor: &mut Cursor) {
     recover_before(cursor, |cursor| {
-        cursor.word().is_some_and(|word| word == "run" || Keyword::of(&word.to_string()).is_some())
+        cursor
+            .word()
+            .is_some_and(|word| word == "run" || Keyword::of(&word.to_string()).is_some())
             && (cursor.is_two_words() || cursor.is_word("run"))
     });
 }
@@ -306,9 +350,11 @@ pub fn documentation(cursor: &mut Cursor, errors: &mut Errors) -> String {
         let start = cursor.here();
         cursor.next();
         let inner = cursor.eat_punct('!');
-        let text = cursor.eat_group(Delimiter::Bracket).and_then(|group| doc_text(&mut Cursor::of(&group)));
+        let text = cursor
+            .eat_group(Delimiter::Bracket)
+            .and_then(|group| doc_text(&mut Cursor::of(&group)));
         match text {
-            Some(text) if !inner => lines.extend(text.lines().map(|line| clean(line).to_string())),
+            Some(text) if !inner => lines.extend(text.split('\n').map(|line| clean(line).to_string())),
             Some(_) => errors.at(cursor.since(start), say::INNER_DOC),
             None => errors.at(cursor.since(start), say::ATTRIBUTE),
         }
@@ -330,5 +376,7 @@ fn doc_text(cursor: &mut Cursor) -> Option<String> {
     let Some(TokenTree::Literal(literal)) = cursor.next() else {
         return None;
     };
-    syn::parse_str::<syn::LitStr>(&literal.to_string()).ok().map(|text| text.value())
+    syn::parse_str::<syn::LitStr>(&literal.to_string())
+        .ok()
+        .map(|text| text.value())
 }

@@ -6,7 +6,8 @@ pub const TOO_DEEP: &str = "this is nested too deeply: give parts of it names wi
 pub const STAR_STAR: &str = "a power is written with `^`: `a^2`";
 pub const PLUS_SIGN: &str = "a leading `+` has no meaning here: leave it out";
 pub const MISSING_ELSE: &str = "an `if` is a value and needs both cases: `if t < T { .. } else { .. }`";
-pub const NO_EQUALITY: &str = "values are compared with `<`, `<=`, `>` or `>=`: two real numbers are never safely equal";
+pub const NO_EQUALITY: &str =
+    "values are compared with `<`, `<=`, `>` or `>=`: two real numbers are never safely equal";
 pub const MOTION_ARGUMENT: &str = "a motion is a function of time: write `(t)`";
 pub const INNER_DOC: &str = "documentation stands before what it describes: write `///`";
 pub const ATTRIBUTE: &str = "attributes have no meaning here; only documentation comments `///` do";

@@ -98,13 +98,25 @@ fn head(cursor: &mut Cursor, errors: &mut Errors) -> Parsed<Tree> {
     let name = cursor.expect_name("the name of the model")?;
     item::check_name(&name)?;
     let (items, runs, lost) = (Vec::new(), Vec::new(), Vec::new());
-    Ok(Tree { doc, visibility, name, items, lost, runs, source: String::new(), complete: false })
+    Ok(Tree {
+        doc,
+        visibility,
+        name,
+        items,
+        lost,
+        runs,
+        source: String::new(),
+        complete: false,
+    })
 }
 
 fn body(cursor: &mut Cursor, name: &Name) -> Parsed<Group> {
     cursor.eat_group(Delimiter::Brace).ok_or_else(|| {
         let place = if cursor.is_empty() { name.span } else { cursor.here() };
-        Mistake::new(place, say::expected(&format!("`{{` after `model {}`", name.text), &cursor.found()))
+        Mistake::new(
+            place,
+            say::expected(&format!("`{{` after `model {}`", name.text), &cursor.found()),
+        )
     })
 }
 

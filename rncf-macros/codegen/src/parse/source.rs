@@ -10,7 +10,10 @@ pub fn declaration(tree: &Tree, body: &Group) -> String {
     if !head.is_empty() {
         head.push(' ');
     }
-    let body = body.span().source_text().map_or_else(|| printed(body), |text| dedent(&text));
+    let body = body
+        .span()
+        .source_text()
+        .map_or_else(|| printed(body), |text| dedent(&text));
     format!("{head}model {} {body}", tree.name.text)
 }
 
@@ -18,7 +21,9 @@ pub fn declaration(tree: &Tree, body: &Group) -> String {
 fn dedent(text: &str) -> String {
     let last = text.lines().last().unwrap_or_default();
     let indent = &last[..last.len() - last.trim_start().len()];
-    let lines = text.lines().map(|line| line.strip_prefix(indent).unwrap_or(line.trim_start()).trim_end());
+    let lines = text
+        .lines()
+        .map(|line| line.strip_prefix(indent).unwrap_or(line.trim_start()).trim_end());
     lines.collect::<Vec<_>>().join("\n")
 }
 
@@ -38,18 +43,25 @@ fn group(group: &Group, level: usize, out: &mut String) {
     out.push_str(open);
     // A block of statements gets lines of its own; a value in braces stays in its line.
     let is_block = group.delimiter() == Delimiter::Brace && has_statements(group.stream());
+    let is_value = group.delimiter() == Delimiter::Brace && !is_block;
     if is_block {
         new_line(level + 1, out);
+    } else if is_value {
+        out.push(' ');
     }
     tokens(group.stream(), level + usize::from(is_block), is_block, out);
     if is_block {
         new_line(level, out);
+    } else if is_value {
+        out.push(' ');
     }
     out.push_str(close);
 }
 
 fn has_statements(stream: TokenStream) -> bool {
-    stream.into_iter().any(|token| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ';'))
+    stream
+        .into_iter()
+        .any(|token| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ';'))
 }
 
 fn new_line(level: usize, out: &mut String) {

@@ -37,7 +37,10 @@ pub struct Tree {
 impl Tree {
     /// Visibility as text: `pub`, `pub(crate)`, `pub(in crate::a)` or empty.
     pub fn visibility_text(&self) -> String {
-        self.visibility.to_string().replace("pub (", "pub(").replace(" :: ", "::")
+        self.visibility
+            .to_string()
+            .replace("pub (", "pub(")
+            .replace(" :: ", "::")
     }
 }
 
@@ -197,11 +200,11 @@ pub enum Statement {
         /// Start.
         from: Expr,
         /// Tangent at the start.
-        direction: Expr,
+        direction: Box<Expr>,
         /// Radius.
-        radius: Expr,
+        radius: Box<Expr>,
         /// Subtended angle.
-        angle: Expr,
+        angle: Box<Expr>,
     },
     /// `mesh count * element(..);`
     Mesh {

@@ -14,7 +14,12 @@ const LONGEST: usize = 100;
 /// Exactly one symbol.
 pub fn single(cursor: &mut Cursor) -> Parsed<UnitText> {
     let name = cursor.expect_name("a unit")?;
-    Ok(UnitText { text: name.text.clone(), area: name.span.into(), factors: vec![(name, 1)], is_delimited: true })
+    Ok(UnitText {
+        text: name.text.clone(),
+        area: name.span.into(),
+        factors: vec![(name, 1)],
+        is_delimited: true,
+    })
 }
 
 /// The content of `[m/s^2]`.
@@ -41,7 +46,12 @@ pub fn check_end(cursor: &Cursor) -> Parsed<()> {
 /// `kg/m^3`, `N*m`, `N m`, `1/s`, `W/(m K)`: as far as it goes.
 pub fn compound(cursor: &mut Cursor) -> Parsed<UnitText> {
     let start = cursor.here();
-    let mut unit = UnitText { factors: Vec::new(), text: String::new(), is_delimited: false, area: start.into() };
+    let mut unit = UnitText {
+        factors: Vec::new(),
+        text: String::new(),
+        is_delimited: false,
+        area: start.into(),
+    };
     factors(cursor, 1, &mut unit)?;
     unit.area = cursor.since(start);
     Ok(unit)
@@ -84,11 +94,19 @@ fn factor(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
         unit.text.push('(');
         factors(&mut inner, sign, unit)?;
         unit.text.push(')');
-        return if inner.is_empty() { Ok(()) } else { Err(inner.expected("a unit")) };
+        return if inner.is_empty() {
+            Ok(())
+        } else {
+            Err(inner.expected("a unit"))
+        };
     }
     let name = cursor.expect_name("a unit such as `m`")?;
     unit.text.push_str(&name.text);
-    let exponent = if cursor.eat_punct('^') { exponent(cursor, unit)? } else { 1 };
+    let exponent = if cursor.eat_punct('^') {
+        exponent(cursor, unit)?
+    } else {
+        1
+    };
     unit.factors.push((name, sign * exponent));
     Ok(())
 }

@@ -23,9 +23,12 @@ impl Fraction {
             (a, b) = (b, a % b);
         }
         let divisor = if under < 0 { -a } else { a };
-        (divisor != 0).then(|| Self { over: over / divisor, under: under / divisor }).filter(|fraction| {
-            fraction.over.abs() <= LARGEST && fraction.under <= LARGEST
-        })
+        (divisor != 0)
+            .then(|| Self {
+                over: over / divisor,
+                under: under / divisor,
+            })
+            .filter(|fraction| fraction.over.abs() <= LARGEST && fraction.under <= LARGEST)
     }
 
     /// The fraction with a small denominator that equals a number, if there is one.
@@ -40,7 +43,10 @@ impl Fraction {
     }
 
     fn add(self, other: Self) -> Option<Self> {
-        Self::new(self.over * other.under + other.over * self.under, self.under * other.under)
+        Self::new(
+            self.over * other.under + other.over * self.under,
+            self.under * other.under,
+        )
     }
 
     fn multiply(self, other: Self) -> Option<Self> {
@@ -113,7 +119,10 @@ impl Dimension {
 
     fn known(self) -> Option<(&'static str, &'static str)> {
         let whole = self.whole()?;
-        NAMES.iter().find(|(exponents, ..)| *exponents == whole).map(|(_, name, symbol)| (*name, *symbol))
+        NAMES
+            .iter()
+            .find(|(exponents, ..)| *exponents == whole)
+            .map(|(_, name, symbol)| (*name, *symbol))
     }
 
     /// SI unit symbol: `m`, `N m`, `rad/s` (where `angle`), `1`.

@@ -30,7 +30,11 @@ pub struct Compound {
 
 impl Compound {
     /// No unit.
-    pub const ONE: Compound = Compound { dimension: [0; 6], decimal: 0, factor: 1.0 };
+    pub const ONE: Compound = Compound {
+        dimension: [0; 6],
+        decimal: 0,
+        factor: 1.0,
+    };
 
     /// Multiplied by a power of a unit; `None` where an exponent is too large.
     pub fn times(self, unit: &Unit, exponent: i32) -> Option<Self> {

@@ -20,15 +20,24 @@ pub enum ScaleError {
 pub fn scale(text: &str, unit: Compound) -> Result<f64, ScaleError> {
     let plain: String = text.chars().filter(|c| *c != '_').collect();
     let (mantissa, exponent) = match plain.find(['e', 'E']) {
-        Some(at) => (&plain[..at], plain[at + 1..].parse::<i32>().map_err(|_| ScaleError::NotDecimal)?),
+        Some(at) => (
+            &plain[..at],
+            plain[at + 1..].parse::<i32>().map_err(|_| ScaleError::NotDecimal)?,
+        ),
         None => (plain.as_str(), 0),
     };
     if mantissa.is_empty() || !mantissa.chars().all(|c| c.is_ascii_digit() || c == '.') {
         return Err(ScaleError::NotDecimal);
     }
     let exponent = exponent.checked_add(unit.decimal).ok_or(ScaleError::Range)?;
-    let decimal: f64 = format!("{mantissa}e{exponent}").parse().map_err(|_| ScaleError::NotDecimal)?;
+    let decimal: f64 = format!("{mantissa}e{exponent}")
+        .parse()
+        .map_err(|_| ScaleError::NotDecimal)?;
     let value = decimal * unit.factor;
     let vanished = value == 0.0 && mantissa.chars().any(|c| c.is_ascii_digit() && c != '0');
-    if value.is_finite() && !vanished { Ok(value) } else { Err(ScaleError::Range) }
+    if value.is_finite() && !vanished {
+        Ok(value)
+    } else {
+        Err(ScaleError::Range)
+    }
 }

@@ -16,11 +16,21 @@ pub struct Unit {
 }
 
 const fn unit(symbol: &'static str, dimension: [i8; 6], decimal: i32) -> Unit {
-    Unit { symbol, dimension, decimal, factor: 1.0 }
+    Unit {
+        symbol,
+        dimension,
+        decimal,
+        factor: 1.0,
+    }
 }
 
 const fn times(symbol: &'static str, dimension: [i8; 6], factor: f64) -> Unit {
-    Unit { symbol, dimension, decimal: 0, factor }
+    Unit {
+        symbol,
+        dimension,
+        decimal: 0,
+        factor,
+    }
 }
 
 const LENGTH: [i8; 6] = [1, 0, 0, 0, 0, 0];

@@ -1,7 +1,9 @@
 use super::*;
 
 fn compound(parts: &[(&str, i32)]) -> Compound {
-    parts.iter().fold(Compound::ONE, |total, (symbol, exponent)| total.times(find(symbol).unwrap(), *exponent).unwrap())
+    parts.iter().fold(Compound::ONE, |total, (symbol, exponent)| {
+        total.times(find(symbol).unwrap(), *exponent).unwrap()
+    })
 }
 
 #[test]
@@ -16,7 +18,11 @@ fn powers_of_ten_round_once() {
         ("1e-5", &[("ms", 1)], 1e-8),
         ("3", &[("kN", 1), ("mm", 1)], 3.0),
     ] {
-        assert_eq!(scale(text, compound(parts)).unwrap().to_bits(), f64::to_bits(want), "{text} {parts:?}");
+        assert_eq!(
+            scale(text, compound(parts)).unwrap().to_bits(),
+            f64::to_bits(want),
+            "{text} {parts:?}"
+        );
     }
 }
 
@@ -68,17 +74,32 @@ fn derived_units_agree_with_their_definitions() {
 fn symbols_are_unique_ascii_words() {
     for (i, unit) in UNITS.iter().enumerate() {
         assert!(unit.symbol.chars().all(|c| c.is_ascii_alphabetic()));
-        assert!(UNITS[..i].iter().all(|other| other.symbol != unit.symbol), "{} twice", unit.symbol);
+        assert!(
+            UNITS[..i].iter().all(|other| other.symbol != unit.symbol),
+            "{} twice",
+            unit.symbol
+        );
     }
 }
 
 #[test]
 fn dimensions_have_names() {
     assert_eq!(Dimension::of([1, 0, 0, 0, 0, 0]).describe(false), "a length (m)");
-    assert_eq!(Dimension::of([0, 0, -1, 0, 0, 1]).describe(true), "an angular velocity (rad/s)");
+    assert_eq!(
+        Dimension::of([0, 0, -1, 0, 0, 1]).describe(true),
+        "an angular velocity (rad/s)"
+    );
     assert_eq!(Dimension::of([2, 1, -2, 0, 0, 0]).symbol(false), "N m");
-    assert_eq!(Dimension::of([1, 1, -1, 0, 0, 0]).describe(false), "a quantity in m kg/s");
-    let root = Dimension::of([1, 0, 0, 0, 0, 0]).power(Fraction::of(0.5).unwrap()).unwrap();
+    assert_eq!(
+        Dimension::of([1, 1, -1, 0, 0, 0]).describe(false),
+        "a quantity in m kg/s"
+    );
+    let root = Dimension::of([1, 0, 0, 0, 0, 0])
+        .power(Fraction::of(0.5).unwrap())
+        .unwrap();
     assert_eq!(root.symbol(false), "m^(1/2)");
-    assert_eq!(root.power(Fraction::of(2.0).unwrap()).unwrap(), Dimension::of([1, 0, 0, 0, 0, 0]));
+    assert_eq!(
+        root.power(Fraction::of(2.0).unwrap()).unwrap(),
+        Dimension::of([1, 0, 0, 0, 0, 0])
+    );
 }

@@ -54,7 +54,10 @@ fn run(text: &str) -> (Option<Model>, Vec<Mistake>) {
 /// A model without mistakes.
 fn model(text: &str) -> Model {
     let (model, mistakes) = run(text);
-    let messages: Vec<_> = mistakes.iter().map(|mistake| (mistake.area.source_text(), &mistake.message)).collect();
+    let messages: Vec<_> = mistakes
+        .iter()
+        .map(|mistake| (mistake.area.source_text(), &mistake.message))
+        .collect();
     assert!(messages.is_empty(), "{messages:?}");
     model.expect("a model")
 }

@@ -1,12 +1,12 @@
 //! Models without mistakes, and what they become.
 
 use super::*;
+use crate::model::Binary as Operator;
 use crate::model::{
     BodyId, Comparison, Evaluation, Expr, FrameId, Function, INERTIAL, JointId, JointKind, Line, LoadKind, Location,
     MotionId, Observable, ParamId, Quadrature, Space,
 };
 use Expr::{Binary, Call, If, Motion, Negate, Number, Observed, Param, Power, Time};
-use crate::model::Binary as Operator;
 
 fn number(value: f64) -> Box<Expr> {
     Box::new(Number(value))
@@ -15,14 +15,35 @@ fn number(value: f64) -> Box<Expr> {
 #[test]
 fn params_keep_unit_default_and_documentation() {
     let model = model(SPIN_UP);
-    let [omega, elements, duration] = model.params.as_slice() else { panic!("three parameters") };
-    assert_eq!((omega.name.as_str(), omega.unit.as_str(), omega.default), ("omega_s", "rad/s", 4.0));
-    assert_eq!((omega.doc.as_str(), omega.dimension), ("Steady angular velocity.", [0, 0, -1, 0, 0, 1]));
-    assert_eq!((elements.is_count, elements.default, elements.unit.as_str()), (true, 6.0, "1"));
-    assert_eq!((duration.default, duration.unit_si, duration.is_count), (15.0, 1.0, false));
+    let [omega, elements, duration] = model.params.as_slice() else {
+        panic!("three parameters")
+    };
+    assert_eq!(
+        (omega.name.as_str(), omega.unit.as_str(), omega.default),
+        ("omega_s", "rad/s", 4.0)
+    );
+    assert_eq!(
+        (omega.doc.as_str(), omega.dimension),
+        ("Steady angular velocity.", [0, 0, -1, 0, 0, 1])
+    );
+    assert_eq!(
+        (elements.is_count, elements.default, elements.unit.as_str()),
+        (true, 6.0, "1")
+    );
+    assert_eq!(
+        (duration.default, duration.unit_si, duration.is_count),
+        (15.0, 1.0, false)
+    );
     assert_eq!(model.visibility, "pub");
-    assert_eq!(model.doc, "Spin-up manoeuvre of a flexible beam (Ren & Yang 2021, section 4.1.1).");
-    assert!(model.source.starts_with("pub model SpinUp {\n    /// Steady"), "{}", model.source);
+    assert_eq!(
+        model.doc,
+        "Spin-up manoeuvre of a flexible beam (Ren & Yang 2021, section 4.1.1)."
+    );
+    assert!(
+        model.source.starts_with("pub model SpinUp {\n    /// Steady"),
+        "{}",
+        model.source
+    );
     assert!(model.source.ends_with("every = 0.05 s; }\n}"));
 }
 
@@ -35,7 +56,11 @@ fn the_motion_is_the_published_one() {
     use Operator::{Add, Divide, Multiply, Subtract};
     let cosine = Call(
         Function::Cos,
-        vec![*binary(Divide, binary(Multiply, two_pi(), Box::new(Time)), duration.clone())],
+        vec![*binary(
+            Divide,
+            binary(Multiply, two_pi(), Box::new(Time)),
+            duration.clone(),
+        )],
     );
     let ramp = binary(
         Multiply,
@@ -61,7 +86,10 @@ fn the_motion_is_the_published_one() {
     let rotation = model.frames[1].rotation.clone().expect("hub turns");
     assert_eq!(rotation.axis, [0.0, 0.0, 1.0]);
     assert_eq!(rotation.angle, Motion(MotionId(0), Box::new(Time)));
-    assert_eq!((model.frames[0].name.as_str(), model.frames[1].name.as_str()), ("inertial", "hub"));
+    assert_eq!(
+        (model.frames[0].name.as_str(), model.frames[1].name.as_str()),
+        ("inertial", "hub")
+    );
 }
 
 #[test]
@@ -76,13 +104,26 @@ fn properties_are_exact_to_the_last_bit() {
         ("area", 0.7299e-4),
         ("second_moment", 0.8215e-8),
     ] {
-        let Number(found) = body.properties[name] else { panic!("{name} is a number") };
+        let Number(found) = body.properties[name] else {
+            panic!("{name} is a number")
+        };
         assert_eq!(found.to_bits(), f64::to_bits(value), "{name}");
     }
-    assert_eq!((body.frame, body.space, &body.count), (FrameId(1), Space::Planar { normal: 2 }, &Param(ParamId(1))));
-    assert_eq!((body.material_name.as_str(), body.section_name.as_str()), ("aluminium", "tube"));
-    assert_eq!((body.quadrature, body.evaluation, &body.options), (Quadrature::Exact, Evaluation::Automatic, &vec![0]));
-    let Line::Straight { from, to } = &body.line else { panic!("straight") };
+    assert_eq!(
+        (body.frame, body.space, &body.count),
+        (FrameId(1), Space::Planar { normal: 2 }, &Param(ParamId(1)))
+    );
+    assert_eq!(
+        (body.material_name.as_str(), body.section_name.as_str()),
+        ("aluminium", "tube")
+    );
+    assert_eq!(
+        (body.quadrature, body.evaluation, &body.options),
+        (Quadrature::Exact, Evaluation::Automatic, &vec![0])
+    );
+    let Line::Straight { from, to } = &body.line else {
+        panic!("straight")
+    };
     assert_eq!(from, &[Number(0.0), Number(0.0), Number(0.0)]);
     assert_eq!(to, &[Number(8.0), Number(0.0), Number(0.0)]);
 }
@@ -91,13 +132,28 @@ fn properties_are_exact_to_the_last_bit() {
 fn joints_loads_and_outputs_are_resolved() {
     let model = model(SPIN_UP);
     let joint = &model.joints[0];
-    assert_eq!((joint.kind, joint.body, &joint.at, joint.frame), (JointKind::Clamp, BodyId(0), &Location::Start, FrameId(1)));
+    assert_eq!(
+        (joint.kind, joint.body, &joint.at, joint.frame),
+        (JointKind::Clamp, BodyId(0), &Location::Start, FrameId(1))
+    );
     assert!(joint.point.is_none());
-    let LoadKind::Gravity(gravity) = &model.loads[0].kind else { panic!("gravity") };
+    let LoadKind::Gravity(gravity) = &model.loads[0].kind else {
+        panic!("gravity")
+    };
     assert_eq!(gravity, &[Number(0.0), Negate(number(9.81)), Number(0.0)]);
-    let LoadKind::Force { components, frame, at, .. } = &model.loads[1].kind else { panic!("force") };
-    assert_eq!((components[1].clone(), *frame, at), (Number(10.0), FrameId(1), &Location::End));
-    let LoadKind::Moment { components, frame, .. } = &model.loads[2].kind else { panic!("moment") };
+    let LoadKind::Force {
+        components, frame, at, ..
+    } = &model.loads[1].kind
+    else {
+        panic!("force")
+    };
+    assert_eq!(
+        (components[1].clone(), *frame, at),
+        (Number(10.0), FrameId(1), &Location::End)
+    );
+    let LoadKind::Moment { components, frame, .. } = &model.loads[2].kind else {
+        panic!("moment")
+    };
     assert_eq!((components[2].clone(), *frame), (Number(3.0), INERTIAL));
     let summary: Vec<_> = model
         .outputs
@@ -107,11 +163,25 @@ fn joints_loads_and_outputs_are_resolved() {
             format!("{} [{}] {}", output.name, output.unit, suffixes.join(","))
         })
         .collect();
-    assert_eq!(summary, ["u [m] ", "tip [m] x,y", "vy [m/s] ", "s [1] ", "m_root [N m] ", "f_root [N] x,y"]);
+    assert_eq!(
+        summary,
+        [
+            "u [m] ",
+            "tip [m] x,y",
+            "vy [m/s] ",
+            "s [1] ",
+            "m_root [N m] ",
+            "f_root [N] x,y"
+        ]
+    );
     assert_eq!(model.outputs[0].doc, "Elongation of the tip");
     assert_eq!(
         model.outputs[4].components[0].1,
-        Observed(Observable::Reaction { joint: JointId(0), moment: true, component: 2 })
+        Observed(Observable::Reaction {
+            joint: JointId(0),
+            moment: true,
+            component: 2
+        })
     );
     assert_eq!((&model.run.t_end, &model.run.every), (&Number(20.0), &Number(0.05)));
 }
@@ -143,18 +213,36 @@ fn the_rest_of_the_language() {
     );
     let names: Vec<_> = model.frames.iter().map(|frame| frame.name.as_str()).collect();
     assert_eq!(names, ["inertial", "stage", "cart"]);
-    assert_eq!(model.frames[1].rotation.as_ref().map(|rotation| rotation.axis), Some([0.0, 0.6, 0.8]));
+    assert_eq!(
+        model.frames[1].rotation.as_ref().map(|rotation| rotation.axis),
+        Some([0.0, 0.6, 0.8])
+    );
     assert_eq!(model.frames[1].origin, [Number(0.01), Number(0.02), Number(0.03)]);
     assert_eq!(model.bodies[0].frame, FrameId(2));
-    assert_eq!((model.bodies[0].options.as_slice(), model.bodies[0].quadrature), (&[1][..], Quadrature::Gauss(3)));
-    assert_eq!((model.bodies[0].evaluation, &model.bodies[0].count), (Evaluation::Loop, &Number(3.0)));
+    assert_eq!(
+        (model.bodies[0].options.as_slice(), model.bodies[0].quadrature),
+        (&[1][..], Quadrature::Gauss(3))
+    );
+    assert_eq!(
+        (model.bodies[0].evaluation, &model.bodies[0].count),
+        (Evaluation::Loop, &Number(3.0))
+    );
     assert_eq!(model.bodies[0].properties["density"], Number(7850.0));
     assert_eq!(model.bodies[0].properties["damping"], Number(0.0));
     assert_eq!(model.params[0].unit_si, 1e-3);
     assert_eq!(model.params[0].default.to_bits(), 3e-3_f64.to_bits());
     assert_eq!(model.outputs[1].components.len(), 3);
-    assert_eq!((model.outputs[2].unit.as_str(), model.outputs[3].unit.as_str()), ("m", "rad"));
-    assert_eq!(model.motions[1].value, Motion(MotionId(0), Box::new(Binary(Operator::Subtract, Box::new(Time), number(1.0)))));
+    assert_eq!(
+        (model.outputs[2].unit.as_str(), model.outputs[3].unit.as_str()),
+        ("m", "rad")
+    );
+    assert_eq!(
+        model.motions[1].value,
+        Motion(
+            MotionId(0),
+            Box::new(Binary(Operator::Subtract, Box::new(Time), number(1.0)))
+        )
+    );
     assert_eq!((model.run.t_end, model.run.every), (Number(1.0), Number(0.01)));
     assert_eq!(model.visibility, "");
 }
@@ -174,8 +262,13 @@ fn a_planar_arc() {
             output x = ring.at(4 m).x;
         }",
     );
-    let Line::Arc { radius, angle, .. } = &model.bodies[0].line else { panic!("arc") };
-    assert_eq!((radius, angle), (&Number(16.0), &Number(30.0 * (std::f64::consts::PI / 180.0))));
+    let Line::Arc { radius, angle, .. } = &model.bodies[0].line else {
+        panic!("arc")
+    };
+    assert_eq!(
+        (radius, angle),
+        (&Number(16.0), &Number(30.0 * (std::f64::consts::PI / 180.0)))
+    );
     assert_eq!(model.bodies[0].space, Space::Planar { normal: 1 });
     assert_eq!(model.visibility, "pub(crate)");
 }

@@ -26,14 +26,25 @@ fn cut(stream: TokenStream, budget: &mut usize) -> TokenStream {
 }
 
 fn count(stream: TokenStream) -> usize {
-    stream.into_iter().map(|token| if let TokenTree::Group(group) = token { 1 + count(group.stream()) } else { 1 }).sum()
+    stream
+        .into_iter()
+        .map(|token| {
+            if let TokenTree::Group(group) = token {
+                1 + count(group.stream())
+            } else {
+                1
+            }
+        })
+        .sum()
 }
 
 /// Parses and checks; after mistakes the stub must be a file of Rust.
 fn survives(tokens: TokenStream) -> bool {
     let mut errors = Errors::new();
     let tree = parse(tokens, &mut errors);
-    let model = tree.as_ref().and_then(|tree| check(tree, &Library::standard(), &mut errors));
+    let model = tree
+        .as_ref()
+        .and_then(|tree| check(tree, &Library::standard(), &mut errors));
     assert_eq!(model.is_none(), !errors.is_empty(), "a model, or mistakes");
     if let Some(tree) = &tree {
         syn::parse2::<syn::File>(stub(tree)).expect("the stub is Rust");
@@ -52,7 +63,10 @@ fn cut_after_every_token() {
     let needed = count(format!("{}}}", &SPIN_UP[..first_output]).parse().unwrap());
     for budget in 0..total {
         let is_model = survives(cut(tokens.clone(), &mut budget.clone()));
-        assert!(!is_model || budget + 3 >= needed, "a model after {budget} of {total} tokens, {needed} are needed");
+        assert!(
+            !is_model || budget + 3 >= needed,
+            "a model after {budget} of {total} tokens, {needed} are needed"
+        );
     }
     assert!(survives(tokens));
 }
@@ -97,7 +111,9 @@ fn deep_nesting_is_refused() {
     let long = vec!["1"; 5000].join("+");
     assert!(!survives(format!("model M {{ const a = {long}; }}").parse().unwrap()));
     let minuses = "-".repeat(5000);
-    assert!(!survives(format!("model M {{ const a = {minuses}1; }}").parse().unwrap()));
+    assert!(!survives(
+        format!("model M {{ const a = {minuses}1; }}").parse().unwrap()
+    ));
     let powers = vec!["2"; 5000].join("^");
     assert!(!survives(format!("model M {{ const a = {powers}; }}").parse().unwrap()));
 }

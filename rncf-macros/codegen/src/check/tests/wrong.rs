@@ -26,7 +26,11 @@ fn text(block: &str) -> String {
 
 /// The block with the mistakes that are found.
 fn found(block: &str) -> String {
-    let is_input = |line: &&str| ["model:", "replace:", "with:"].iter().any(|word| line.starts_with(word));
+    let is_input = |line: &&str| {
+        ["model:", "replace:", "with:"]
+            .iter()
+            .any(|word| line.starts_with(word))
+    };
     let mut lines: Vec<String> = block.lines().filter(is_input).map(ToString::to_string).collect();
     for mistake in run(&text(block)).1 {
         let underlined = mistake.area.source_text().unwrap_or_default();
