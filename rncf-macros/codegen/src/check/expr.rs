@@ -39,6 +39,10 @@ pub fn function(name: &str) -> Option<(Function, usize)> {
         .map(|(_, function, arity)| (*function, *arity))
 }
 
+/// Most expressions inside each other, those of the names that they use included: recursion stays
+/// far from the stack's end.
+const DEEPEST: usize = 400;
+
 /// What the argument of a motion must be.
 const TIME: super::quantity::Wanted = super::quantity::Wanted {
     what: "the argument of a motion",
@@ -49,6 +53,17 @@ const TIME: super::quantity::Wanted = super::quantity::Wanted {
 impl<'a> Check<'a> {
     /// Resolves an expression; `None` where something in it has been reported.
     pub(super) fn expr(&mut self, expr: &'a Expr, scope: Scope) -> Option<Typed> {
+        if self.depth > DEEPEST {
+            self.errors.at(expr.area, say::TOO_DEEP);
+            return None;
+        }
+        self.depth += 1;
+        let typed = self.node(expr, scope);
+        self.depth -= 1;
+        typed
+    }
+
+    fn node(&mut self, expr: &'a Expr, scope: Scope) -> Option<Typed> {
         match &expr.kind {
             ExprKind::Number { text, unit } => {
                 let compound = unit.as_ref().map_or(Some(Compound::ONE), |unit| self.unit(unit))?;
@@ -317,8 +332,13 @@ impl<'a> Check<'a> {
             }
         };
         let values = arguments.into_iter().map(|argument| argument.value).collect();
+        let value = model::Expr::Call(function, values);
+        if fold::constant(&value).is_some_and(|value| !value.is_finite()) {
+            self.errors.at(call.area, say::NOT_FINITE);
+            return None;
+        }
         Some(Typed {
-            value: model::Expr::Call(function, values),
+            value,
             dimension,
             nature,
         })
@@ -327,6 +347,10 @@ impl<'a> Check<'a> {
     fn binary(&mut self, operator: Binary, left: &'a Expr, right: &'a Expr, scope: Scope) -> Option<Typed> {
         let (a, b) = (self.expr(left, scope), self.expr(right, scope));
         let (a, b) = (a?, b?);
+        if operator == Binary::Divide && fold::constant(&b.value) == Some(0.0) {
+            self.errors.at(right.area, say::DIVISION_BY_ZERO);
+            return None;
+        }
         let dimension = match operator {
             Binary::Multiply => a.dimension.multiply(b.dimension),
             Binary::Divide => a.dimension.divide(b.dimension),

@@ -2,6 +2,9 @@
 
 pub const LONG_CHAIN: &str = "too many names are defined by each other: shorten the chain";
 pub const NO_TIME: &str = "`t` has no meaning here: only motions, frames, loads and outputs change with time";
+pub const LONE_T: &str = "`t` is time: a product is written `2*t`; tonnes stand in brackets, `2 [t]`";
+pub const DIVISION_BY_ZERO: &str = "this is zero, and nothing can be divided by it";
+pub const TOO_DEEP: &str = "this is nested too deeply together with the names that it uses: shorten it";
 pub const NOT_FINITE: &str = "this has no finite value";
 pub const EXPONENT_RANGE: &str = "the exponent of this unit is too large to make sense";
 pub const WHOLE_EXPONENTS: &str = "a parameter needs a unit with whole exponents";

@@ -87,6 +87,8 @@ struct Check<'a> {
     out_of_plane: HashSet<(FrameId, usize)>,
     /// Names that are being resolved, against recursion.
     stack: Vec<&'a str>,
+    /// Expressions that are being resolved inside each other.
+    depth: usize,
     model: Model,
 }
 
@@ -119,6 +121,7 @@ impl<'a> Check<'a> {
             unknown: HashSet::new(),
             out_of_plane: HashSet::new(),
             stack: Vec::new(),
+            depth: 0,
             model,
         }
     }

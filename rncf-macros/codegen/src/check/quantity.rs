@@ -121,7 +121,12 @@ impl<'a> Check<'a> {
     /// An expression of the dimension that a field asks for.
     pub(super) fn quantity(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<model::Expr> {
         let typed = self.expr(expr, scope)?;
-        self.is_wanted(expr, &typed, wanted).then_some(typed.value)
+        let is_wanted = self.is_wanted(expr, &typed, wanted);
+        if is_wanted && fold::constant(&typed.value).is_some_and(|value| !value.is_finite()) {
+            self.errors.at(expr.area, say::NOT_FINITE);
+            return None;
+        }
+        is_wanted.then_some(typed.value)
     }
 
     /// Whether the dimension is what the field asks for; reports where it is not.

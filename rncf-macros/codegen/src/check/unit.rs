@@ -33,6 +33,7 @@ impl Check<'_> {
         let message = match found {
             // Behind the first symbol a declared name could be meant as a value.
             Some(_) if is_declared && at > 0 && !text.is_delimited => say::unit_or_name(word, &text.text),
+            Some(_) if word == "t" && text.factors.len() == 1 && !text.is_delimited => say::LONE_T.into(),
             Some(unit) => return Some(unit),
             None if is_declared && at == 0 => say::missing_star(word),
             None if is_declared => say::unit_or_name(word, &text.text),

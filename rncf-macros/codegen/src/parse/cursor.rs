@@ -195,7 +195,8 @@ fn flatten(stream: TokenStream, out: &mut Vec<TokenTree>) {
         match token {
             TokenTree::Group(group) if group.delimiter() == Delimiter::None => {
                 let inner: Vec<_> = group.stream().into_iter().collect();
-                if inner.len() == 1 {
+                let is_visibility = inner.first().is_some_and(|first| first.to_string() == "pub");
+                if inner.len() < 2 || is_visibility {
                     flatten(group.stream(), out);
                 } else {
                     let mut visible = Group::new(Delimiter::Parenthesis, group.stream());

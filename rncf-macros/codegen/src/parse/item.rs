@@ -27,10 +27,12 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, errors: &mut Errors) {
             continue;
         };
         cursor.next();
+        let word = cursor.word().map(ToString::to_string);
         match item_name(cursor, keyword) {
             Ok(name) => tree.items.push(item(cursor, doc, keyword, name, errors)),
             Err(mistake) => {
                 errors.push(mistake);
+                tree.lost.extend(word);
                 recover(cursor);
             }
         }

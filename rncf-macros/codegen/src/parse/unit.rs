@@ -18,7 +18,7 @@ pub fn single(cursor: &mut Cursor) -> Parsed<UnitText> {
         text: name.text.clone(),
         area: name.span.into(),
         factors: vec![(name, 1)],
-        is_delimited: true,
+        is_delimited: false,
     })
 }
 

@@ -117,3 +117,19 @@ fn deep_nesting_is_refused() {
     let powers = vec!["2"; 5000].join("^");
     assert!(!survives(format!("model M {{ const a = {powers}; }}").parse().unwrap()));
 }
+
+/// Names that use each other add up.
+#[test]
+fn deep_chains_of_names_are_refused() {
+    let deep = |at: usize| format!("{}m{at}(t){}", "sin(".repeat(150), ")".repeat(150));
+    let motions: String = (0..40)
+        .map(|at| format!("motion m{at}(t) = {};", deep(at + 1)))
+        .collect();
+    let (model, mistakes) = run(&format!("model M {{ {motions} motion m40(t) = 1; }}"));
+    assert!(model.is_none());
+    assert!(
+        mistakes
+            .iter()
+            .any(|mistake| mistake.message.contains("nested too deeply together"))
+    );
+}
