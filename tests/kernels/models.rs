@@ -46,7 +46,7 @@ rncf::model! {
             mesh 4 * tether(square, rubber, bending = exact, quadrature = gauss(3));
         }
         joint root = clamp(strip.start, inertial);
-        load twist = moment(strip.end, [0, 2 N*m * sin(t*1 [rad/s]), 1 N*m], in = rotor);
+        load twist = moment(strip.end, [0, 2 [N*m] * sin(1 [rad/s] * t), 1 [N*m]], in = rotor);
         output m_root = root.moment;
     }
 }
