@@ -175,6 +175,32 @@ fn damped_forced_oscillator_is_second_order() {
     }
 }
 
+#[test]
+fn stiff_damped_start_does_not_overshoot() {
+    // Rates 1e5 and 1e3 per second, a suddenly applied load, steps of 10 ms: x goes to 1.
+    for (name, method) in all() {
+        let mut system = Oscillator::new(1e8, 1e5, |_| 1e8);
+        let options = Options {
+            step: StepSize::Fixed(0.01),
+            ..Options::default()
+        };
+        let mut statistics = Statistics::default();
+        let mut scheme = Alpha::new(&mut system, method, &options);
+        let start = State {
+            a: vec![1e8],
+            ..State::zeros(0.0, 1, 0)
+        };
+        scheme.begin(&mut system, &start, 0.01, &mut statistics).unwrap();
+        let mut largest = 0.0_f64;
+        for _ in 0..100 {
+            scheme.attempt(&mut system, 0.01, &mut statistics);
+            largest = largest.max((scheme.state().x[0] - 1.0).abs());
+        }
+        assert!(largest < 100.0, "{name}: {largest}");
+        assert!((scheme.state().x[0] - 1.0).abs() < 1e-6, "{name}: {:?}", scheme.state());
+    }
+}
+
 /// A pivot that swings with 5 rad/s.
 fn swing(t: f64) -> [f64; 4] {
     let (s, c) = (5.0 * t).sin_cos();
