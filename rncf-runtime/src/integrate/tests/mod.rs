@@ -3,4 +3,5 @@
 mod adaptive;
 mod axis;
 mod order;
+mod radau;
 mod systems;
