@@ -9,9 +9,9 @@ use crate::linalg::{Pattern, Saddle, Singular};
 use crate::system::{ConstraintLevel, State, System};
 
 /// Refinement stops when a correction is this small relative to the solution.
-const REFINED: f64 = 1e-9;
+const REFINED: f64 = 1e-6;
 /// Refinement that contracts worse than this asks for a new factorization.
-const SLOW: f64 = 0.2;
+const SLOW: f64 = 0.03;
 
 /// `[[M, C_x^T], [C_x, 0]]` at a time and position, and solutions with it.
 pub(super) struct Bordered {
@@ -83,6 +83,9 @@ impl Bordered {
         state: &mut State,
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
+        if self.state_of_factors == Factors::Old {
+            self.state_of_factors = Factors::None; // to full accuracy, and rarely asked for
+        }
         state.a.fill(0.0);
         let State { t, x, v, a, .. } = &*state;
         system.residual(*t, x, v, a, &mut self.given.0);
@@ -199,7 +202,7 @@ impl Bordered {
             if correction <= REFINED * solution {
                 return true;
             }
-            if !(correction <= SLOW * before) {
+            if correction.is_nan() || correction > SLOW * before {
                 return false;
             }
             before = correction;

@@ -11,7 +11,7 @@ pub(super) fn hermite(first: &State, last: &State, t: f64, out: &mut State) {
     out.a.clone_from(&last.a);
     out.lambda.clone_from(&last.lambda);
     let h = last.t - first.t;
-    if !(h > 0.0) {
+    if h <= 0.0 {
         return;
     }
     out.t = t;

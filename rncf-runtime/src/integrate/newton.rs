@@ -10,6 +10,9 @@ use crate::system::{ConstraintLevel, State, System, Tangent};
 
 /// Largest estimated error of a converged iterate, as a part of the error tolerance.
 const CONVERGED: f64 = 0.05;
+/// The same with constraints: what is left of them returns in the multipliers divided by h^2, and
+/// weak dissipation adds it up over steps.
+const CONVERGED_CONSTRAINED: f64 = 1e-4;
 /// Contraction above which the matrix is refreshed within the iteration.
 const POOR: f64 = 0.5;
 /// Contraction above which full Newton counts as diverging.
@@ -53,6 +56,8 @@ pub(super) struct Newton {
     /// 1 / (weight of the unknown in the norm of the increments).
     inverse_weights: Vec<f64>,
     inverse_sizes: Vec<f64>,
+    /// Largest estimated error of a converged iterate in the weighted norm.
+    converged: f64,
     /// Relative tolerance of the increments' norm.
     rtol: f64,
     saddle: Saddle<f64>,
@@ -127,6 +132,11 @@ impl Newton {
             factors,
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
             inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
+            converged: if system.constraints() == 0 {
+                CONVERGED
+            } else {
+                CONVERGED_CONSTRAINED
+            },
             rtol,
             saddle: Saddle::new(pattern, &constraint_pattern),
             tangent: Tangent {
@@ -183,7 +193,7 @@ impl Newton {
                 seen = Some(seen.map_or(contraction, |seen: f64| seen.max(contraction)));
             }
             let expected = contraction.max((relaxation - 1.0).abs());
-            if size <= floor || expected < 1.0 && size * expected / (1.0 - expected) <= CONVERGED {
+            if size <= floor || expected < 1.0 && size * expected / (1.0 - expected) <= self.converged {
                 self.finish(seen);
                 return Ok(());
             }
@@ -206,6 +216,29 @@ impl Newton {
             None => Err(Failure::OldMatrix),
             Some(_) => Err(self.diverged()),
         }
+    }
+
+    /// Filters a derivative `y` at `state` by the matrix of a step of size `h`: smooth parts change by
+    /// O(h), the constrained part stays, stiff parts that the step does not resolve vanish.
+    pub(super) fn filter<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        mass: &[f64],
+        h: f64,
+        state: &State,
+        y: &mut [f64],
+        statistics: &mut Statistics,
+    ) -> Result<(), Failure> {
+        self.refresh(system, mass, h, state, statistics)?;
+        self.dx.fill(0.0);
+        system.pattern().multiply_add(self.factors.mass, mass, y, &mut self.dx);
+        self.dlambda.fill(0.0);
+        self.constraint_pattern
+            .transpose_multiply_add(1.0, &self.jacobian, y, &mut self.dlambda);
+        self.saddle.solve(&mut self.dx, &mut self.dlambda);
+        statistics.solves += 1;
+        y.copy_from_slice(&self.dx);
+        Ok(())
     }
 
     fn is_made_for(&self, h: f64) -> bool {

@@ -97,35 +97,236 @@ fn alternating(h: f64, ratio: f64, t_end: f64) -> Vec<f64> {
     steps
 }
 
+/// Steps of random lengths between `h / 2` and `h`.
+fn random(h: f64, t_end: f64) -> Vec<f64> {
+    let (mut steps, mut t, mut seed) = (vec![], 0.0, 12345_u64);
+    while t < t_end {
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        let step = h * (0.5 + 0.5 * (seed >> 11) as f64 / (1_u64 << 53) as f64);
+        steps.push(step);
+        t += step;
+    }
+    steps
+}
+
+/// Halves h twice and asks for errors that fall by about four both times.
+fn assert_second_order(name: &str, errors: impl Fn(f64) -> Errors) {
+    let [coarse, middle, fine] = [0.01, 0.005, 0.0025].map(errors);
+    for (one, half) in [(coarse, middle), (middle, fine)] {
+        let ratio = one.worst_ratio(&half);
+        assert!((3.3..5.5).contains(&ratio), "{name}: {one:?} -> {half:?}");
+    }
+}
+
 #[test]
-#[ignore]
-fn print() {
-    for (name, c) in all() {
-        for h in [0.02, 0.01, 0.005, 0.0025] {
-            let e = pendulum(c, constant(h, 1.0));
-            let early = pendulum(c, constant(h, 0.2));
-            let a = pendulum(c, alternating(h, 1.5, 1.0));
-            let b = pendulum(c, alternating(h, 2.0, 1.0));
-            println!(
-                "{name} h {h}: x {:.2e} v {:.2e} lam {:.2e} early {:.2e} | 1.5: {:.2e} {:.2e} {:.2e} | 2: {:.2e} {:.2e} {:.2e}",
-                e.x, e.v, e.lambda, early.lambda, a.x, a.v, a.lambda, b.x, b.v, b.lambda
+fn pendulum_of_index_3_is_second_order_in_all_variables() {
+    for (name, method) in all() {
+        assert_second_order(name, |h| pendulum(method, constant(h, 1.0)));
+    }
+}
+
+#[test]
+fn step_changes_keep_second_order() {
+    for (name, method) in all() {
+        for ratio in [1.5, 2.0] {
+            assert_second_order(name, |h| pendulum(method, alternating(h, ratio, 1.0)));
+        }
+    }
+}
+
+#[test]
+fn random_steps_stay_stable_and_accurate() {
+    for (name, method) in all() {
+        let [coarse, fine] = [0.01, 0.0025].map(|h| pendulum(method, random(h, 2.0)));
+        let ratio = coarse.worst_ratio(&fine);
+        // Two halvings; a random sequence is not halved exactly.
+        assert!(ratio > 10.0, "{name}: {coarse:?} -> {fine:?}");
+        assert!(fine.lambda < 0.02, "{name}: {fine:?}");
+    }
+}
+
+/// x = cos 2t + t sin t, v and a follow.
+fn oscillation(t: f64) -> State {
+    State {
+        t,
+        x: vec![(2.0 * t).cos() + t * t.sin()],
+        v: vec![-2.0 * (2.0 * t).sin() + t.sin() + t * t.cos()],
+        a: vec![-4.0 * (2.0 * t).cos() + 2.0 * t.cos() - t * t.sin()],
+        lambda: vec![],
+    }
+}
+
+#[test]
+fn damped_forced_oscillator_is_second_order() {
+    for (name, method) in all() {
+        assert_second_order(name, |h| {
+            let mut system = Oscillator::new(30.0, 0.7, |t| {
+                let exact = oscillation(t);
+                exact.a[0] + 0.7 * exact.v[0] + 30.0 * exact.x[0]
+            });
+            run(
+                &mut system,
+                method,
+                &oscillation(0.0),
+                alternating(4.0 * h, 1.5, 3.0),
+                oscillation,
+            )
+        });
+    }
+}
+
+#[test]
+fn stiff_damped_start_does_not_overshoot() {
+    // Rates 1e5 and 1e3 per second, a suddenly applied load, steps of 10 ms: x goes to 1.
+    for (name, method) in all() {
+        let mut system = Oscillator::new(1e8, 1e5, |_| 1e8);
+        let options = Options {
+            step: StepSize::Fixed(0.01),
+            ..Options::default()
+        };
+        let mut statistics = Statistics::default();
+        let mut scheme = Alpha::new(&mut system, method, &options);
+        let start = State {
+            a: vec![1e8],
+            ..State::zeros(0.0, 1, 0)
+        };
+        scheme.begin(&mut system, &start, 0.01, &mut statistics).unwrap();
+        let mut largest = 0.0_f64;
+        for _ in 0..100 {
+            scheme.attempt(&mut system, 0.01, &mut statistics);
+            largest = largest.max((scheme.state().x[0] - 1.0).abs());
+        }
+        assert!(largest < 100.0, "{name}: {largest}");
+        assert!((scheme.state().x[0] - 1.0).abs() < 1e-6, "{name}: {:?}", scheme.state());
+    }
+}
+
+#[test]
+fn hht_satisfies_its_averaged_equation() {
+    // THEORY 7.1 in its own words, with a_1 from the update of the position.
+    let (alpha, h) = (-0.2, 0.01);
+    let beta = (1.0_f64 - alpha) * (1.0 - alpha) / 4.0;
+    let force = |t: f64, state: &State| 0.7 * state.v[0] + 30.0 * state.x[0] - t.cos();
+    let mut system = Oscillator::new(30.0, 0.7, f64::cos);
+    let options = Options {
+        step: StepSize::Fixed(h),
+        ..Options::default()
+    };
+    let mut statistics = Statistics::default();
+    let mut scheme = Alpha::new(&mut system, Coefficients::hht(alpha), &options);
+    let start = State {
+        a: vec![1.0],
+        ..State::zeros(0.0, 1, 0)
+    };
+    scheme.begin(&mut system, &start, h, &mut statistics).unwrap();
+    let (mut last, mut a0) = (start, None::<f64>);
+    for _ in 0..20 {
+        scheme.attempt(&mut system, h, &mut statistics);
+        let now = scheme.state();
+        let (dx, dv) = (now.x[0] - last.x[0], now.v[0] - last.v[0]);
+        // Without a_0 both updates together give a_0 and a_1.
+        let gamma = 0.5 - alpha;
+        let mean = 2.0 * (dx - h * last.v[0]) / (h * h);
+        let (p, q) = (1.0 - 2.0 * beta, 2.0 * beta);
+        let (r, s) = (1.0 - gamma, gamma);
+        let a1 = (p * dv / h - r * mean) / (p * s - q * r);
+        let first = (s * mean - q * dv / h) / (p * s - q * r);
+        if let Some(a0) = a0 {
+            assert!((first - a0).abs() < 1e-7, "a_0: {first} {a0}");
+        }
+        let left = a1 / (1.0 + alpha) + force(now.t, now) - alpha / (1.0 + alpha) * force(last.t, &last);
+        assert!(left.abs() < 1e-7, "{left}");
+        a0 = Some(a1);
+        last = now.clone();
+    }
+}
+
+/// A pivot that swings with 5 rad/s.
+fn swing(t: f64) -> [f64; 4] {
+    let (s, c) = (5.0 * t).sin_cos();
+    [0.1 * s, 0.5 * c, -2.5 * s, -12.5 * c]
+}
+
+#[test]
+fn rheonomic_constraint_is_second_order() {
+    for (name, method) in all() {
+        assert_second_order(name, |h| {
+            let (mut system, reference) = (Pendulum::new(swing, vec![]), Pendulum::new(swing, vec![]));
+            let (mut t, mut y) = (0.0, [0.0, -3.0]);
+            let start = reference.state(t, y[0], y[1]);
+            run(&mut system, method, &start, constant(h, 1.0), |at| {
+                y = reference.advance(y, t, at);
+                t = at;
+                reference.state(t, y[0], y[1])
+            })
+        });
+    }
+}
+
+#[test]
+fn corrected_start_reaches_the_published_accuracy() {
+    // THEORY 10, T2: rho = 0.8, largest early error of the multiplier.
+    let method = Coefficients::generalized_alpha(0.8);
+    for (h, published) in [(0.02, 5.2e-2), (0.01, 9.9e-3), (0.005, 2.5e-3)] {
+        let early = pendulum(method, constant(h, 0.1)).lambda;
+        assert!((published / 2.0..published * 2.0).contains(&early), "{h}: {early}");
+    }
+}
+
+#[test]
+fn corrected_step_change_reaches_the_published_accuracy() {
+    // THEORY 10: ratio 1.5 every four steps, h the smaller step.
+    let published = [
+        (Coefficients::hht(-0.3), [0.082, 0.022, 0.0054]),
+        (Coefficients::hht(-0.05), [0.067, 0.016, 0.0041]),
+        (Coefficients::generalized_alpha(0.8), [0.058, 0.015, 0.0039]),
+        (Coefficients::generalized_alpha(0.9), [0.069, 0.014, 0.0036]),
+    ];
+    for (method, published) in published {
+        for (h, published) in [0.01, 0.005, 0.0025].into_iter().zip(published) {
+            let error = pendulum(method, alternating(1.5 * h, 1.5, 1.0)).lambda;
+            assert!(
+                (published / 2.0..published * 2.0).contains(&error),
+                "{method:?}, {h}: {error}, published {published}"
             );
         }
     }
-    for h in [0.02, 0.01, 0.005] {
-        let mut k = 0.0;
-        let e: Vec<String> = (1..=20)
-            .map(|i| {
-                k = i as f64 * 0.05;
-                let e = pendulum(all()[5].1, constant(h, k));
-                format!("{:.1e}", e.lambda)
-            })
-            .collect();
-        println!("{h}: {}", e.join(" "));
+}
+
+#[test]
+fn kick_grows_without_dissipation_and_dies_with_it() {
+    // THEORY 10, T1: radial velocity 1e-4 at the start, h = 0.01, rho = 1.
+    let kicked = |rho: f64, steps: usize| {
+        let mut system = Pendulum::at_rest();
+        let mut scheme = Alpha::new(
+            &mut system,
+            Coefficients::generalized_alpha(rho),
+            &Options {
+                step: StepSize::Fixed(0.01),
+                ..Options::default()
+            },
+        );
+        let mut statistics = Statistics::default();
+        let reference = Pendulum::at_rest();
+        let mut start = reference.state(0.0, 0.0, -3.0);
+        start.v[0] += 1e-4;
+        scheme.begin(&mut system, &start, 0.01, &mut statistics).unwrap();
+        for _ in 0..steps {
+            scheme.attempt(&mut system, 0.01, &mut statistics);
+        }
+        let state = scheme.state();
+        let y = reference.advance([0.0, -3.0], 0.0, state.t);
+        (state.lambda[0] - reference.state(state.t, y[0], y[1]).lambda[0]).abs()
+    };
+    // Published 0.5, 5.6, 184 after 2, 20, 100 steps; the growth is what matters.
+    let first = kicked(1.0, 2);
+    for (steps, published) in [(20, 5.6 / 0.5), (100, 184.0 / 0.5)] {
+        let growth = kicked(1.0, steps) / first;
+        assert!(
+            (published / 2.0..published * 2.0).contains(&growth),
+            "{steps}: {growth}"
+        );
     }
-    let mut o = Oscillator::new(1.0, 0.0, |_| 0.0);
-    let _ = run(&mut o, all()[0].1, &State::zeros(0.0, 1, 0), [0.1], |t| {
-        State::zeros(t, 1, 0)
-    })
-    .worst_ratio(&Errors::default());
+    assert!(kicked(0.8, 100) < kicked(0.8, 2));
+    assert!(kicked(0.8, 100) < 0.05);
 }
