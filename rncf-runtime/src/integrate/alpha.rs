@@ -26,8 +26,6 @@ use crate::system::{State, System};
 /// Tolerance of Newton's increments relative to the sizes of the unknowns with a fixed step, where
 /// no error test needs it but orders of convergence should be visible.
 const FIXED_STEP_RTOL: f64 = 1e-10;
-/// Ratio of the next attempt to one whose iteration failed (THEORY 7.1).
-const RETRY: f64 = 0.25;
 /// Difference step of the first jerk relative to the first step.
 const DIFFERENCE: f64 = 1e-3;
 
@@ -285,7 +283,7 @@ impl Alpha {
         for i in 0..self.offset.len() {
             self.offset[i] = (algorithmic[i] - state.a[i]) / h;
         }
-        self.history.remember(&self.now);
+        self.history.remember(&self.now, state, &self.inverse_weights);
         std::mem::swap(&mut self.before, &mut self.now);
         std::mem::swap(&mut self.now, state);
         self.jerk_known = false;
@@ -313,6 +311,14 @@ impl Scheme for Alpha {
         if !self.first_jerk.iter().all(|j| j.is_finite()) {
             return Err(SolveErrorKind::NotFinite);
         }
+        // The jerk of a stiff mode that starts off its quiet motion is no guide over a whole step.
+        let (mass, jerk) = (self.bordered.mass(), &mut self.first_jerk);
+        self.newton
+            .filter(system, mass, h, &self.now, jerk, statistics)
+            .map_err(|failure| match failure {
+                Failure::Failed(Cause::NotFinite) => SolveErrorKind::NotFinite,
+                _ => SolveErrorKind::Singular,
+            })?;
         let shift = self.coefficients.shift();
         for i in 0..self.offset.len() {
             self.offset[i] = shift * self.first_jerk[i];
@@ -321,9 +327,9 @@ impl Scheme for Alpha {
     }
 
     fn attempt<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Outcome {
-        let failed = |controller: &mut Controller, cause| {
-            controller.failed();
-            Outcome::Rejected { next: RETRY * h, cause }
+        let failed = |controller: &mut Controller, cause| Outcome::Rejected {
+            next: controller.failed(h),
+            cause,
         };
         if let Err(cause) = self.converge(system, h, statistics) {
             return failed(&mut self.controller, cause);
@@ -334,7 +340,7 @@ impl Scheme for Alpha {
         }
         if error > 1.0 {
             return Outcome::Rejected {
-                next: h * self.controller.reject(error),
+                next: self.controller.reject(h, error),
                 cause: Cause::Error,
             };
         }
@@ -342,8 +348,12 @@ impl Scheme for Alpha {
             let worst = newton::row(singular, self.a0.len());
             return failed(&mut self.controller, Cause::Singular { worst });
         }
-        let ratio = if self.fixed { 1.0 } else { self.controller.accept(error) };
-        Outcome::Accepted { next: h * ratio }
+        let next = if self.fixed {
+            h
+        } else {
+            self.controller.accept(h, error)
+        };
+        Outcome::Accepted { next }
     }
 
     fn state(&self) -> &State {

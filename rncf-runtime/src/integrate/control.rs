@@ -2,6 +2,8 @@
 
 /// Safety factor of a proposal.
 const SAFETY: f64 = 0.9;
+/// Ratio of the next attempt to one whose iteration failed (THEORY 7.1).
+const RETRY: f64 = 0.25;
 /// Largest growth from one step to the next.
 const GROWTH: f64 = 2.0;
 /// Smallest ratio of one step to the last.
@@ -13,11 +15,28 @@ const TOLERABLE: f64 = 0.95;
 /// Errors below this count as this: an error that vanishes by chance says nothing.
 const SMALLEST: f64 = 1e-4;
 
+/// After an iteration failed, the next steps stay below this part of the step that failed.
+const BELOW_FAILURE: f64 = 0.5;
+/// Growth of that limit from step to step.
+const RECOVERY: f64 = 1.05;
+
 /// Proportional-integral controller for an error of third order in the step.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(super) struct Controller {
     before: Option<f64>,
     rejected: bool,
+    /// Largest step at which the iteration is trusted, s.
+    trusted: f64,
+}
+
+impl Default for Controller {
+    fn default() -> Self {
+        Self {
+            before: None,
+            rejected: false,
+            trusted: f64::INFINITY,
+        }
+    }
 }
 
 impl Controller {
@@ -26,8 +45,8 @@ impl Controller {
         *self = Self::default();
     }
 
-    /// Ratio of the next step to the one that was accepted with `error <= 1`.
-    pub(super) fn accept(&mut self, error: f64) -> f64 {
+    /// The next step (s) after one of `h` that was accepted with `error <= 1`.
+    pub(super) fn accept(&mut self, h: f64, error: f64) -> f64 {
         let error = error.max(SMALLEST);
         let ratio = match self.before {
             Some(before) => SAFETY * error.powf(-0.23) * before.powf(0.1),
@@ -36,22 +55,25 @@ impl Controller {
         let limit = if self.rejected { 1.0 } else { GROWTH };
         self.before = Some(error);
         self.rejected = false;
-        let ratio = ratio.clamp(SHRINK, limit);
+        self.trusted *= RECOVERY;
+        let ratio = ratio.clamp(SHRINK, limit).min((self.trusted / h).max(1.0));
         if (TOLERABLE..WORTHWHILE).contains(&ratio) {
-            1.0
+            h
         } else {
-            ratio
+            h * ratio
         }
     }
 
-    /// Ratio of the next attempt to the one that was rejected with `error > 1`.
-    pub(super) fn reject(&mut self, error: f64) -> f64 {
+    /// The next attempt (s) after one of `h` was rejected with `error > 1`.
+    pub(super) fn reject(&mut self, h: f64, error: f64) -> f64 {
         self.rejected = true;
-        (SAFETY * error.powf(-1.0 / 3.0)).clamp(SHRINK, SAFETY)
+        h * (SAFETY * error.powf(-1.0 / 3.0)).clamp(SHRINK, SAFETY)
     }
 
-    /// A step was rejected without an error: do not grow right after the next.
-    pub(super) fn failed(&mut self) {
+    /// The next attempt (s) after the iteration failed with `h` (THEORY 7.1).
+    pub(super) fn failed(&mut self, h: f64) -> f64 {
         self.rejected = true;
+        self.trusted = BELOW_FAILURE * h;
+        RETRY * h
     }
 }

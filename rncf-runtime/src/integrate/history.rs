@@ -7,6 +7,8 @@ use crate::system::State;
 pub(super) struct History {
     past: [Point; 2],
     known: usize,
+    /// Degree of the polynomial that is used.
+    degree: usize,
 }
 
 /// Accelerations and multipliers at one time.
@@ -28,53 +30,73 @@ impl History {
         Self {
             past: [point(), point()],
             known: 0,
+            degree: 0,
         }
     }
 
     /// Forgets everything: the solution is not smooth across a restart.
     pub(super) fn restart(&mut self) {
         self.known = 0;
+        self.degree = 0;
     }
 
-    /// Remembers a state that has just become the last but one.
-    pub(super) fn remember(&mut self, state: &State) {
+    /// Takes in that `now` followed `last`: chooses the degree that would have predicted it best,
+    /// and remembers `last`. Stiff modes that the steps do not resolve alternate in sign; a parabola
+    /// through them leads astray.
+    pub(super) fn remember(&mut self, last: &State, now: &State, inverse_sizes: &[f64]) {
+        let mut best = f64::INFINITY;
+        for degree in 0..=self.known {
+            let factors = self.factors(degree, last.t, now.t);
+            let miss = |i: usize| (now.a[i] - self.combined(factors, i, |point| &point.a, &last.a)) * inverse_sizes[i];
+            let misses = (0..now.a.len()).map(|i| miss(i).powi(2)).sum();
+            if misses < best {
+                best = misses;
+                self.degree = degree;
+            }
+        }
+        if self.degree == self.known {
+            self.degree += 1; // as good as it could be: try what comes next
+        }
         self.past.swap(0, 1);
-        self.past[0].t = state.t;
-        self.past[0].a.copy_from_slice(&state.a);
-        self.past[0].lambda.copy_from_slice(&state.lambda);
+        self.past[0].t = last.t;
+        self.past[0].a.copy_from_slice(&last.a);
+        self.past[0].lambda.copy_from_slice(&last.lambda);
         self.known = (self.known + 1).min(2);
+        self.degree = self.degree.min(self.known);
     }
 
-    /// Accelerations and multipliers of `out` at its time by the parabola through `last` and the
-    /// history, by as much of it as there is; false if there is none.
+    /// Accelerations and multipliers of `out` at its time from `last` and the history; false if
+    /// there is none.
     pub(super) fn extrapolate(&self, last: &State, out: &mut State) -> bool {
-        let [one, two] = &self.past;
-        let t = out.t;
-        match self.known {
-            0 => return false,
-            1 => {
-                let slope = (t - last.t) / (last.t - one.t);
-                combine(&mut out.a, [(1.0 + slope, &last.a), (-slope, &one.a)]);
-                combine(&mut out.lambda, [(1.0 + slope, &last.lambda), (-slope, &one.lambda)]);
-            }
-            _ => {
-                let l0 = (t - one.t) * (t - two.t) / ((last.t - one.t) * (last.t - two.t));
-                let l1 = (t - last.t) * (t - two.t) / ((one.t - last.t) * (one.t - two.t));
-                let l2 = (t - last.t) * (t - one.t) / ((two.t - last.t) * (two.t - one.t));
-                combine(&mut out.a, [(l0, &last.a), (l1, &one.a), (l2, &two.a)]);
-                combine(
-                    &mut out.lambda,
-                    [(l0, &last.lambda), (l1, &one.lambda), (l2, &two.lambda)],
-                );
-            }
+        if self.known == 0 {
+            return false;
+        }
+        let factors = self.factors(self.degree, last.t, out.t);
+        for i in 0..out.a.len() {
+            out.a[i] = self.combined(factors, i, |point| &point.a, &last.a);
+        }
+        for i in 0..out.lambda.len() {
+            out.lambda[i] = self.combined(factors, i, |point| &point.lambda, &last.lambda);
         }
         true
     }
-}
 
-/// `out = sum of factor * y`.
-fn combine<const N: usize>(out: &mut [f64], terms: [(f64, &Vec<f64>); N]) {
-    for i in 0..out.len() {
-        out[i] = terms.iter().map(|(factor, y)| factor * y[i]).sum();
+    /// Weights at `t` of the last state, at `t0`, and of the history: Lagrange's polynomials.
+    fn factors(&self, degree: usize, t0: f64, t: f64) -> [f64; 3] {
+        let (t1, t2) = (self.past[0].t, self.past[1].t);
+        match degree {
+            0 => [1.0, 0.0, 0.0],
+            1 => [(t - t1) / (t0 - t1), (t - t0) / (t1 - t0), 0.0],
+            _ => [
+                (t - t1) * (t - t2) / ((t0 - t1) * (t0 - t2)),
+                (t - t0) * (t - t2) / ((t1 - t0) * (t1 - t2)),
+                (t - t0) * (t - t1) / ((t2 - t0) * (t2 - t1)),
+            ],
+        }
+    }
+
+    fn combined(&self, factors: [f64; 3], i: usize, of: impl Fn(&Point) -> &Vec<f64>, last: &[f64]) -> f64 {
+        let [one, two] = &self.past;
+        factors[0] * last[i] + factors[1] * of(one)[i] + factors[2] * of(two)[i]
     }
 }

@@ -10,6 +10,7 @@ mod dense;
 mod history;
 mod newton;
 mod options;
+mod radau;
 mod scheme;
 mod segments;
 mod start;
@@ -26,6 +27,7 @@ use crate::linalg::Singular;
 use crate::system::{ConstraintLevel, State, System};
 use alpha::{Alpha, Coefficients};
 use bordered::{Bordered, add};
+use radau::Radau;
 use scheme::{Cause, Outcome, Scheme};
 use segments::Segments;
 
@@ -63,6 +65,7 @@ pub struct Integrator<'s, S: System + ?Sized> {
 /// The method that runs.
 enum Running {
     Alpha(Box<Alpha>),
+    Radau(Box<Radau>),
 }
 
 impl<'s, S: System + ?Sized> Integrator<'s, S> {
@@ -101,7 +104,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
             Method::GeneralizedAlpha { rho_inf } => {
                 Running::alpha(system, Coefficients::generalized_alpha(rho_inf), &options)
             }
-            Method::Radau => todo!(),
+            Method::Radau => Running::Radau(Box::new(Radau::new(system, &options))),
         };
         let mut integrator = Self {
             system,
@@ -344,30 +347,35 @@ impl Scheme for Running {
     ) -> Result<(), SolveErrorKind> {
         match self {
             Running::Alpha(scheme) => scheme.begin(system, state, h, statistics),
+            Running::Radau(scheme) => scheme.begin(system, state, h, statistics),
         }
     }
 
     fn attempt<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Outcome {
         match self {
             Running::Alpha(scheme) => scheme.attempt(system, h, statistics),
+            Running::Radau(scheme) => scheme.attempt(system, h, statistics),
         }
     }
 
     fn state(&self) -> &State {
         match self {
             Running::Alpha(scheme) => scheme.state(),
+            Running::Radau(scheme) => scheme.state(),
         }
     }
 
     fn interpolate(&self, t: f64, out: &mut State) {
         match self {
             Running::Alpha(scheme) => scheme.interpolate(t, out),
+            Running::Radau(scheme) => scheme.interpolate(t, out),
         }
     }
 
     fn worst_error(&self) -> Option<usize> {
         match self {
             Running::Alpha(scheme) => scheme.worst_error(),
+            Running::Radau(scheme) => scheme.worst_error(),
         }
     }
 }

@@ -1,0 +1,134 @@
+//! Local error by the embedded formula (THEORY 7.5) in second-order form.
+//!
+//! With y = (x, v, lambda) and e the embedded weights, the two rows of
+//! `(g/h Mass - Jac) err = f(y_n) + Mass (e . z) / h` read
+//!
+//! ```text
+//! (g/h) err_x - err_v = F1 = v_n + (e . Z) / h
+//! (g/h) M err_v + D err_v + K err_x + C_x^T err_lambda = F2 = M (a_n + (e . (V - v_n)) / h)
+//! ```
+//!
+//! where `M a_n = -f - C_x^T lambda` at the start. Eliminating err_v = (g/h) err_x - F1 leaves one
+//! solution with the real matrix of the step: its right side is F2 + ((g/h) M + D) F1.
+
+use super::coefficients::Coefficients;
+use super::matrices::Matrices;
+use super::stages::Stages;
+use crate::integrate::Statistics;
+use crate::system::{State, System};
+
+/// Memory and weights of the estimate.
+pub(super) struct Estimate {
+    inverse_weights: Vec<f64>,
+    /// Errors of position and of velocity.
+    x: Vec<f64>,
+    v: Vec<f64>,
+    constraints: Vec<f64>,
+    first: Vec<f64>,
+    work: Vec<f64>,
+    state: State,
+}
+
+impl Estimate {
+    pub(super) fn new<S: System + ?Sized>(system: &S, rtol: f64) -> Self {
+        let (n, m) = (system.unknowns(), system.constraints());
+        Self {
+            inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
+            x: vec![0.0; n],
+            v: vec![0.0; n],
+            constraints: vec![0.0; m],
+            first: vec![0.0; n],
+            work: vec![0.0; n],
+            state: State::zeros(0.0, n, m),
+        }
+    }
+
+    /// Weighted size of the error of `stages`, which start at `start`.
+    pub(super) fn error(
+        &mut self,
+        coefficients: &Coefficients,
+        matrices: &mut Matrices,
+        start: &State,
+        stages: &Stages,
+        statistics: &mut Statistics,
+    ) -> f64 {
+        let [a, b, c] = coefficients.embedded.map(|value| value / stages.h);
+        for i in 0..self.x.len() {
+            let v = start.v[i];
+            self.first[i] = v + a * stages.z[0][i] + b * stages.z[1][i] + c * stages.z[2][i];
+            self.work[i] = start.a[i] + a * (stages.v[0][i] - v) + b * (stages.v[1][i] - v) + c * (stages.v[2][i] - v);
+        }
+        self.x.fill(0.0);
+        matrices
+            .pattern
+            .multiply_add(1.0, &matrices.mass, &self.work, &mut self.x);
+        self.finish(coefficients, matrices, stages.h, statistics)
+    }
+
+    /// The estimate once more from the slope at `start` + error: it no longer sees motions that
+    /// are far faster than the step.
+    pub(super) fn filtered<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        coefficients: &Coefficients,
+        matrices: &mut Matrices,
+        start: &State,
+        stages: &Stages,
+        statistics: &mut Statistics,
+    ) -> f64 {
+        let [a, b, c] = coefficients.embedded.map(|value| value / stages.h);
+        self.state.clone_from(start);
+        for i in 0..self.x.len() {
+            let v = start.v[i];
+            self.state.x[i] += self.x[i];
+            self.state.v[i] += self.v[i];
+            self.first[i] = self.state.v[i] + a * stages.z[0][i] + b * stages.z[1][i] + c * stages.z[2][i];
+            self.work[i] = -(a * (stages.v[0][i] - v) + b * (stages.v[1][i] - v) + c * (stages.v[2][i] - v));
+        }
+        // M a + f at a = -(e . (V - v_n)) / h is -F2.
+        let state = &self.state;
+        system.residual(state.t, &state.x, &state.v, &self.work, &mut self.x);
+        statistics.residual_evaluations += 1;
+        if !state.lambda.is_empty() {
+            system.constraint_jacobian(state.t, &state.x, &mut matrices.stage_jacobian);
+            let values = &matrices.stage_jacobian;
+            matrices
+                .constraint_pattern
+                .multiply_add(1.0, values, &state.lambda, &mut self.x);
+        }
+        self.x.iter_mut().for_each(|value| *value = -*value);
+        self.finish(coefficients, matrices, stages.h, statistics)
+    }
+
+    /// Completes F2 in `x` to the right side, solves, and measures.
+    fn finish(
+        &mut self,
+        coefficients: &Coefficients,
+        matrices: &mut Matrices,
+        h: f64,
+        statistics: &mut Statistics,
+    ) -> f64 {
+        let g = coefficients.real / h;
+        matrices
+            .pattern
+            .multiply_add(g, &matrices.mass, &self.first, &mut self.x);
+        matrices
+            .pattern
+            .multiply_add(1.0, &matrices.tangent.damping, &self.first, &mut self.x);
+        self.constraints.fill(0.0);
+        matrices.solve_real(&mut self.x, &mut self.constraints, statistics);
+        let mut sum = 0.0;
+        for i in 0..self.x.len() {
+            self.v[i] = g * self.x[i] - self.first[i];
+            let weight = self.inverse_weights[i];
+            sum += (self.x[i] * weight).powi(2) + (h * self.v[i] * weight).powi(2);
+        }
+        (sum / (2 * self.x.len()).max(1) as f64).sqrt()
+    }
+
+    /// The unknown with the largest part in the last estimate.
+    pub(super) fn worst(&self) -> Option<usize> {
+        let size = |i: usize| (self.x[i] * self.inverse_weights[i]).abs();
+        (0..self.x.len()).max_by(|&i, &j| size(i).total_cmp(&size(j)))
+    }
+}

@@ -1,0 +1,193 @@
+//! Simplified Newton iteration on the stage increments (THEORY 7.3), as in RADAU5.
+
+use super::coefficients::Coefficients;
+use super::matrices::Matrices;
+use super::stages::Stages;
+use crate::integrate::Statistics;
+use crate::integrate::newton::norm;
+use crate::system::{ConstraintLevel, State, System};
+
+/// Most iterations of a step whose size is free.
+pub(super) const ITERATIONS: u32 = 10;
+/// Most iterations of a fixed step: a slow iteration is all there is.
+const PATIENT: u32 = 50;
+/// Contraction at which the iteration is given up.
+const DIVERGING: f64 = 0.99;
+/// Contraction above which an iteration near round-off counts as at its end.
+const STAGNANT: f64 = 0.3;
+/// Increments below this, relative to the sizes of the unknowns, are noise.
+const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
+/// Noise that the residual may add to that.
+const AMPLIFIED: f64 = 1e3;
+
+/// Why an iteration did not converge.
+pub(super) enum Failure {
+    /// It contracts too slowly; the row of the largest increment, and the ratio by which a shorter
+    /// step would converge, where it can be told.
+    Slow { worst: Option<usize>, ratio: f64 },
+    /// A value is not finite.
+    NotFinite,
+}
+
+/// What a converged iteration tells of its matrix.
+pub(super) struct Converged {
+    pub(super) iterations: u32,
+    /// Contraction; 0 after a single iteration.
+    pub(super) contraction: f64,
+}
+
+/// Memory and settings of the iteration.
+pub(super) struct Newton {
+    inverse_weights: Vec<f64>,
+    inverse_sizes: Vec<f64>,
+    /// Error of a converged iterate as a part of the weights.
+    tolerance: f64,
+    /// The step is fixed.
+    patient: bool,
+    /// Relative tolerance behind the weights.
+    rtol: f64,
+    /// theta / (1 - theta) of the last step.
+    amplification: f64,
+    dynamics: [Vec<f64>; 3],
+    constraints: [Vec<f64>; 3],
+    stage: State,
+}
+
+impl Newton {
+    pub(super) fn new<S: System + ?Sized>(system: &S, rtol: f64, tolerance: f64, patient: bool) -> Self {
+        let (n, m) = (system.unknowns(), system.constraints());
+        Self {
+            inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
+            inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
+            tolerance,
+            patient,
+            rtol,
+            amplification: 1.0,
+            dynamics: std::array::from_fn(|_| vec![0.0; n]),
+            constraints: std::array::from_fn(|_| vec![0.0; m]),
+            stage: State::zeros(0.0, n, m),
+        }
+    }
+
+    /// Forgets the contraction that was seen.
+    pub(super) fn restart(&mut self) {
+        self.amplification = 1.0;
+    }
+
+    /// Converges the increments and multipliers of `stages`, whose predictions are given; its
+    /// velocities and accelerations follow.
+    pub(super) fn solve<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        coefficients: &Coefficients,
+        matrices: &mut Matrices,
+        start: &State,
+        stages: &mut Stages,
+        statistics: &mut Statistics,
+    ) -> Result<Converged, Failure> {
+        let floor = ROUND_OFF / self.rtol * (1.0 + norm(&start.x, &self.inverse_sizes));
+        // The estimate of the last step, made cautious.
+        let mut amplification = self.amplification.max(f64::EPSILON).powf(0.8);
+        let (mut last, mut last_ratio, mut contraction) = (0.0, 0.0, 0.0);
+        let most = if self.patient { PATIENT } else { ITERATIONS };
+        for iteration in 1..=most {
+            stages.differentiate(coefficients, start);
+            self.residual(system, coefficients, matrices, start, stages, statistics);
+            matrices.solve_stages(coefficients, &mut self.dynamics, &mut self.constraints, statistics);
+            statistics.newton_iterations += 1;
+            let size = self.apply(stages);
+            if !size.is_finite() {
+                return Err(Failure::NotFinite);
+            }
+            if iteration > 1 {
+                let ratio: f64 = size / last;
+                contraction = if iteration == 2 {
+                    ratio
+                } else {
+                    (ratio * last_ratio).sqrt()
+                };
+                last_ratio = ratio;
+                amplification = contraction / (1.0 - contraction);
+            }
+            let at_noise = size <= floor || contraction > STAGNANT && size <= AMPLIFIED * floor;
+            if at_noise || contraction < DIVERGING && amplification * size <= self.tolerance {
+                self.amplification = if contraction < DIVERGING { amplification } else { 1.0 };
+                stages.differentiate(coefficients, start);
+                return Ok(Converged {
+                    iterations: iteration,
+                    contraction,
+                });
+            }
+            if iteration > 1 {
+                let left = (most - 1).saturating_sub(iteration) as i32;
+                if contraction >= DIVERGING {
+                    return Err(self.slow(0.5));
+                }
+                let expected = amplification * size * contraction.powi(left) / self.tolerance;
+                if expected >= 1.0 && AMPLIFIED * floor < size * contraction.powi(left) {
+                    let excess = expected.clamp(1e-4, 20.0);
+                    return Err(self.slow(0.8 * excess.powf(-1.0 / (4.0 + f64::from(left)))));
+                }
+            }
+            last = size.max(f64::MIN_POSITIVE);
+        }
+        Err(self.slow(0.5))
+    }
+
+    /// Right sides `-R` and `-C` of all stages.
+    fn residual<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        coefficients: &Coefficients,
+        matrices: &mut Matrices,
+        start: &State,
+        stages: &Stages,
+        statistics: &mut Statistics,
+    ) {
+        let m = stages.lambda[0].len();
+        for s in 0..3 {
+            let (state, out) = (&mut self.stage, &mut self.dynamics[s]);
+            stages.stage(coefficients, s, start, state);
+            system.residual(state.t, &state.x, &state.v, &state.a, out);
+            if m > 0 {
+                let values = &mut matrices.stage_jacobian;
+                system.constraint_jacobian(state.t, &state.x, values);
+                matrices
+                    .constraint_pattern
+                    .multiply_add(1.0, values, &state.lambda, out);
+                system.constraint(ConstraintLevel::Position, state, &mut self.constraints[s]);
+            }
+            out.iter_mut()
+                .chain(&mut self.constraints[s])
+                .for_each(|value| *value = -*value);
+        }
+        statistics.residual_evaluations += 3;
+    }
+
+    /// Adds the increments; their weighted size.
+    fn apply(&self, stages: &mut Stages) -> f64 {
+        let mut sum = 0.0;
+        for s in 0..3 {
+            for (z, dz) in stages.z[s].iter_mut().zip(&self.dynamics[s]) {
+                *z += dz;
+            }
+            for (lambda, change) in stages.lambda[s].iter_mut().zip(&self.constraints[s]) {
+                *lambda += change;
+            }
+            sum += norm(&self.dynamics[s], &self.inverse_weights).powi(2) / 3.0;
+            // Multipliers carry no weight, but must be finite.
+            sum += self.constraints[s].iter().map(|change| 0.0 * change).sum::<f64>();
+        }
+        sum.sqrt()
+    }
+
+    fn slow(&self, ratio: f64) -> Failure {
+        let size = |&i: &usize| -> f64 {
+            (0..3)
+                .map(|s| (self.dynamics[s][i] * self.inverse_sizes[i]).abs())
+                .sum()
+        };
+        let worst = (0..self.inverse_sizes.len()).max_by(|i, j| size(i).total_cmp(&size(j)));
+        Failure::Slow { worst, ratio }
+    }
+}
