@@ -194,7 +194,9 @@ impl Newton {
     fn solve<S: Scene + ?Sized>(&mut self, scene: &mut S, scale: f64, state: &mut State) -> (Result<(), Failure>, u32) {
         let n = state.x.len();
         let mut last = f64::INFINITY;
+        let mut taken = 0;
         for iteration in 1..=ITERATIONS {
+            taken = iteration;
             self.linearize(scene, scale, state);
             if !self
                 .increments
@@ -226,7 +228,7 @@ impl Newton {
         }
         let weighted = |i: usize| (self.increments[i] * self.inverse_sizes[i]).abs();
         let worst = (0..n).max_by(|&i, &j| weighted(i).total_cmp(&weighted(j))).unwrap_or(0);
-        (Err(Failure::Slow(worst)), ITERATIONS)
+        (Err(Failure::Slow(worst)), taken)
     }
 
     /// Matrix and right side (the negative residual, in `increments`) at `state`.

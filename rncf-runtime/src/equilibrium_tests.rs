@@ -168,6 +168,7 @@ fn hardening_spring_above_the_critical_spin_is_reached_by_continuation() {
     let force = 100.0 * (x - 1.0) + 1e5 * (x - 1.0).powi(3);
     assert!((force - 900.0 * x).abs() < 1e-9 * force && x > 1.0, "{x}");
     assert_eq!(found.path.last().unwrap().scale, 1.0);
+    assert!(found.path.len() > 1 && found.wasted_iterations > 0, "{found:?}");
 }
 
 #[test]

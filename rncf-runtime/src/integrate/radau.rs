@@ -26,6 +26,8 @@ const FIXED_STEP_RTOL: f64 = 1e-13;
 const AGED: f64 = 0.02;
 /// The next step keeps its size, and thus the factorizations, if it would grow by less.
 const KEEP: f64 = 1.2;
+/// Contraction up to which a step may grow.
+const CONTRACTING: f64 = 0.08;
 /// Bounds of the change of the step.
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 4.0;
@@ -230,6 +232,8 @@ impl Scheme for Radau {
         if after_rejection {
             ratio = ratio.min(1.0);
         }
+        // Contraction grows with the step: a longer one must still converge.
+        ratio = ratio.min((CONTRACTING / converged.contraction.max(1e-3)).max(1.0));
         if self.fixed || self.tangent == Age::Kept && (1.0..=KEEP).contains(&ratio) {
             ratio = 1.0;
         }
