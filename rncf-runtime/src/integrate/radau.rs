@@ -28,7 +28,7 @@ const AGED: f64 = 0.02;
 const KEEP: f64 = 1.2;
 /// Bounds of the change of the step.
 const SHRINK: f64 = 0.2;
-const GROW: f64 = 8.0;
+const GROW: f64 = 4.0;
 const SAFETY: f64 = 0.9;
 
 /// The method and its last accepted step.
@@ -69,10 +69,10 @@ impl Radau {
         let (n, m) = (system.unknowns(), system.constraints());
         let fixed = matches!(options.step, StepSize::Fixed(_));
         let newton = if fixed {
-            Newton::new(system, FIXED_STEP_RTOL, 1.0)
+            Newton::new(system, FIXED_STEP_RTOL, 1.0, true)
         } else {
             // Far below the error estimate, which is of lower order than the solution.
-            Newton::new(system, options.rtol, options.rtol.sqrt().min(0.03))
+            Newton::new(system, options.rtol, options.rtol.sqrt().min(0.03), false)
         };
         Self {
             coefficients: Coefficients::new(),
