@@ -10,7 +10,6 @@
 mod arguments;
 mod charts;
 mod clock;
-mod continuation;
 mod files;
 mod history;
 mod nearest;
