@@ -57,6 +57,20 @@ impl Equilibrium {
 /// [`SolveErrorKind::NoEquilibrium`] if the unknowns are not those of the turning frames, if a load
 /// or frame is not invariant under the rotation, or if no equilibrium continues the one at rest.
 pub fn steady<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Equilibrium, SolveError> {
+    follow(scene, t, 1.0, |_, _| ())
+}
+
+/// As [`steady`], with increments of the scale of at most `largest`; `visit` sees every step when it
+/// is found, so that the way is known up to where it ends.
+///
+/// # Errors
+/// As [`steady`].
+pub fn follow<S: Scene + ?Sized>(
+    scene: &mut S,
+    t: f64,
+    largest: f64,
+    mut visit: impl FnMut(&mut S, &Continued),
+) -> Result<Equilibrium, SolveError> {
     let fail = |text: String, worst| SolveError {
         kind: SolveErrorKind::NoEquilibrium(text),
         t,
@@ -72,7 +86,7 @@ pub fn steady<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Equilibrium, S
     }
     let mut newton = Newton::new(scene);
     let mut last = scene.rest(t);
-    let (mut scale, mut increment) = (0.0, 1.0_f64);
+    let (mut scale, mut increment) = (0.0, largest.clamp(SMALLEST, 1.0));
     let mut found = Equilibrium {
         path: vec![],
         wasted_iterations: 0,
@@ -84,13 +98,15 @@ pub fn steady<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Equilibrium, S
         match result {
             Ok(()) => {
                 scale = target;
-                increment *= 2.0;
+                increment = (2.0 * increment).min(largest.clamp(SMALLEST, 1.0));
                 last.clone_from(&state);
-                found.path.push(Continued {
+                let step = Continued {
                     scale,
                     state,
                     iterations,
-                });
+                };
+                visit(scene, &step);
+                found.path.push(step);
             }
             Err(failure) => {
                 found.wasted_iterations += iterations;

@@ -1,0 +1,232 @@
+//! Charts as SVG for the report. Colours are fixed names here; the page's style sheet turns them
+//! into those of a light or dark page.
+
+use std::fmt::Display;
+
+use plotters::coord::Shift;
+use plotters::coord::ranged1d::{Ranged, ValueFormatter};
+use plotters::coord::types::RangedCoordf64;
+use plotters::prelude::*;
+
+/// A chart of lines over a common axis.
+pub(super) struct Chart {
+    /// Name and unit of the horizontal axis.
+    pub x: String,
+    /// Name and unit of the vertical axis.
+    pub y: String,
+    /// Whether the vertical axis is logarithmic; all values are then positive.
+    pub logarithmic: bool,
+    /// Points of each line, ascending in x, all finite.
+    pub lines: Vec<Vec<(f64, f64)>>,
+}
+
+/// Colours of the lines on a light page, in their order.
+pub(super) const LINES: [RGBColor; 6] = [
+    RGBColor(0x1f, 0x5f, 0xa8),
+    RGBColor(0xc2, 0x51, 0x0c),
+    RGBColor(0x2a, 0x7d, 0x46),
+    RGBColor(0x8a, 0x3f, 0x9e),
+    RGBColor(0xa0, 0x7a, 0x00),
+    RGBColor(0x5b, 0x5b, 0x5b),
+];
+/// Colour of axes and their text.
+pub(super) const INK: RGBColor = RGBColor(0x33, 0x33, 0x33);
+/// Colour of the grid.
+pub(super) const GRID: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
+
+// The backend rounds to whole units: a drawing four times as large as shown keeps curves smooth.
+const SIZE: (u32, u32) = (3840, 1280);
+const TEXT: u32 = 64;
+const STROKE: u32 = 7;
+// More points than this are not told apart in the drawing.
+const BUCKETS: usize = 1500;
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+impl Chart {
+    /// The chart as an `svg` element.
+    ///
+    /// # Errors
+    /// The drawing library's reason, which names no place in the data: the lines are finite.
+    pub fn to_svg(&self) -> Result<String, String> {
+        let mut text = String::new();
+        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        let (x, y) = (self.range(|point| point.0), self.range(|point| point.1));
+        let x = padded(x, 0.0);
+        let drawn = if self.logarithmic {
+            self.draw(&area, x, decades(y).log_scale(), 6)
+        } else {
+            self.draw(&area, x, padded(y, 0.06), 7)
+        };
+        drawn.map_err(|error| format!("a chart cannot be drawn: {error}"))?;
+        drop(area);
+        Ok(text)
+    }
+
+    fn draw<Y>(&self, area: &Area<'_>, x: std::ops::Range<f64>, y: Y, ticks: usize) -> Result<(), String>
+    where
+        Y: plotters::coord::ranged1d::AsRangedCoord<Value = f64>,
+        Y::CoordDescType: Ranged<ValueType = f64> + ValueFormatter<f64>,
+    {
+        let told = |error: &dyn Display| error.to_string();
+        let mut chart = ChartBuilder::on(area)
+            .margin(24)
+            .margin_right(72)
+            .x_label_area_size(168)
+            .y_label_area_size(320)
+            .build_cartesian_2d(x, y)
+            .map_err(|error| told(&error))?;
+        self.draw_mesh(&mut chart, ticks).map_err(|error| told(&error))?;
+        for (line, color) in self.lines.iter().zip(LINES.iter().cycle()) {
+            let points = thinned(line, BUCKETS);
+            let series = LineSeries::new(points, color.stroke_width(STROKE));
+            chart.draw_series(series).map_err(|error| told(&error))?;
+        }
+        area.present().map_err(|error| told(&error))
+    }
+
+    fn draw_mesh<'a, Y: Ranged<ValueType = f64> + ValueFormatter<f64>>(
+        &self,
+        chart: &mut ChartContext<'a, SVGBackend<'a>, Cartesian2d<RangedCoordf64, Y>>,
+        ticks: usize,
+    ) -> Result<(), impl Display + use<'a, Y>> {
+        let style = ("sans-serif", TEXT).into_font().color(&INK);
+        chart
+            .configure_mesh()
+            .x_desc(self.x.as_str())
+            .y_desc(self.y.as_str())
+            .x_labels(11)
+            .y_labels(ticks)
+            .x_label_formatter(&|value| tick(*value))
+            .y_label_formatter(&|value| tick(*value))
+            .label_style(style.clone())
+            .axis_desc_style(style)
+            .axis_style(INK.stroke_width(3))
+            .bold_line_style(GRID.stroke_width(3))
+            .light_line_style(TRANSPARENT)
+            .set_all_tick_mark_size(16)
+            .draw()
+    }
+
+    fn range(&self, of: impl Fn(&(f64, f64)) -> f64) -> (f64, f64) {
+        let values = self.lines.iter().flatten().map(of);
+        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+            (low.min(value), high.max(value))
+        })
+    }
+}
+
+/// The range with a share of its length added at both ends; never empty.
+fn padded((low, high): (f64, f64), share: f64) -> std::ops::Range<f64> {
+    if low > high {
+        return 0.0..1.0;
+    }
+    let middle = low.abs().max(high.abs());
+    let length = high - low;
+    // A range of round-off would show noise as motion.
+    let pad = if length > 1e-9 * middle {
+        share * length
+    } else if middle > 0.0 {
+        0.1 * middle
+    } else {
+        1.0
+    };
+    low - pad..high + pad
+}
+
+/// The whole decades that hold the range.
+fn decades((low, high): (f64, f64)) -> std::ops::Range<f64> {
+    if low > high || low <= 0.0 {
+        return 0.1..1.0;
+    }
+    let first = low.log10().floor();
+    let last = high.log10().ceil().max(first + 1.0);
+    // A little more, or round-off takes the first tick away.
+    0.999 * 10f64.powf(first)..10f64.powf(last)
+}
+
+/// Short text of a tick's value.
+fn tick(value: f64) -> String {
+    // Ticks are short decimals up to the round-off of their computation.
+    super::parameters::digits(value, 6)
+}
+
+/// At most four points for each of `buckets` equal parts of the axis: the first, the lowest, the
+/// highest and the last, so that no peak is lost.
+fn thinned(points: &[(f64, f64)], buckets: usize) -> Vec<(f64, f64)> {
+    if points.len() <= 4 * buckets {
+        return points.to_vec();
+    }
+    let (first, last) = (points[0].0, points[points.len() - 1].0);
+    let bucket = |x: f64| ((x - first) / (last - first) * buckets as f64) as usize;
+    let mut kept = Vec::with_capacity(4 * buckets);
+    let parts = points.chunk_by(|a, b| bucket(a.0) == bucket(b.0));
+    for part in parts {
+        let by_height = |&a: &usize, &b: &usize| part[a].1.total_cmp(&part[b].1);
+        let low = (0..part.len()).min_by(by_height).unwrap_or(0);
+        let high = (0..part.len()).max_by(by_height).unwrap_or(0);
+        let mut indices = [0, low, high, part.len() - 1];
+        indices.sort_unstable();
+        let mut previous = None;
+        for index in indices {
+            if previous != Some(index) {
+                kept.push(part[index]);
+            }
+            previous = Some(index);
+        }
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chart(lines: Vec<Vec<(f64, f64)>>, logarithmic: bool) -> String {
+        let (x, y) = ("t [s]".into(), "v [m]".into());
+        let chart = Chart {
+            x,
+            y,
+            logarithmic,
+            lines,
+        };
+        chart.to_svg().unwrap()
+    }
+
+    #[test]
+    fn axes_carry_names_and_units() {
+        let svg = chart(vec![vec![(0.0, 0.0), (1.0, 2.0)]], false);
+        assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>"));
+        assert!(svg.contains("t [s]") && svg.contains("v [m]"));
+        assert!(svg.contains(r##"stroke="#1F5FA8""##), "{svg}");
+    }
+
+    #[test]
+    fn constant_empty_and_logarithmic_data_are_drawn() {
+        for lines in [
+            vec![],
+            vec![vec![]],
+            vec![vec![(0.0, 0.0)]],
+            vec![vec![(0.0, 3.0), (1.0, 3.0)]],
+        ] {
+            assert!(chart(lines, false).contains("</svg>"));
+        }
+        let svg = chart(vec![vec![(0.0, 1e-3), (1.0, 0.2)]], true);
+        for label in ["0.001", "0.01", "0.1"] {
+            assert!(svg.contains(label), "{label}");
+        }
+    }
+
+    #[test]
+    fn thinning_keeps_peaks_and_ends() {
+        let mut points: Vec<_> = (0..100_000)
+            .map(|i| (f64::from(i), (f64::from(i) * 0.01).sin()))
+            .collect();
+        points[31_415].1 = 7.0;
+        let kept = thinned(&points, 100);
+        assert!(kept.len() <= 4 * 101);
+        assert!(kept.contains(&(31_415.0, 7.0)));
+        assert_eq!((kept[0], kept[kept.len() - 1]), (points[0], points[99_999]));
+        assert!(kept.is_sorted_by(|a, b| a.0 < b.0));
+    }
+}

@@ -1,0 +1,186 @@
+//! The table of outputs: rows over time, or over the spin in a steady run.
+
+use std::fmt::Write;
+
+use crate::{Model, Output};
+
+/// Values of all outputs, row by row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct History {
+    /// First column: `t [s]`, or `spin [rad/s]` of a steady run.
+    pub key: Column,
+    /// One column for each component of each output, in the order of the declaration.
+    pub columns: Vec<Column>,
+    /// Values of the first column, ascending.
+    pub keys: Vec<f64>,
+    /// Values row by row, SI; `columns.len()` for each of [`History::keys`].
+    pub values: Vec<f64>,
+}
+
+/// Head of a column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Name, with the component for vectors: `tip.x`.
+    pub name: String,
+    /// SI unit.
+    pub unit: &'static str,
+}
+
+/// The smallest or largest value of a column.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// The value, SI.
+    pub value: f64,
+    /// Where in the first column: time in s or spin in rad/s.
+    pub at: f64,
+}
+
+impl Column {
+    /// The head as it stands in files and on axes: `tip.x [m]`.
+    pub fn head(&self) -> String {
+        format!("{} [{}]", self.name, self.unit)
+    }
+}
+
+impl History {
+    /// An empty table for the outputs of `M`.
+    pub(super) fn new<M: Model>(key: &str, unit: &'static str) -> Self {
+        Self {
+            key: Column { name: key.into(), unit },
+            columns: M::outputs().iter().flat_map(columns).collect(),
+            keys: Vec::new(),
+            values: Vec::new(),
+        }
+    }
+
+    /// Adds a row.
+    ///
+    /// # Errors
+    /// The first value that is not finite; the row is then left out.
+    pub(super) fn push(&mut self, key: f64, row: &[f64]) -> Result<(), String> {
+        if let Some(index) = row.iter().position(|value| !value.is_finite()) {
+            return Err(format!(
+                "output `{}` is not finite at {} = {key:e} {}",
+                self.columns[index].name, self.key.name, self.key.unit
+            ));
+        }
+        self.keys.push(key);
+        self.values.extend_from_slice(row);
+        Ok(())
+    }
+
+    /// Values of one column, SI.
+    pub fn column(&self, index: usize) -> impl Iterator<Item = f64> + '_ {
+        self.values
+            .iter()
+            .skip(index)
+            .step_by(self.columns.len().max(1))
+            .copied()
+    }
+
+    /// Index of the column with this name, e.g. `v` or `tip.x`.
+    pub fn find(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column.name == name)
+    }
+
+    /// Smallest and largest value of a column with the rows where they stand; `None` without rows.
+    pub fn extremes(&self, index: usize) -> Option<(Extreme, Extreme)> {
+        let mut found: Option<(Extreme, Extreme)> = None;
+        for (&at, value) in self.keys.iter().zip(self.column(index)) {
+            let here = Extreme { value, at };
+            let (low, high) = found.get_or_insert((here, here));
+            if value < low.value {
+                *low = here;
+            }
+            if value > high.value {
+                *high = here;
+            }
+        }
+        found
+    }
+
+    /// The table as comma-separated text, 17 significant digits.
+    pub fn to_csv(&self) -> String {
+        let mut text = self.key.head();
+        for column in &self.columns {
+            let _ = write!(text, ",{}", column.head());
+        }
+        text.push('\n');
+        for (row, key) in self.keys.iter().enumerate() {
+            let _ = write!(text, "{key:.16e}");
+            let width = self.columns.len();
+            for value in &self.values[row * width..(row + 1) * width] {
+                let _ = write!(text, ",{value:.16e}");
+            }
+            text.push('\n');
+        }
+        text
+    }
+}
+
+fn columns(output: &Output) -> Vec<Column> {
+    let column = |name| Column {
+        name,
+        unit: output.unit,
+    };
+    if output.components.is_empty() {
+        return vec![column(output.name.into())];
+    }
+    let names = output
+        .components
+        .iter()
+        .map(|suffix| format!("{}.{suffix}", output.name));
+    names.map(column).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::testing::Rotor;
+
+    fn table() -> History {
+        let mut history = History::new::<Rotor>("t", "s");
+        history.push(0.0, &[1.0, 2.0, 0.1]).unwrap();
+        history.push(0.5, &[-1.0, 2.0, 0.25]).unwrap();
+        history
+    }
+
+    #[test]
+    fn text_has_heads_units_and_17_digits() {
+        let expected = "t [s],tip.x [m],tip.y [m],pull [N]\n\
+            0.0000000000000000e0,1.0000000000000000e0,2.0000000000000000e0,1.0000000000000001e-1\n\
+            5.0000000000000000e-1,-1.0000000000000000e0,2.0000000000000000e0,2.5000000000000000e-1\n";
+        assert_eq!(table().to_csv(), expected);
+    }
+
+    #[test]
+    fn every_number_reads_back_to_the_same_bits() {
+        let mut history = History::new::<Rotor>("t", "s");
+        let row = [1.0 / 3.0, -2.0e-308, f64::MAX];
+        history.push(0.1 + 0.2, &row).unwrap();
+        let text = history.to_csv();
+        let read: Vec<f64> = text
+            .lines()
+            .nth(1)
+            .unwrap()
+            .split(',')
+            .map(|n| n.parse().unwrap())
+            .collect();
+        assert_eq!(read[0], 0.1 + 0.2);
+        assert_eq!(read[1..], row);
+    }
+
+    #[test]
+    fn extremes_carry_their_times() {
+        let (low, high) = table().extremes(0).unwrap();
+        assert_eq!((low.value, low.at, high.value, high.at), (-1.0, 0.5, 1.0, 0.0));
+        assert_eq!(History::new::<Rotor>("t", "s").extremes(0), None);
+        assert_eq!(table().find("tip.y"), Some(1));
+    }
+
+    #[test]
+    fn a_value_that_is_not_finite_is_refused_by_name() {
+        let error = table().push(1.0, &[0.0, f64::NAN, 0.0]).unwrap_err();
+        assert_eq!(error, "output `tip.y` is not finite at t = 1e0 s");
+    }
+}

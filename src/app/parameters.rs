@@ -1,0 +1,285 @@
+//! Parameters and other quantities as text: `omega_s="40 rad/s"`, `elements=24`, `--t-end "20 s"`.
+
+use super::nearest::nearest;
+use super::units::{Dimension, Number, SECOND, Unit};
+use crate::{Model, Param, ParamKind};
+
+/// Sets the parameters of a model from words `name=value`.
+///
+/// # Errors
+/// All mistakes, one a line: each with the word and what would be right.
+pub(super) fn assign<M: Model>(model: &mut M, words: &[String]) -> Result<(), String> {
+    let mut given = vec![false; M::params().len()];
+    let mut mistakes = Vec::new();
+    for word in words {
+        match read::<M>(word) {
+            Ok((index, _)) if given[index] => mistakes.push(format!("`{}` is given twice", M::params()[index].name)),
+            Ok((index, value)) => {
+                given[index] = true;
+                model.set(index, value);
+            }
+            Err(mistake) => mistakes.push(mistake),
+        }
+    }
+    if mistakes.is_empty() {
+        Ok(())
+    } else {
+        Err(mistakes.join("\n"))
+    }
+}
+
+/// Index of the parameter and its value in SI.
+fn read<M: Model>(word: &str) -> Result<(usize, f64), String> {
+    let Some((name, text)) = word.split_once('=') else {
+        return Err(stray::<M>(word));
+    };
+    let (name, text) = (name.trim(), text.trim());
+    let Some(index) = M::params().iter().position(|param| param.name == name) else {
+        return Err(unknown::<M>(name));
+    };
+    let param = &M::params()[index];
+    let example = format!("{name}={}", quoted(&in_unit(param, param.default)));
+    let value = match param.kind {
+        ParamKind::Count => count(text),
+        ParamKind::Quantity => quantity(text, param.unit, param.dimension),
+    };
+    match value {
+        Ok(value) => Ok((index, value)),
+        Err(mistake) => Err(format!("`{name}={text}`: {mistake} (e.g. `{example}`)")),
+    }
+}
+
+fn stray<M: Model>(word: &str) -> String {
+    if let Some(command) = nearest(word, ["run", "steady"]) {
+        return format!("`{word}` is not a command; did you mean `{command}`? A command comes first");
+    }
+    let example = M::params()
+        .iter()
+        .find(|param| param.kind == ParamKind::Quantity)
+        .map(|param| format!("{}={}", param.name, quoted(&in_unit(param, param.default))));
+    match (Unit::parse(word), example) {
+        (Ok(_), Some(example)) => format!("`{word}` stands alone: quote a value together with its unit, `{example}`"),
+        _ => format!("`{word}` is neither a command (run, steady) nor `name=value`"),
+    }
+}
+
+fn unknown<M: Model>(name: &str) -> String {
+    let names: Vec<_> = M::params().iter().map(|param| param.name).collect();
+    match nearest(name, names.iter().copied()) {
+        Some(near) => format!("{} has no parameter `{name}`; did you mean `{near}`?", M::NAME),
+        None if names.is_empty() => format!("{} has no parameter `{name}`; it has none at all", M::NAME),
+        None => format!("{} has no parameter `{name}`; it has {}", M::NAME, names.join(", ")),
+    }
+}
+
+fn count(text: &str) -> Result<f64, String> {
+    match text.parse::<u32>() {
+        Ok(count) if count >= 1 => Ok(f64::from(count)),
+        _ => Err("a whole number of at least 1 is needed, without a unit".into()),
+    }
+}
+
+/// The value in SI of a quantity whose unit has the dimension of the declared one.
+fn quantity(text: &str, declared: &str, dimension: Dimension) -> Result<f64, String> {
+    let bare = dimension == [0; 6];
+    let Some((number, symbols)) = Number::split(text) else {
+        return Err(if bare {
+            "a number is needed".into()
+        } else {
+            "a number with its unit is needed".into()
+        });
+    };
+    if symbols.is_empty() && !bare {
+        return Err(format!(
+            "the unit is missing; write {declared} or another of its dimension"
+        ));
+    }
+    let unit = Unit::parse(symbols)?;
+    if unit.dimension != dimension {
+        return Err(mismatch(symbols, unit.dimension, declared, dimension));
+    }
+    let value = unit.to_si(number);
+    if !value.is_finite() {
+        return Err("the number is too large".into());
+    }
+    Ok(value)
+}
+
+fn mismatch(symbols: &str, found: Dimension, declared: &str, dimension: Dimension) -> String {
+    const PER_SECOND: Dimension = [0, 0, -1, 0, 0, 0];
+    const ANGULAR_VELOCITY: Dimension = [0, 0, -1, 0, 0, 1];
+    if found == PER_SECOND && dimension == ANGULAR_VELOCITY {
+        return format!("`{symbols}` leaves open what is counted; write rad/s, rpm or deg/s");
+    }
+    match declared {
+        "1" | "" => format!("`{symbols}` is out of place: the parameter has no dimension"),
+        _ => format!("`{symbols}` does not have the dimension of {declared}"),
+    }
+}
+
+/// A positive time with its unit, for a flag.
+///
+/// # Errors
+/// The flag and what would be right.
+pub(super) fn time(flag: &str, text: &str, example: &str) -> Result<f64, String> {
+    let seconds = quantity(text, "s", SECOND).and_then(|seconds| {
+        if seconds > 0.0 {
+            Ok(seconds)
+        } else {
+            Err("the time must be positive".into())
+        }
+    });
+    seconds.map_err(|mistake| format!("`{flag} {}`: {mistake} (e.g. `{flag} \"{example}\"`)", quoted(text)))
+}
+
+/// A value in the declared unit, e.g. `4 rad/s`; `value` in SI.
+pub(super) fn in_unit(param: &Param, value: f64) -> String {
+    let number = short(value / param.unit_si);
+    match (param.kind, param.unit) {
+        (ParamKind::Count, _) | (_, "1" | "") => number,
+        (_, unit) => format!("{number} {unit}"),
+    }
+}
+
+/// At most 12 significant digits, without the noise of a conversion.
+pub(super) fn short(value: f64) -> String {
+    digits(value, 12)
+}
+
+/// At most `count` significant digits, in exponent form where that is shorter.
+pub(super) fn digits(value: f64, count: usize) -> String {
+    let rounded: f64 = format!("{value:.*e}", count.max(1) - 1).parse().unwrap_or(value);
+    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
+        format!("{}", rounded + 0.0)
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+/// As it must be typed in a shell.
+fn quoted(text: &str) -> String {
+    if text.contains([' ', '(', '*']) {
+        format!("\"{text}\"")
+    } else {
+        text.into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::testing::Rotor;
+
+    fn mistake(word: &str) -> String {
+        assign(&mut Rotor::default(), &[word.into()]).unwrap_err()
+    }
+
+    #[test]
+    fn values_are_set_in_si() {
+        let mut rotor = Rotor::default();
+        let words = ["omega=60 rpm", "coils=3", "stiffness=0.2 kN/m", "loss=5 %"].map(String::from);
+        assign(&mut rotor, &words).unwrap();
+        assert_eq!(rotor.omega, 60.0 * (std::f64::consts::PI / 30.0));
+        assert_eq!((rotor.coils, rotor.stiffness, rotor.loss), (3, 200.0, 0.05));
+        assign(&mut rotor, &["loss=0.1".into()]).unwrap();
+        assert_eq!(rotor.loss, 0.1);
+    }
+
+    #[test]
+    fn mistakes_say_what_would_be_right() {
+        let cases = [
+            ("omga=4 rad/s", "Rotor has no parameter `omga`; did you mean `omega`?"),
+            (
+                "gravity=1 m/s^2",
+                "Rotor has no parameter `gravity`; it has omega, coils, stiffness, loss, fail_at",
+            ),
+            (
+                "omega=40",
+                "`omega=40`: the unit is missing; write rad/s or another of its dimension (e.g. `omega=\"3 rad/s\"`)",
+            ),
+            (
+                "omega=40 Hz",
+                "`omega=40 Hz`: `Hz` leaves open what is counted; write rad/s, rpm or deg/s (e.g. `omega=\"3 rad/s\"`)",
+            ),
+            (
+                "omega=40 rad",
+                "`omega=40 rad`: `rad` does not have the dimension of rad/s (e.g. `omega=\"3 rad/s\"`)",
+            ),
+            (
+                "omega=40 rads/s",
+                "`omega=40 rads/s`: `rads` is not a unit; did you mean `rad`? (e.g. `omega=\"3 rad/s\"`)",
+            ),
+            (
+                "omega=fast",
+                "`omega=fast`: a number with its unit is needed (e.g. `omega=\"3 rad/s\"`)",
+            ),
+            (
+                "omega=1e999 rad/s",
+                "`omega=1e999 rad/s`: the number is too large (e.g. `omega=\"3 rad/s\"`)",
+            ),
+            (
+                "coils=2.5",
+                "`coils=2.5`: a whole number of at least 1 is needed, without a unit (e.g. `coils=2`)",
+            ),
+            (
+                "coils=0",
+                "`coils=0`: a whole number of at least 1 is needed, without a unit (e.g. `coils=2`)",
+            ),
+            (
+                "loss=1 m",
+                "`loss=1 m`: `m` is out of place: the parameter has no dimension (e.g. `loss=0.01`)",
+            ),
+            (
+                "rad/s",
+                "`rad/s` stands alone: quote a value together with its unit, `omega=\"3 rad/s\"`",
+            ),
+            (
+                "steddy",
+                "`steddy` is not a command; did you mean `steady`? A command comes first",
+            ),
+            (
+                "whatever",
+                "`whatever` is neither a command (run, steady) nor `name=value`",
+            ),
+        ];
+        for (word, expected) in cases {
+            assert_eq!(mistake(word), expected);
+        }
+    }
+
+    #[test]
+    fn all_mistakes_come_at_once() {
+        let words = ["coils=1", "coils=2", "omga=1"].map(String::from);
+        let error = assign(&mut Rotor::default(), &words).unwrap_err();
+        assert_eq!(
+            error,
+            "`coils` is given twice\nRotor has no parameter `omga`; did you mean `omega`?"
+        );
+    }
+
+    #[test]
+    fn times_need_a_unit_and_a_sign() {
+        assert_eq!(time("--t-end", "2 min", "20 s"), Ok(120.0));
+        let error = |text| time("--t-end", text, "20 s").unwrap_err();
+        assert_eq!(
+            error("20"),
+            "`--t-end 20`: the unit is missing; write s or another of its dimension (e.g. `--t-end \"20 s\"`)"
+        );
+        assert_eq!(
+            error("-1 s"),
+            "`--t-end \"-1 s\"`: the time must be positive (e.g. `--t-end \"20 s\"`)"
+        );
+        assert_eq!(
+            error("1 m"),
+            "`--t-end \"1 m\"`: `m` does not have the dimension of s (e.g. `--t-end \"20 s\"`)"
+        );
+    }
+
+    #[test]
+    fn values_are_shown_without_noise() {
+        assert_eq!(short(0.7299e-4 / 1e-4), "0.7299");
+        assert_eq!(short(0.1 + 0.2), "0.3");
+        assert_eq!(short(68.95e9), "6.895e10");
+        assert_eq!(short(0.0), "0");
+    }
+}

@@ -1,0 +1,268 @@
+//! The report: one page of HTML that needs nothing but itself.
+
+use std::fmt::Write;
+
+use serde_json::Value;
+
+use super::charts::{Chart, LINES};
+use super::history::History;
+use super::parameters::{digits, in_unit, short};
+use super::run::StepTaken;
+use super::summary::{SETTINGS, STATISTICS, Summary};
+use crate::{Model, Output};
+
+const STYLE: &str = include_str!("page.css");
+
+/// The page of a run or of steady equilibria.
+///
+/// # Errors
+/// A chart that cannot be drawn.
+pub(super) fn page<M: Model>(
+    model: &M,
+    summary: &Summary,
+    history: &History,
+    steps: &[StepTaken],
+) -> Result<String, String> {
+    let command = if history.key.name == "t" {
+        "run"
+    } else {
+        "relative equilibria"
+    };
+    let title = format!("{}: {command}", M::NAME);
+    let mut page = String::new();
+    page += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+    page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+    let _ = write!(
+        page,
+        "<title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n",
+        escape(&title)
+    );
+    header::<M>(&mut page, &title, summary);
+    page += "<h2>Results</h2>\n";
+    results::<M>(&mut page, history)?;
+    if !steps.is_empty() {
+        step_chart(&mut page, steps)?;
+    }
+    page += "<h2>Parameters</h2>\n";
+    parameters(&mut page, model);
+    page += "<div class=\"tables\">\n";
+    for (head, keys) in [("Method", SETTINGS), ("Statistics", STATISTICS)] {
+        let _ = write!(page, "<section><h2>{head}</h2>\n{}</section>\n", values(summary, keys));
+    }
+    page += "</div>\n";
+    notes(&mut page, summary);
+    let _ = write!(page, "<h2>Model</h2>\n<pre>{}</pre>\n", escape(M::SOURCE.trim()));
+    let version = env!("CARGO_PKG_VERSION");
+    let _ = writeln!(
+        page,
+        "<footer>rncf {version}; all values in SI units unless a unit is given.</footer>"
+    );
+    page += "</body>\n</html>\n";
+    Ok(page)
+}
+
+fn header<M: Model>(page: &mut String, title: &str, summary: &Summary) {
+    let _ = writeln!(page, "<h1>{}</h1>", escape(title));
+    for paragraph in M::DOC.trim().split("\n\n").filter(|text| !text.is_empty()) {
+        let _ = writeln!(page, "<p class=\"doc\">{}</p>", escape(paragraph));
+    }
+    let reason = summary.get("reason").and_then(Value::as_str);
+    let (class, head, text) = match reason {
+        None => ("status", "Complete", String::new()),
+        Some(reason) => ("status bad", "Stopped before the end", format!(": {}", escape(reason))),
+    };
+    let _ = writeln!(page, "<p class=\"{class}\"><b>{head}</b>{text}</p>");
+    page.push_str("<dl class=\"facts\">\n");
+    let facts = [
+        "formulation",
+        "integrator",
+        "unknowns",
+        "constraints",
+        "steps",
+        "rejected_steps",
+        "factorizations",
+        "cpu_seconds",
+    ];
+    for key in facts {
+        if let Some(value) = summary.get(key) {
+            let _ = writeln!(page, "<div><dt>{}</dt><dd>{}</dd></div>", label(key), shown(key, value));
+        }
+    }
+    page.push_str("</dl>\n");
+}
+
+/// One chart for each output; components of a vector share theirs.
+fn results<M: Model>(page: &mut String, history: &History) -> Result<(), String> {
+    let mut column = 0;
+    for output in M::outputs() {
+        let count = output.components.len().max(1);
+        let lines = (column..column + count).map(|index| history.keys.iter().copied().zip(history.column(index)));
+        let chart = Chart {
+            x: history.key.head(),
+            y: format!("{} [{}]", output.name, output.unit),
+            logarithmic: false,
+            lines: lines.map(Iterator::collect).collect(),
+        };
+        let caption = format!("{}<span>{}</span>", escape(output.name), escape(output.doc.trim()));
+        figure(page, &caption, &chart, &extremes(output, history, column))?;
+        column += count;
+    }
+    Ok(())
+}
+
+/// Least and greatest value of each component, with its colour where there are several.
+fn extremes(output: &Output, history: &History, first: usize) -> String {
+    let mut text = String::new();
+    for line in 0..output.components.len().max(1) {
+        let Some((low, high)) = history.extremes(first + line) else {
+            continue;
+        };
+        let key = match output.components.get(line) {
+            Some(component) => format!("<i class=\"key k{}\"></i>{}: ", line % LINES.len(), escape(component)),
+            None => String::new(),
+        };
+        let at = |place: f64| format!("at {} = {} {}", history.key.name, short(place), history.key.unit);
+        let _ = writeln!(
+            text,
+            "<p class=\"extremes\">{key}least {} {unit} {}; greatest {} {unit} {}</p>",
+            digits(low.value, 7),
+            escape(&at(low.at)),
+            digits(high.value, 7),
+            escape(&at(high.at)),
+            unit = escape(output.unit),
+        );
+    }
+    text
+}
+
+fn step_chart(page: &mut String, steps: &[StepTaken]) -> Result<(), String> {
+    let line = steps
+        .iter()
+        .flat_map(|step| [(step.t - step.h, step.h), (step.t, step.h)]);
+    let chart = Chart {
+        x: "t [s]".into(),
+        y: "h [s]".into(),
+        logarithmic: true,
+        lines: vec![line.collect()],
+    };
+    figure(page, "Step size<span>of the accepted steps</span>", &chart, "")
+}
+
+fn figure(page: &mut String, caption: &str, chart: &Chart, below: &str) -> Result<(), String> {
+    let svg = chart.to_svg()?;
+    let _ = write!(
+        page,
+        "<figure>\n<figcaption>{caption}</figcaption>\n{svg}\n{below}</figure>\n"
+    );
+    Ok(())
+}
+
+fn parameters<M: Model>(page: &mut String, model: &M) {
+    page.push_str("<div class=\"scroll\"><table>\n");
+    page.push_str("<tr><th>Name</th><th>Value</th><th>Default</th><th></th></tr>\n");
+    for (index, param) in M::params().iter().enumerate() {
+        let _ = writeln!(
+            page,
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"doc\">{}</td></tr>",
+            escape(param.name),
+            escape(&in_unit(param, model.get(index))),
+            escape(&in_unit(param, param.default)),
+            escape(param.doc.trim()),
+        );
+    }
+    page.push_str("</table></div>\n");
+}
+
+fn values(summary: &Summary, keys: &[&str]) -> String {
+    let mut text = String::from("<table>\n");
+    for key in keys {
+        if let Some(value) = summary.get(*key) {
+            let _ = writeln!(
+                text,
+                "<tr><td>{}</td><td class=\"n\">{}</td></tr>",
+                label(key),
+                shown(key, value)
+            );
+        }
+    }
+    text + "</table>\n"
+}
+
+fn notes(page: &mut String, summary: &Summary) {
+    let notes: Vec<&str> = match summary.get("notes") {
+        Some(Value::Array(notes)) => notes.iter().filter_map(Value::as_str).collect(),
+        _ => Vec::new(),
+    };
+    if notes.is_empty() {
+        return;
+    }
+    page.push_str("<h2>Notes</h2>\n<ul>\n");
+    for note in notes {
+        let _ = writeln!(page, "<li>{}</li>", escape(note));
+    }
+    page.push_str("</ul>\n");
+}
+
+/// A key as words: `cpu_seconds` is the processor time.
+fn label(key: &str) -> String {
+    let words = match key {
+        "rtol" => "relative tolerance",
+        "rho_inf" => "spectral radius at infinity",
+        "rejected_by_newton" => "rejected by Newton",
+        "cpu_seconds" => "processor time",
+        "cpu_clock" => "clock of the processor time",
+        "wall_seconds" => "wall time",
+        "t_end" => "end time",
+        "every" => "time between rows",
+        "max_step" => "step ceiling",
+        "energy_error" => "relative energy error",
+        "max_constraint_residual" => "largest constraint residual",
+        "jacobian_evaluations" => "Jacobian evaluations",
+        "newton_iterations" => "Newton iterations",
+        "share_at_ceiling" => "share of steps at the ceiling",
+        _ => return key.replace('_', " "),
+    };
+    words.into()
+}
+
+/// A value for people: times with their unit, absence with its reason.
+fn shown(key: &str, value: &Value) -> String {
+    let absent = match key {
+        "energy_error" => "not conserved by the model",
+        "max_constraint_residual" => "no constraints",
+        "max_step" | "steps_at_ceiling" | "share_at_ceiling" => "no ceiling",
+        _ => "none",
+    };
+    let unit = match key {
+        "cpu_seconds" | "wall_seconds" | "t_end" | "every" | "smallest_step" | "largest_step" | "max_step" | "step" => {
+            " s"
+        }
+        "spin" => " rad/s",
+        _ => "",
+    };
+    match value {
+        Value::Null => format!("<span class=\"doc\">{absent}</span>"),
+        Value::String(text) => escape(text),
+        Value::Number(number) if number.is_u64() => number.to_string(),
+        Value::Number(number) => {
+            let value = number.as_f64().unwrap_or(f64::NAN);
+            format!("{}{unit}", digits(value, 6))
+        }
+        other => escape(&other.to_string()),
+    }
+}
+
+/// Text that stands for itself in HTML.
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => escaped += "&amp;",
+            '<' => escaped += "&lt;",
+            '>' => escaped += "&gt;",
+            '"' => escaped += "&quot;",
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}
