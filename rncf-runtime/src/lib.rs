@@ -4,6 +4,7 @@
 //! Data flows one way: a generated model ([`model::Model`]) builds a scene ([`mesh`]) which is a
 //! [`system::System`]; an integrator ([`integrate`]) advances any system.
 
+pub mod equilibrium;
 pub mod error;
 pub mod integrate;
 pub mod linalg;
@@ -11,6 +12,7 @@ pub mod mesh;
 pub mod model;
 pub mod system;
 
+pub use equilibrium::{Equilibrium, steady};
 pub use error::{ModelError, SolveError};
 pub use integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
 pub use model::{

@@ -53,9 +53,9 @@ pub(super) fn page<M: Model>(
     notes(&mut page, summary);
     let _ = write!(page, "<h2>Model</h2>\n<pre>{}</pre>\n", escape(M::SOURCE.trim()));
     let version = env!("CARGO_PKG_VERSION");
-    let _ = write!(
+    let _ = writeln!(
         page,
-        "<footer>rncf {version}; all values in SI units unless a unit is given.</footer>\n"
+        "<footer>rncf {version}; all values in SI units unless a unit is given.</footer>"
     );
     page += "</body>\n</html>\n";
     Ok(page)

@@ -134,6 +134,8 @@ impl fmt::Display for RunError {
             RunError::Model(error) => error.fmt(f),
             RunError::Start(error) => error.fmt(f),
             RunError::Incomplete(result) => match &result.incomplete {
+                // The solver's error names the time itself.
+                Some(Incomplete::Solve(error)) => error.fmt(f),
                 Some(reason) => write!(f, "stopped at t = {} s: {reason}", result.state.t),
                 None => f.write_str("stopped before the end"),
             },
@@ -476,7 +478,7 @@ mod tests {
             let RunError::Incomplete(result) = error else {
                 panic!("{text}")
             };
-            assert!(text.starts_with("stopped at t = "), "{text}");
+            assert!(text.contains(" t = 1.9"), "{text}");
             assert!(matches!(result.incomplete, Some(Incomplete::Solve(_))));
             let last = *result.history.keys.last().unwrap();
             assert!(last > 1.9 && last <= 2.0, "{method:?} {last}");

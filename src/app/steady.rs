@@ -2,11 +2,12 @@
 //! written here.
 
 use super::clock::{Clock, Seconds};
-use super::continuation::follow;
 use super::history::History;
 use super::run::{RunError, RunSettings};
+use crate::equilibrium::{self, follow};
+use crate::error::SolveErrorKind;
 use crate::model::FrameState;
-use crate::{Formulation, Joints, Model, Scene, SolveError};
+use crate::{Formulation, Joints, Model, Scene, SolveError, State};
 
 /// Relative equilibria at growing spin; always in referenced coordinates with eliminated joints.
 #[derive(Clone, Debug)]
@@ -31,6 +32,9 @@ pub struct SteadyResult {
     pub incomplete: Option<SolveError>,
 }
 
+/// Rows close enough for a chart; a power of two, so that the scales are exact.
+const LARGEST_STEP: f64 = 1.0 / 32.0;
+
 const REACTIONS: &str = "The outputs contain reactions, which belong to the motion at the time asked for: \
     only the row of the full spin is given.";
 
@@ -53,17 +57,33 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
     let only_last = scene.outputs_need_acceleration();
     let mut history = History::new::<M>("spin", "rad/s");
     let mut row = vec![0.0; scene.output_columns()];
-    let outcome = follow(scene.as_mut(), t, |scene, equilibrium| {
-        if only_last && equilibrium.scale < 1.0 {
-            return Ok(());
+    let mut spoiled = None;
+    let mut newton_iterations = 0;
+    let mut record = |scene: &mut dyn Scene, scale: f64, state: &State| {
+        if spoiled.is_none() && (scale == 1.0 || !only_last) {
+            scene.outputs(state, &mut row);
+            spoiled = history.push(scale * spin, &row).err();
         }
-        scene.outputs(equilibrium.state, &mut row);
-        history.push(equilibrium.scale * spin, &row)
+    };
+    let rest = scene.rest(t);
+    record(scene.as_mut(), 0.0, &rest);
+    let outcome = follow(scene.as_mut(), t, LARGEST_STEP, |scene, step| {
+        newton_iterations += u64::from(step.iterations);
+        record(scene, step.scale, &step.state);
     });
-    let (newton_iterations, incomplete) = match outcome {
-        Ok((_, iterations)) => (iterations, None),
-        Err(error) if history.keys.is_empty() => return Err(RunError::Start(error)),
-        Err(error) => (0, Some(error)),
+    let incomplete = match (outcome, spoiled) {
+        (Err(error), _) if newton_iterations == 0 => return Err(RunError::Start(error)),
+        (Err(error), _) => Some(error),
+        (Ok(_), Some(text)) => Some(SolveError {
+            kind: SolveErrorKind::NoEquilibrium(text),
+            t,
+            h: 0.0,
+            worst: None,
+        }),
+        (Ok(found), None) => {
+            newton_iterations = u64::from(found.iterations());
+            None
+        }
     };
     let result = SteadyResult {
         t,
@@ -85,11 +105,11 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
 /// Nodal vectors of the relative equilibrium with the spin at `t`, for a start in any formulation.
 pub(super) fn frame_state<M: Model>(model: &M, t: f64) -> Result<FrameState, RunError> {
     let mut scene = referenced(model)?;
-    let (state, _) = follow(scene.as_mut(), t, |_, _| Ok(())).map_err(RunError::Start)?;
-    Ok(scene.to_frame(&state))
+    let found = equilibrium::steady(scene.as_mut(), t).map_err(RunError::Start)?;
+    Ok(scene.to_frame(found.state().unwrap_or(&scene.rest(t))))
 }
 
-/// Joints that are kept as multipliers would leave the stiffness alone singular.
+/// Eliminated joints give the same equilibrium with fewer unknowns.
 fn referenced<M: Model>(model: &M) -> Result<Box<dyn Scene>, RunError> {
     model
         .build(Formulation::Rncf, Joints::Eliminated)

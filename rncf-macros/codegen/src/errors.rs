@@ -108,13 +108,7 @@ impl Errors {
 
     /// One `compile_error!` per mistake; nothing where there is none.
     pub fn into_tokens(self) -> TokenStream {
-        self.finish()
-            .iter()
-            .map(|mistake| {
-                let call = mistake.to_tokens();
-                quote_spanned!(mistake.area.start=> #call)
-            })
-            .collect()
+        self.finish().iter().map(Mistake::to_tokens).collect()
     }
 }
 

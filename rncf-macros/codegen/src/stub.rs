@@ -23,6 +23,7 @@ pub fn stub(tree: &Tree) -> TokenStream {
     let text = &tree.name.text;
     quote! {
         #[doc = #doc]
+        #[allow(dead_code, non_snake_case)]
         #[derive(Clone, Debug)]
         #visibility struct #name { #(#fields),* }
 

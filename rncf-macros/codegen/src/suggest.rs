@@ -3,10 +3,15 @@
 /// "unknown kind `word`", with the nearest valid word, or with all of them.
 pub fn unknown<'a>(kind: &str, word: &str, valid: impl IntoIterator<Item = &'a str>) -> String {
     let valid: Vec<&str> = valid.into_iter().collect();
+    let head = if kind.contains('`') {
+        format!("`{word}` is no {kind}")
+    } else {
+        format!("unknown {kind} `{word}`")
+    };
     match nearest(word, &valid) {
-        Some(near) => format!("unknown {kind} `{word}`: did you mean `{near}`?"),
-        None if valid.is_empty() => format!("unknown {kind} `{word}`: the model declares none"),
-        None => format!("unknown {kind} `{word}`: use {}", list(&valid)),
+        Some(near) => format!("{head}: did you mean `{near}`?"),
+        None if valid.is_empty() => format!("{head}: the model declares none"),
+        None => format!("{head}: use {}", list(&valid)),
     }
 }
 
@@ -21,7 +26,7 @@ pub fn list(words: &[&str]) -> String {
 }
 
 /// The valid word that is the fewest edits away, if those are few.
-fn nearest<'a>(word: &str, valid: &[&'a str]) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, valid: &[&'a str]) -> Option<&'a str> {
     let most = (word.chars().count() / 3).max(1);
     valid
         .iter()

@@ -311,6 +311,14 @@ impl Scheme for Alpha {
         if !self.first_jerk.iter().all(|j| j.is_finite()) {
             return Err(SolveErrorKind::NotFinite);
         }
+        // The jerk of a stiff mode that starts off its quiet motion is no guide over a whole step.
+        let (mass, jerk) = (self.bordered.mass(), &mut self.first_jerk);
+        self.newton
+            .filter(system, mass, h, &self.now, jerk, statistics)
+            .map_err(|failure| match failure {
+                Failure::Failed(Cause::NotFinite) => SolveErrorKind::NotFinite,
+                _ => SolveErrorKind::Singular,
+            })?;
         let shift = self.coefficients.shift();
         for i in 0..self.offset.len() {
             self.offset[i] = shift * self.first_jerk[i];

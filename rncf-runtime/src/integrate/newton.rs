@@ -218,6 +218,29 @@ impl Newton {
         }
     }
 
+    /// Filters a derivative `y` at `state` by the matrix of a step of size `h`: smooth parts change by
+    /// O(h), the constrained part stays, stiff parts that the step does not resolve vanish.
+    pub(super) fn filter<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        mass: &[f64],
+        h: f64,
+        state: &State,
+        y: &mut [f64],
+        statistics: &mut Statistics,
+    ) -> Result<(), Failure> {
+        self.refresh(system, mass, h, state, statistics)?;
+        self.dx.fill(0.0);
+        system.pattern().multiply_add(self.factors.mass, mass, y, &mut self.dx);
+        self.dlambda.fill(0.0);
+        self.constraint_pattern
+            .transpose_multiply_add(1.0, &self.jacobian, y, &mut self.dlambda);
+        self.saddle.solve(&mut self.dx, &mut self.dlambda);
+        statistics.solves += 1;
+        y.copy_from_slice(&self.dx);
+        Ok(())
+    }
+
     fn is_made_for(&self, h: f64) -> bool {
         self.factored_for
             .is_some_and(|made| h <= SAME_STEP * made && made <= SAME_STEP * h)

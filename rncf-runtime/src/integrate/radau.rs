@@ -26,9 +26,11 @@ const FIXED_STEP_RTOL: f64 = 1e-13;
 const AGED: f64 = 0.02;
 /// The next step keeps its size, and thus the factorizations, if it would grow by less.
 const KEEP: f64 = 1.2;
+/// Contraction up to which a step may grow.
+const CONTRACTING: f64 = 0.08;
 /// Bounds of the change of the step.
 const SHRINK: f64 = 0.2;
-const GROW: f64 = 8.0;
+const GROW: f64 = 4.0;
 const SAFETY: f64 = 0.9;
 
 /// The method and its last accepted step.
@@ -69,10 +71,10 @@ impl Radau {
         let (n, m) = (system.unknowns(), system.constraints());
         let fixed = matches!(options.step, StepSize::Fixed(_));
         let newton = if fixed {
-            Newton::new(system, FIXED_STEP_RTOL, 1.0)
+            Newton::new(system, FIXED_STEP_RTOL, 1.0, true)
         } else {
             // Far below the error estimate, which is of lower order than the solution.
-            Newton::new(system, options.rtol, options.rtol.sqrt().min(0.03))
+            Newton::new(system, options.rtol, options.rtol.sqrt().min(0.03), false)
         };
         Self {
             coefficients: Coefficients::new(),
@@ -230,6 +232,8 @@ impl Scheme for Radau {
         if after_rejection {
             ratio = ratio.min(1.0);
         }
+        // Contraction grows with the step: a longer one must still converge.
+        ratio = ratio.min((CONTRACTING / converged.contraction.max(1e-3)).max(1.0));
         if self.fixed || self.tangent == Age::Kept && (1.0..=KEEP).contains(&ratio) {
             ratio = 1.0;
         }

@@ -2,8 +2,8 @@
 
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::perm::PermRef;
-use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::lu::{LuSymbolicParams, factorize_symbolic_lu, simplicial};
+use faer::sparse::linalg::{LuError, SupernodalThreshold};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par};
 
@@ -65,7 +65,10 @@ impl<T: Scalar> Sparse<T> {
             columns,
             MemStack::new(&mut self.memory.0),
         )
-        .map_err(|_| 0_usize)?;
+        .map_err(|error| match error {
+            LuError::SymbolicSingular { index } => self.columns[index],
+            LuError::Generic(_) => 0,
+        })?;
         let upper = self.factors.u_factor_unsorted();
         for k in 0..self.columns.len() {
             let pivot = upper

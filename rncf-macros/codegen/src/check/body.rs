@@ -141,13 +141,20 @@ impl<'a> Check<'a> {
 
     fn space(&mut self, item: &Item, statements: &'a [Statement], complete: bool) -> Option<Space> {
         let missing = "`planar xy;` (or `yz`, `zx`) or `spatial;`";
-        let statement = self.single(item, statements, complete, "planar or spatial", missing, |statement| {
-            if let Statement::Space { area, .. } = statement {
-                Some(*area)
-            } else {
-                None
-            }
-        })?;
+        let statement = self.single(
+            item,
+            statements,
+            complete,
+            "`planar` or `spatial`",
+            missing,
+            |statement| {
+                if let Statement::Space { area, .. } = statement {
+                    Some(*area)
+                } else {
+                    None
+                }
+            },
+        )?;
         let Statement::Space { plane: Some(plane), .. } = statement else {
             return Some(Space::Spatial);
         };
@@ -165,7 +172,7 @@ impl<'a> Check<'a> {
             item,
             statements,
             complete,
-            "line or arc",
+            "`line` or `arc`",
             missing,
             |statement| match statement {
                 Statement::Line { area, .. } | Statement::Arc { area, .. } => Some(*area),
@@ -210,19 +217,15 @@ impl<'a> Check<'a> {
 
     fn arc(&mut self, statement: &'a Statement, known: &mut Known) -> Option<Line> {
         let Statement::Arc {
-            area,
             from,
             direction,
             radius,
             angle,
+            ..
         } = statement
         else {
             return None;
         };
-        if known.space == Some(Space::Spatial) {
-            // With a mesh the element says why; see `curved_in_space`.
-            known.length = None;
-        }
         let from = self.vector(from, Scope::Parameter, FROM);
         let direction_vector = self.vector(direction, Scope::Parameter, DIRECTION);
         let radius_value = self.quantity(radius, Scope::Parameter, RADIUS);
@@ -244,7 +247,6 @@ impl<'a> Check<'a> {
         known.length = radius_constant
             .zip(angle_constant)
             .map(|(radius, angle)| (radius * angle).abs());
-        let _ = area;
         Some(Line::Arc {
             from: from.values,
             direction: direction_vector.values,
@@ -255,7 +257,7 @@ impl<'a> Check<'a> {
 
     fn mesh(&mut self, item: &Item, statements: &'a [Statement], complete: bool, space: Option<Space>) -> Option<Mesh> {
         let missing = "its elements: `mesh 6 * cable(section, material);`";
-        let statement = self.single(item, statements, complete, "mesh", missing, |statement| {
+        let statement = self.single(item, statements, complete, "`mesh`", missing, |statement| {
             if let Statement::Mesh { area, .. } = statement {
                 Some(*area)
             } else {
@@ -462,8 +464,10 @@ impl<'a> Check<'a> {
                 continue;
             };
             if let Some((_, line)) = seen.iter().find(|(name, _)| *name == word) {
-                self.errors
-                    .at(field.name.span, say::duplicate_statement(word, &line.to_string()));
+                self.errors.at(
+                    field.name.span,
+                    say::duplicate_statement(&format!("`{word}`"), &line.to_string()),
+                );
             }
             seen.push((word, Area::from(field.name.span).line()));
             let wanted = Wanted {
@@ -520,7 +524,9 @@ impl<'a> Check<'a> {
                     properties.insert(property.name, Value::Number(default));
                 } else if let Some(need) = need(element, property.name) {
                     complete = false;
-                    if fields.complete {
+                    // A misspelt field has been reported, and may be the missing one.
+                    let is_known = |name: &str| vocabulary.iter().any(|property| property.name == name);
+                    if fields.complete && fields.fields.iter().all(|field| is_known(&field.name.text)) {
                         let kind = item.keyword.word();
                         let message = say::missing_property(kind, &name.text, property.name, &call.name.text, &need);
                         self.errors.at(name.span, message);

@@ -1,6 +1,6 @@
 //! Expressions: names, dimensions, functions.
 
-use super::quantity::{Nature, Typed, bare_literal};
+use super::quantity::{Nature, Typed, bare_literal, behind_number};
 use super::{Check, fold, say};
 use crate::model::{self, Binary, Function, ParamId};
 use crate::parse::ascii;
@@ -39,6 +39,10 @@ pub fn function(name: &str) -> Option<(Function, usize)> {
         .map(|(_, function, arity)| (*function, *arity))
 }
 
+/// Most expressions inside each other, those of the names that they use included: recursion stays
+/// far from the stack's end.
+const DEEPEST: usize = 400;
+
 /// What the argument of a motion must be.
 const TIME: super::quantity::Wanted = super::quantity::Wanted {
     what: "the argument of a motion",
@@ -49,6 +53,17 @@ const TIME: super::quantity::Wanted = super::quantity::Wanted {
 impl<'a> Check<'a> {
     /// Resolves an expression; `None` where something in it has been reported.
     pub(super) fn expr(&mut self, expr: &'a Expr, scope: Scope) -> Option<Typed> {
+        if self.depth > DEEPEST {
+            self.errors.at(expr.area, say::TOO_DEEP);
+            return None;
+        }
+        self.depth += 1;
+        let typed = self.node(expr, scope);
+        self.depth -= 1;
+        typed
+    }
+
+    fn node(&mut self, expr: &'a Expr, scope: Scope) -> Option<Typed> {
         match &expr.kind {
             ExprKind::Number { text, unit } => {
                 let compound = unit.as_ref().map_or(Some(Compound::ONE), |unit| self.unit(unit))?;
@@ -112,8 +127,10 @@ impl<'a> Check<'a> {
             return None;
         }
         let Some(item) = self.names.get(text).copied() else {
-            let message = self.unknown_value(text);
-            self.errors.at(name.span, message);
+            if self.is_news(text) {
+                let message = self.unknown_value(text);
+                self.errors.at(name.span, message);
+            }
             return None;
         };
         match item.keyword {
@@ -224,12 +241,14 @@ impl<'a> Check<'a> {
             return self.function(call, function, arity, scope);
         }
         let Some(item) = self.names.get(name).copied() else {
-            let known = FUNCTIONS
-                .iter()
-                .map(|(word, ..)| *word)
-                .chain(self.known(&[Keyword::Motion]));
-            let message = suggest::unknown("function", name, known.collect::<Vec<_>>());
-            self.errors.at(call.name.span, message);
+            if self.is_news(name) {
+                let known = FUNCTIONS
+                    .iter()
+                    .map(|(word, ..)| *word)
+                    .chain(self.known(&[Keyword::Motion]));
+                let message = suggest::unknown("function", name, known.collect::<Vec<_>>());
+                self.errors.at(call.name.span, message);
+            }
             return None;
         };
         if item.keyword != Keyword::Motion {
@@ -293,7 +312,7 @@ impl<'a> Check<'a> {
                 first.dimension,
                 arguments
                     .iter()
-                    .fold(first.nature, |all, argument| all.with(argument.nature)),
+                    .fold(first.nature, |all, argument| all.plus(argument.nature)),
             ),
             Function::Atan2 => (Dimension::NONE, angle),
             Function::Sqrt => (self.raised(first.dimension, half, call.area)?, Nature::default()),
@@ -313,8 +332,13 @@ impl<'a> Check<'a> {
             }
         };
         let values = arguments.into_iter().map(|argument| argument.value).collect();
+        let value = model::Expr::Call(function, values);
+        if fold::constant(&value).is_some_and(|value| !value.is_finite()) {
+            self.errors.at(call.area, say::NOT_FINITE);
+            return None;
+        }
         Some(Typed {
-            value: model::Expr::Call(function, values),
+            value,
             dimension,
             nature,
         })
@@ -323,6 +347,10 @@ impl<'a> Check<'a> {
     fn binary(&mut self, operator: Binary, left: &'a Expr, right: &'a Expr, scope: Scope) -> Option<Typed> {
         let (a, b) = (self.expr(left, scope), self.expr(right, scope));
         let (a, b) = (a?, b?);
+        if operator == Binary::Divide && fold::constant(&b.value) == Some(0.0) {
+            self.errors.at(right.area, say::DIVISION_BY_ZERO);
+            return None;
+        }
         let dimension = match operator {
             Binary::Multiply => a.dimension.multiply(b.dimension),
             Binary::Divide => a.dimension.divide(b.dimension),
@@ -336,7 +364,12 @@ impl<'a> Check<'a> {
             self.errors.at(left.area.to(right.area), say::EXPONENT_RANGE);
             return None;
         };
-        let nature = a.nature.with(b.nature);
+        let is_sum = matches!(operator, Binary::Add | Binary::Subtract);
+        let nature = if is_sum {
+            a.nature.plus(b.nature)
+        } else {
+            a.nature.with(b.nature)
+        };
         Some(Typed {
             value: model::Expr::Binary(operator, Box::new(a.value), Box::new(b.value)),
             dimension,
@@ -352,7 +385,11 @@ impl<'a> Check<'a> {
             (right, b, a)
         };
         let message = match bare_literal(wrong) {
-            Some(text) => say::unlike_literal(&text, &other.describe(), &other.dimension.symbol(other.nature.angle)),
+            Some(text) => say::unlike_literal(
+                &text,
+                &other.describe(),
+                &behind_number(&other.dimension.symbol(other.nature.angle)),
+            ),
             None => say::unlike(&own.describe(), &other.describe()),
         };
         self.errors.at(wrong.area, message);
@@ -404,7 +441,7 @@ impl<'a> Check<'a> {
             return None;
         }
         let (left, right) = condition?;
-        let nature = then.nature.with(otherwise.nature);
+        let nature = then.nature.plus(otherwise.nature);
         let [left, right, a, b] = [left.value, right.value, then.value, otherwise.value].map(Box::new);
         Some(Typed {
             value: model::Expr::If(inner.comparison, left, right, a, b),

@@ -78,12 +78,14 @@ impl<'a> Check<'a> {
             return Some(INERTIAL);
         }
         if !self.names.contains_key(name.text.as_str()) {
-            let known = self
-                .known(&[Keyword::Frame])
-                .into_iter()
-                .chain(["inertial"])
-                .collect::<Vec<_>>();
-            self.errors.at(name.span, suggest::unknown("frame", &name.text, known));
+            if self.is_news(&name.text) {
+                let known = self
+                    .known(&[Keyword::Frame])
+                    .into_iter()
+                    .chain(["inertial"])
+                    .collect::<Vec<_>>();
+                self.errors.at(name.span, suggest::unknown("frame", &name.text, known));
+            }
             return None;
         }
         let item = self.item(name, Keyword::Frame)?;

@@ -2,6 +2,9 @@
 
 pub const LONG_CHAIN: &str = "too many names are defined by each other: shorten the chain";
 pub const NO_TIME: &str = "`t` has no meaning here: only motions, frames, loads and outputs change with time";
+pub const LONE_T: &str = "`t` is time: a product is written `2*t`; tonnes stand in brackets, `2 [t]`";
+pub const DIVISION_BY_ZERO: &str = "this is zero, and nothing can be divided by it";
+pub const TOO_DEEP: &str = "this is nested too deeply together with the names that it uses: shorten it";
 pub const NOT_FINITE: &str = "this has no finite value";
 pub const EXPONENT_RANGE: &str = "the exponent of this unit is too large to make sense";
 pub const WHOLE_EXPONENTS: &str = "a parameter needs a unit with whole exponents";
@@ -42,8 +45,8 @@ macro_rules! messages {
 
 messages! {
     reserved(name) = "`{name}` has a meaning of its own: choose another name";
-    duplicate(name, kind, line) = "`{name}` is already the name of a {kind}, declared in line {line}";
-    duplicate_statement(name, line) = "`{name}` is already given in line {line}: one is enough";
+    duplicate(name, kind, line) = "`{name}` is already declared as `{kind}` in line {line}";
+    duplicate_statement(name, line) = "{name} is already given in line {line}: one is enough";
     twice(name) = "`{name}` is given twice";
     wrong_kind(name, kind, wanted) = "`{name}` is a {kind}; a {wanted} is expected here";
     recursion(name, chain) = "`{name}` is defined by itself: {chain}";
@@ -53,7 +56,9 @@ messages! {
     not_a_number(text) = "`{text}` is not a decimal number: write e.g. `8`, `0.5` or `1e-5`";
     number_range(text) = "`{text}` with this unit is outside the range of numbers";
     missing_star(name) = "`{name}` is no unit: a product is written with `*`";
-    unit_or_name(name, unit) = "`{name}` is read as a part of the unit `{unit}` here: put the number with its own unit in parentheses";
+    unit_or_name(name, unit) = "`{name}` could be a unit or the name that is declared: write `[{unit}]` for the unit, or parentheses around the number with its own unit";
+    unknown_unit(word) = "unknown unit `{word}`: units are e.g. `m`, `mm`, `kg`, `s`, `N`, `Pa`, `GPa`, `rad`, `deg`, `rpm`, `K`";
+    unknown_unit_near(word, near) = "unknown unit `{word}`: did you mean `{near}`?";
     no_unit(what, kind, text, unit) = "{what} is {kind}: give the number a unit, e.g. `{text} {unit}`";
     wrong_dimension(what, kind, found) = "{what} is {kind}, but this is {found}";
     bare_angle(what, text) = "{what} needs a unit: `{text} rad` or `{text} deg`";
@@ -71,7 +76,7 @@ messages! {
     kink(name) = "`{name}` has a kink and can be used in outputs only: a motion or load needs derivatives; use `if t < T {{ .. }} else {{ .. }}`";
     function_of(name, found) = "`{name}` takes a plain number, but this is {found}";
     unlike(found, wanted) = "this is {found}, but it is combined with {wanted}";
-    unlike_literal(text, wanted, unit) = "`{text}` is a plain number, but it is combined with {wanted}: give it a unit, e.g. `{text} [{unit}]`";
+    unlike_literal(text, wanted, unit) = "`{text}` is a plain number, but it is combined with {wanted}: give it a unit, e.g. `{text} {unit}`";
     unlike_cases(found, wanted) = "this case is {found}, but the other one is {wanted}";
     exponent_dimension(found) = "an exponent is a plain number, but this is {found}";
     exponent_constant(found) = "the exponent of {found} must be a constant such as `2` or `(1/2)`";

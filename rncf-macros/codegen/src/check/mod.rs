@@ -18,7 +18,7 @@ mod unit;
 #[cfg(test)]
 mod tests;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Span;
 
@@ -81,8 +81,14 @@ struct Check<'a> {
     frames: HashMap<&'a str, Option<FrameId>>,
     bodies: HashMap<&'a str, body::Known>,
     joints: HashMap<&'a str, joint::Known>,
+    /// Unknown names that have been reported.
+    unknown: HashSet<String>,
+    /// Frames that have been reported for leaving the plane with this normal.
+    out_of_plane: HashSet<(FrameId, usize)>,
     /// Names that are being resolved, against recursion.
     stack: Vec<&'a str>,
+    /// Expressions that are being resolved inside each other.
+    depth: usize,
     model: Model,
 }
 
@@ -96,7 +102,7 @@ impl<'a> Check<'a> {
     fn new(tree: &'a Tree, library: &'a Library, errors: &'a mut Errors) -> Self {
         let model = Model {
             name: tree.name.text.clone(),
-            visibility: tree.visibility.to_string().replace(' ', ""),
+            visibility: tree.visibility_text(),
             doc: tree.doc.clone(),
             source: tree.source.clone(),
             frames: vec![inertial()],
@@ -112,7 +118,10 @@ impl<'a> Check<'a> {
             frames: HashMap::new(),
             bodies: HashMap::new(),
             joints: HashMap::new(),
+            unknown: HashSet::new(),
+            out_of_plane: HashSet::new(),
             stack: Vec::new(),
+            depth: 0,
             model,
         }
     }
@@ -173,11 +182,18 @@ impl<'a> Check<'a> {
                 None
             }
             None => {
-                let message = suggest::unknown(keyword.word(), &name.text, self.known(&[keyword]));
-                self.errors.at(name.span, message);
+                if self.is_news(&name.text) {
+                    let message = suggest::unknown(keyword.word(), &name.text, self.known(&[keyword]));
+                    self.errors.at(name.span, message);
+                }
                 None
             }
         }
+    }
+
+    /// Whether nothing has been said yet about this unknown name.
+    fn is_news(&mut self, name: &str) -> bool {
+        !self.tree.lost.iter().any(|lost| lost == name) && self.unknown.insert(name.to_string())
     }
 
     /// Marks a name as being resolved; refuses recursion.

@@ -82,9 +82,11 @@ impl<'a> Check<'a> {
                 None
             }
             None => {
-                let known = self.known(&[Keyword::Body, Keyword::Joint]);
-                self.errors
-                    .at(name.span, suggest::unknown("body or joint", &name.text, known));
+                if self.is_news(&name.text) {
+                    let known = self.known(&[Keyword::Body, Keyword::Joint]);
+                    self.errors
+                        .at(name.span, suggest::unknown("body or joint", &name.text, known));
+                }
                 None
             }
         }

@@ -1,7 +1,7 @@
 //! Parameters, constants, and the defaults of a run.
 
 use super::expr::Scope;
-use super::quantity::{Typed, Wanted, bare_literal};
+use super::quantity::{Typed, Wanted};
 use super::{Check, fold, say};
 use crate::model::{Expr as Value, Param, ParamId};
 use crate::parse::tree::{Expr, ExprKind, Item, ItemKind, Keyword, UnitText};
@@ -43,8 +43,6 @@ impl<'a> Check<'a> {
         let written = literal_unit(value);
         let (unit, unit_si, dimension) = match written.and_then(|unit| Some((unit, self.unit(unit)?))) {
             Some((unit, compound)) => (unit.text.clone(), compound.si(), compound.dimension),
-            // Pi alone does not make a quantity an angle that the user must give as one.
-            None if bare_literal(value).is_some() => ("1".into(), 1.0, dimension),
             None => (typed.dimension.symbol(typed.nature.angle), 1.0, dimension),
         };
         let default = fold::constant(&typed.value)?;
@@ -109,7 +107,7 @@ impl<'a> Check<'a> {
             if at > 0 {
                 let line = self.tree.runs[0].area.line();
                 self.errors
-                    .at(run.area, say::duplicate_statement("run", &line.to_string()));
+                    .at(run.area, say::duplicate_statement("`run`", &line.to_string()));
             }
             let mut seen: Vec<&str> = Vec::new();
             for field in &run.fields {

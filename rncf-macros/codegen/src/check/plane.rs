@@ -37,6 +37,9 @@ impl Check<'_> {
                 .is_some_and(|rotation| rotation.axis[normal].abs() < PARALLEL);
             let drifts = fold::constant(&frame.origin[normal]) != Some(0.0);
             if leaves || drifts {
+                if !self.out_of_plane.insert((at, normal)) {
+                    return false;
+                }
                 let axis = AXES[normal];
                 let message = if leaves {
                     say::rotation_leaves_plane(&name, plane(normal), axis)

@@ -31,7 +31,18 @@ pub struct Nature {
 }
 
 impl Nature {
-    /// Of a product, quotient or sum.
+    /// Of a sum, or of one of two cases.
+    #[must_use]
+    pub fn plus(self, other: Nature) -> Nature {
+        let (angle, hertz) = (self.angle || other.angle, self.hertz || other.hertz);
+        Nature {
+            angle,
+            hertz,
+            pi: self.pi && other.pi,
+        }
+    }
+
+    /// Of a product or quotient.
     #[must_use]
     pub fn with(self, other: Nature) -> Nature {
         let pi = self.pi || other.pi;
@@ -96,6 +107,12 @@ pub fn bare_literal(expr: &Expr) -> Option<String> {
     }
 }
 
+/// A unit as it stands behind a number in an expression: compound ones in brackets.
+pub fn behind_number(unit: &str) -> String {
+    let is_single = unit.chars().all(|c| c.is_ascii_alphabetic());
+    if is_single { unit.into() } else { format!("[{unit}]") }
+}
+
 fn is_bare_zero(expr: &Expr) -> bool {
     bare_literal(expr).is_some_and(|text| text.parse::<f64>().is_ok_and(|value| value == 0.0))
 }
@@ -104,7 +121,12 @@ impl<'a> Check<'a> {
     /// An expression of the dimension that a field asks for.
     pub(super) fn quantity(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<model::Expr> {
         let typed = self.expr(expr, scope)?;
-        self.is_wanted(expr, &typed, wanted).then_some(typed.value)
+        let is_wanted = self.is_wanted(expr, &typed, wanted);
+        if is_wanted && fold::constant(&typed.value).is_some_and(|value| !value.is_finite()) {
+            self.errors.at(expr.area, say::NOT_FINITE);
+            return None;
+        }
+        is_wanted.then_some(typed.value)
     }
 
     /// Whether the dimension is what the field asks for; reports where it is not.
@@ -188,6 +210,16 @@ impl<'a> Check<'a> {
     fn component(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<model::Expr> {
         if is_bare_zero(expr) {
             return Some(model::Expr::Number(0.0));
+        }
+        if let Some(text) = bare_literal(expr) {
+            let kind = Dimension::of(wanted.dimension).describe(wanted.dimension[5] != 0);
+            if !Dimension::of(wanted.dimension).is_none() {
+                self.errors.at(
+                    expr.area,
+                    say::no_unit(wanted.what, &kind, &text, &behind_number(wanted.unit)),
+                );
+                return None;
+            }
         }
         self.quantity(expr, scope, wanted)
     }

@@ -32,13 +32,14 @@ impl Check<'_> {
         let found = units::find(word);
         let message = match found {
             // Behind the first symbol a declared name could be meant as a value.
-            Some(_) if is_declared && at > 0 => say::unit_or_name(word, &text.text),
+            Some(_) if is_declared && at > 0 && !text.is_delimited => say::unit_or_name(word, &text.text),
+            Some(_) if word == "t" && text.factors.len() == 1 && !text.is_delimited => say::LONE_T.into(),
             Some(unit) => return Some(unit),
             None if is_declared && at == 0 => say::missing_star(word),
             None if is_declared => say::unit_or_name(word, &text.text),
             None => match ascii::suggestion(word) {
                 Some(plain) => say::not_ascii(word, &plain),
-                None => suggest::unknown("unit", word, units::UNITS.iter().map(|unit| unit.symbol)),
+                None => unknown(word),
             },
         };
         self.errors.at(name.span, message);
@@ -58,5 +59,18 @@ impl Check<'_> {
                 None
             }
         }
+    }
+}
+
+/// The unit that was meant, or some that there are.
+fn unknown(word: &str) -> String {
+    let symbols: Vec<&str> = units::UNITS.iter().map(|unit| unit.symbol).collect();
+    let meant = units::SPELLINGS
+        .iter()
+        .find(|(spelling, _)| *spelling == word)
+        .map(|(_, symbol)| *symbol);
+    match meant.or_else(|| suggest::nearest(word, &symbols)) {
+        Some(near) => say::unknown_unit_near(word, near),
+        None => say::unknown_unit(word),
     }
 }

@@ -6,7 +6,7 @@ mod cable;
 use crate::symbolic::{Graph, Id};
 use crate::tensors::Polynomial;
 
-pub use cable::CABLE;
+pub use cable::{CABLE, thin_beam};
 
 /// Where a nodal vector of an element lives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

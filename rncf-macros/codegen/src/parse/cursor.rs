@@ -168,7 +168,8 @@ impl Cursor {
         if self.eat_punct(';') {
             return Ok(());
         }
-        let is_new = self.is_empty() || self.is_two_words() || self.is_punct('#');
+        let is_assignment = self.word().is_some() && self.is_second_punct('=');
+        let is_new = self.is_empty() || self.is_two_words() || is_assignment || self.is_punct('#');
         if is_new {
             return Err(Mistake::new(self.before(), say::missing_semicolon(&self.found())));
         }
@@ -194,7 +195,8 @@ fn flatten(stream: TokenStream, out: &mut Vec<TokenTree>) {
         match token {
             TokenTree::Group(group) if group.delimiter() == Delimiter::None => {
                 let inner: Vec<_> = group.stream().into_iter().collect();
-                if inner.len() == 1 {
+                let is_visibility = inner.first().is_some_and(|first| first.to_string() == "pub");
+                if inner.len() < 2 || is_visibility {
                     flatten(group.stream(), out);
                 } else {
                     let mut visible = Group::new(Delimiter::Parenthesis, group.stream());

@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Literal, TokenTree};
 
 use super::cursor::{Cursor, Parsed};
 use super::messages as say;
-use super::tree::{Argument, Call, Expr, ExprKind, If, Keyword, Name};
+use super::tree::{Argument, Call, Expr, ExprKind, If, Keyword, Name, UnitText};
 use super::unit;
 use crate::errors::{Area, Mistake};
 use crate::model::{Binary, Comparison};
@@ -54,6 +54,7 @@ pub fn right_side(cursor: &mut Cursor) -> Parsed<Expr> {
         if cursor.is_punct(';') || cursor.is_empty() {
             return Ok(expr);
         }
+        unit::check_end(cursor)?;
     }
     cursor.reset(mark);
     expression(cursor)
@@ -68,6 +69,10 @@ fn quantity(cursor: &mut Cursor) -> Option<Expr> {
     };
     let text = number(&literal).ok()?;
     let unit = unit::compound(cursor).ok()?;
+    // `3 N * t` is a product with time, not with tonnes.
+    if unit.factors.iter().skip(1).any(|(name, _)| name.text == "t") {
+        return None;
+    }
     let area = Area {
         start: literal.span(),
         end: unit.area.end,
@@ -286,7 +291,12 @@ fn vector(cursor: &mut Cursor, group: &proc_macro2::Group, depth: usize) -> Pars
     let unit = if let Some(unit) = cursor.eat_group(Delimiter::Bracket) {
         Some(unit::bracketed(&unit)?)
     } else if is_unit_next(cursor) {
-        Some(unit::compound(cursor)?)
+        let unit = unit::compound(cursor)?;
+        unit::check_end(cursor)?;
+        Some(UnitText {
+            is_delimited: true,
+            ..unit
+        })
     } else {
         None
     };

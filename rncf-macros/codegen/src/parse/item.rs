@@ -22,20 +22,24 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, errors: &mut Errors) {
         let Some(keyword) = cursor.word().and_then(|word| Keyword::of(&word.to_string())) else {
             errors.push(unknown_item(cursor));
             cursor.next();
+            tree.lost.extend(cursor.word().map(ToString::to_string));
             recover(cursor);
             continue;
         };
         cursor.next();
+        let word = cursor.word().map(ToString::to_string);
         match item_name(cursor, keyword) {
             Ok(name) => tree.items.push(item(cursor, doc, keyword, name, errors)),
             Err(mistake) => {
                 errors.push(mistake);
+                tree.lost.extend(word);
                 recover(cursor);
             }
         }
     }
 }
 
+/// What stands where an item should: a word that is nearly one, or something else.
 fn unknown_item(cursor: &Cursor) -> Mistake {
     let valid = Keyword::ALL.map(Keyword::word).into_iter().chain(["run"]);
     match cursor.word() {
@@ -273,16 +277,16 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
             cursor.expect_word("from")?;
             let from = expr::expression(cursor)?;
             cursor.expect_word("direction")?;
-            let direction = expr::expression(cursor)?;
+            let direction = Box::new(expr::expression(cursor)?);
             cursor.expect_word("radius")?;
-            let radius = expr::expression(cursor)?;
+            let radius = Box::new(expr::expression(cursor)?);
             cursor.expect_word("angle")?;
             Statement::Arc {
                 area,
                 from,
                 direction,
                 radius,
-                angle: expr::expression(cursor)?,
+                angle: Box::new(expr::expression(cursor)?),
             }
         }
         "mesh" => {
@@ -352,7 +356,7 @@ pub fn documentation(cursor: &mut Cursor, errors: &mut Errors) -> String {
             .eat_group(Delimiter::Bracket)
             .and_then(|group| doc_text(&mut Cursor::of(&group)));
         match text {
-            Some(text) if !inner => lines.extend(text.lines().map(|line| clean(line).to_string())),
+            Some(text) if !inner => lines.extend(text.split('\n').map(|line| clean(line).to_string())),
             Some(_) => errors.at(cursor.since(start), say::INNER_DOC),
             None => errors.at(cursor.since(start), say::ATTRIBUTE),
         }

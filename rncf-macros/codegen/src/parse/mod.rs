@@ -42,6 +42,12 @@
 //! unit        = factor { ( "*" | "/" | nothing ) factor }   // nothing: not behind a "/"
 //! factor      = SYMBOL [ "^" [ "-" ] WHOLE ] | "1" | "(" unit ")"
 //! ```
+//!
+//! Items may be used before they are declared. A unit behind a vector is for literal components
+//! only; otherwise each component has its own dimension, and a bare `0` needs no unit in a vector.
+//! `t` is time: tonnes are written `[t]`, or as the first symbol of a compound unit. In outputs,
+//! `BODY.start`, `BODY.end` and `BODY.at(expr)` have `x y z` (also as `position.x`), `velocity`
+//! and `slope`; joints have `force` and `moment`; without a component the output is a vector.
 
 pub mod ascii;
 mod cursor;
@@ -97,12 +103,13 @@ fn head(cursor: &mut Cursor, errors: &mut Errors) -> Parsed<Tree> {
     }
     let name = cursor.expect_name("the name of the model")?;
     item::check_name(&name)?;
-    let (items, runs) = (Vec::new(), Vec::new());
+    let (items, runs, lost) = (Vec::new(), Vec::new(), Vec::new());
     Ok(Tree {
         doc,
         visibility,
         name,
         items,
+        lost,
         runs,
         source: String::new(),
         complete: false,

@@ -6,7 +6,7 @@ use super::tree::Tree;
 
 /// The declaration as written where the source is at hand, else printed readably from its tokens.
 pub fn declaration(tree: &Tree, body: &Group) -> String {
-    let mut head = tree.visibility.to_string().replace(' ', "");
+    let mut head = tree.visibility_text();
     if !head.is_empty() {
         head.push(' ');
     }
@@ -43,12 +43,17 @@ fn group(group: &Group, level: usize, out: &mut String) {
     out.push_str(open);
     // A block of statements gets lines of its own; a value in braces stays in its line.
     let is_block = group.delimiter() == Delimiter::Brace && has_statements(group.stream());
+    let is_value = group.delimiter() == Delimiter::Brace && !is_block;
     if is_block {
         new_line(level + 1, out);
+    } else if is_value {
+        out.push(' ');
     }
     tokens(group.stream(), level + usize::from(is_block), is_block, out);
     if is_block {
         new_line(level, out);
+    } else if is_value {
+        out.push(' ');
     }
     out.push_str(close);
 }

@@ -24,12 +24,24 @@ pub struct Tree {
     pub name: Name,
     /// Items with a name.
     pub items: Vec<Item>,
+    /// Names of items that could not be read; reported, so that their uses are no mistakes.
+    pub lost: Vec<String>,
     /// `run` blocks.
     pub runs: Vec<Fields>,
     /// The declaration's text.
     pub source: String,
     /// Whether all of it could be read.
     pub complete: bool,
+}
+
+impl Tree {
+    /// Visibility as text: `pub`, `pub(crate)`, `pub(in crate::a)` or empty.
+    pub fn visibility_text(&self) -> String {
+        self.visibility
+            .to_string()
+            .replace("pub (", "pub(")
+            .replace(" :: ", "::")
+    }
 }
 
 /// The keyword of a named item.
@@ -188,11 +200,11 @@ pub enum Statement {
         /// Start.
         from: Expr,
         /// Tangent at the start.
-        direction: Expr,
+        direction: Box<Expr>,
         /// Radius.
-        radius: Expr,
+        radius: Box<Expr>,
         /// Subtended angle.
-        angle: Expr,
+        angle: Box<Expr>,
     },
     /// `mesh count * element(..);`
     Mesh {
@@ -298,6 +310,8 @@ pub struct UnitText {
     pub factors: Vec<(Name, i32)>,
     /// As written, in a uniform spacing.
     pub text: String,
+    /// Whether it could not be a quotient or product with something that has a name.
+    pub is_delimited: bool,
     /// All of it.
     pub area: Area,
 }

@@ -18,6 +18,7 @@ pub fn single(cursor: &mut Cursor) -> Parsed<UnitText> {
         text: name.text.clone(),
         area: name.span.into(),
         factors: vec![(name, 1)],
+        is_delimited: false,
     })
 }
 
@@ -25,11 +26,21 @@ pub fn single(cursor: &mut Cursor) -> Parsed<UnitText> {
 pub fn bracketed(group: &Group) -> Parsed<UnitText> {
     let mut cursor = Cursor::of(group);
     let mut unit = compound(&mut cursor)?;
+    check_end(&cursor)?;
     if !cursor.is_empty() {
         return Err(cursor.expected("a unit such as `m/s^2`"));
     }
     unit.area = group.span().into();
+    unit.is_delimited = true;
     Ok(unit)
+}
+
+/// Refuses a symbol behind a quotient: `m/s s` may mean two things.
+pub fn check_end(cursor: &Cursor) -> Parsed<()> {
+    if is_unit_next(cursor) {
+        return Err(Mistake::new(cursor.here(), say::unit_after_slash(&cursor.found())));
+    }
+    Ok(())
 }
 
 /// `kg/m^3`, `N*m`, `N m`, `1/s`, `W/(m K)`: as far as it goes.
@@ -38,6 +49,7 @@ pub fn compound(cursor: &mut Cursor) -> Parsed<UnitText> {
     let mut unit = UnitText {
         factors: Vec::new(),
         text: String::new(),
+        is_delimited: false,
         area: start.into(),
     };
     factors(cursor, 1, &mut unit)?;
@@ -58,7 +70,7 @@ fn factors(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
             factor(cursor, -sign, unit)?;
         } else if is_unit_next(cursor) {
             if divided {
-                return Err(Mistake::new(cursor.here(), say::unit_after_slash(&cursor.found())));
+                return Ok(());
             }
             unit.text.push(' ');
             factor(cursor, sign, unit)?;

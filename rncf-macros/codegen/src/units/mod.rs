@@ -10,7 +10,7 @@ mod tests;
 
 pub use dimension::{Dimension, Fraction};
 pub use number::{ScaleError, scale};
-pub use table::{UNITS, Unit};
+pub use table::{SPELLINGS, UNITS, Unit};
 
 /// The unit with this symbol.
 pub fn find(symbol: &str) -> Option<&'static Unit> {

@@ -67,6 +67,17 @@ pub const UNITS: &[Unit] = &[
     unit("V", VOLTAGE, 0), unit("kV", VOLTAGE, 3), unit("mV", VOLTAGE, -3),
 ];
 
+/// Other spellings of units, and what to write.
+#[rustfmt::skip]
+pub const SPELLINGS: &[(&str, &str)] = &[
+    ("sec", "s"), ("second", "s"), ("seconds", "s"), ("minute", "min"), ("minutes", "min"), ("hour", "h"),
+    ("hours", "h"), ("days", "day"), ("d", "day"), ("meter", "m"), ("metre", "m"), ("meters", "m"), ("metres", "m"),
+    ("gram", "g"), ("ton", "t"), ("tonne", "t"), ("degree", "deg"), ("degrees", "deg"), ("radian", "rad"),
+    ("radians", "rad"), ("hertz", "Hz"), ("newton", "N"), ("newtons", "N"), ("pascal", "Pa"), ("Nm", "N*m"),
+    ("kNm", "kN*m"), ("feet", "ft"), ("foot", "ft"), ("inches", "inch"), ("turn", "rev"), ("RPM", "rpm"),
+    ("volt", "V"), ("watt", "W"), ("joule", "J"), ("kelvin", "K"), ("ampere", "A"), ("au", "AU"),
+];
+
 /// What a dimension (without the angle) is called, and its SI symbol.
 #[rustfmt::skip]
 pub const NAMES: &[([i8; 5], &str, &str)] = &[

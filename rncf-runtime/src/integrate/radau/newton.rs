@@ -7,8 +7,10 @@ use crate::integrate::Statistics;
 use crate::integrate::newton::norm;
 use crate::system::{ConstraintLevel, State, System};
 
-/// Most iterations of a step.
+/// Most iterations of a step whose size is free.
 pub(super) const ITERATIONS: u32 = 10;
+/// Most iterations of a fixed step: a slow iteration is all there is.
+const PATIENT: u32 = 50;
 /// Contraction at which the iteration is given up.
 const DIVERGING: f64 = 0.99;
 /// Contraction above which an iteration near round-off counts as at its end.
@@ -40,6 +42,8 @@ pub(super) struct Newton {
     inverse_sizes: Vec<f64>,
     /// Error of a converged iterate as a part of the weights.
     tolerance: f64,
+    /// The step is fixed.
+    patient: bool,
     /// Relative tolerance behind the weights.
     rtol: f64,
     /// theta / (1 - theta) of the last step.
@@ -50,12 +54,13 @@ pub(super) struct Newton {
 }
 
 impl Newton {
-    pub(super) fn new<S: System + ?Sized>(system: &S, rtol: f64, tolerance: f64) -> Self {
+    pub(super) fn new<S: System + ?Sized>(system: &S, rtol: f64, tolerance: f64, patient: bool) -> Self {
         let (n, m) = (system.unknowns(), system.constraints());
         Self {
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
             inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
             tolerance,
+            patient,
             rtol,
             amplification: 1.0,
             dynamics: std::array::from_fn(|_| vec![0.0; n]),
@@ -84,7 +89,8 @@ impl Newton {
         // The estimate of the last step, made cautious.
         let mut amplification = self.amplification.max(f64::EPSILON).powf(0.8);
         let (mut last, mut last_ratio, mut contraction) = (0.0, 0.0, 0.0);
-        for iteration in 1..=ITERATIONS {
+        let most = if self.patient { PATIENT } else { ITERATIONS };
+        for iteration in 1..=most {
             stages.differentiate(coefficients, start);
             self.residual(system, coefficients, matrices, start, stages, statistics);
             matrices.solve_stages(coefficients, &mut self.dynamics, &mut self.constraints, statistics);
@@ -113,7 +119,7 @@ impl Newton {
                 });
             }
             if iteration > 1 {
-                let left = (ITERATIONS - 1).saturating_sub(iteration) as i32;
+                let left = (most - 1).saturating_sub(iteration) as i32;
                 if contraction >= DIVERGING {
                     return Err(self.slow(0.5));
                 }

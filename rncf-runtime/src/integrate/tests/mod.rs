@@ -1,6 +1,7 @@
 //! Tests of the driver and of the alpha family on small systems with known solutions.
 
 mod adaptive;
+mod axis;
 mod order;
 mod radau;
 mod systems;

@@ -175,6 +175,72 @@ fn damped_forced_oscillator_is_second_order() {
     }
 }
 
+#[test]
+fn stiff_damped_start_does_not_overshoot() {
+    // Rates 1e5 and 1e3 per second, a suddenly applied load, steps of 10 ms: x goes to 1.
+    for (name, method) in all() {
+        let mut system = Oscillator::new(1e8, 1e5, |_| 1e8);
+        let options = Options {
+            step: StepSize::Fixed(0.01),
+            ..Options::default()
+        };
+        let mut statistics = Statistics::default();
+        let mut scheme = Alpha::new(&mut system, method, &options);
+        let start = State {
+            a: vec![1e8],
+            ..State::zeros(0.0, 1, 0)
+        };
+        scheme.begin(&mut system, &start, 0.01, &mut statistics).unwrap();
+        let mut largest = 0.0_f64;
+        for _ in 0..100 {
+            scheme.attempt(&mut system, 0.01, &mut statistics);
+            largest = largest.max((scheme.state().x[0] - 1.0).abs());
+        }
+        assert!(largest < 100.0, "{name}: {largest}");
+        assert!((scheme.state().x[0] - 1.0).abs() < 1e-6, "{name}: {:?}", scheme.state());
+    }
+}
+
+#[test]
+fn hht_satisfies_its_averaged_equation() {
+    // THEORY 7.1 in its own words, with a_1 from the update of the position.
+    let (alpha, h) = (-0.2, 0.01);
+    let beta = (1.0_f64 - alpha) * (1.0 - alpha) / 4.0;
+    let force = |t: f64, state: &State| 0.7 * state.v[0] + 30.0 * state.x[0] - t.cos();
+    let mut system = Oscillator::new(30.0, 0.7, f64::cos);
+    let options = Options {
+        step: StepSize::Fixed(h),
+        ..Options::default()
+    };
+    let mut statistics = Statistics::default();
+    let mut scheme = Alpha::new(&mut system, Coefficients::hht(alpha), &options);
+    let start = State {
+        a: vec![1.0],
+        ..State::zeros(0.0, 1, 0)
+    };
+    scheme.begin(&mut system, &start, h, &mut statistics).unwrap();
+    let (mut last, mut a0) = (start, None::<f64>);
+    for _ in 0..20 {
+        scheme.attempt(&mut system, h, &mut statistics);
+        let now = scheme.state();
+        let (dx, dv) = (now.x[0] - last.x[0], now.v[0] - last.v[0]);
+        // Without a_0 both updates together give a_0 and a_1.
+        let gamma = 0.5 - alpha;
+        let mean = 2.0 * (dx - h * last.v[0]) / (h * h);
+        let (p, q) = (1.0 - 2.0 * beta, 2.0 * beta);
+        let (r, s) = (1.0 - gamma, gamma);
+        let a1 = (p * dv / h - r * mean) / (p * s - q * r);
+        let first = (s * mean - q * dv / h) / (p * s - q * r);
+        if let Some(a0) = a0 {
+            assert!((first - a0).abs() < 1e-7, "a_0: {first} {a0}");
+        }
+        let left = a1 / (1.0 + alpha) + force(now.t, now) - alpha / (1.0 + alpha) * force(last.t, &last);
+        assert!(left.abs() < 1e-7, "{left}");
+        a0 = Some(a1);
+        last = now.clone();
+    }
+}
+
 /// A pivot that swings with 5 rad/s.
 fn swing(t: f64) -> [f64; 4] {
     let (s, c) = (5.0 * t).sin_cos();

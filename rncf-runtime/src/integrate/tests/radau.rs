@@ -115,7 +115,10 @@ fn free_pendulum_converges_with_order_5() {
     for steps in [10.0, 20.0, 40.0] {
         let mut system = Single::new(|_, x, _| [9.81 * x.cos(), -9.81 * x.sin(), 0.0]);
         let (state, statistics) = run(&mut system, start(0.0, -3.0), 1.0, fixed(1.0 / steps), |_| {});
-        println!("{statistics:?}");
+        assert!(
+            statistics.jacobian_evaluations > 0 && statistics.factorizations < 10,
+            "{statistics:?}"
+        );
         position.push((state.x[0] - exact[0]).abs());
         velocity.push((state.v[0] - exact[1]).abs());
     }
@@ -257,5 +260,5 @@ fn fast_motion_that_is_slaved_does_not_bind_the_step() {
         "{}",
         state.x[0] - 10_f64.sin()
     );
-    assert!(statistics.steps < 100, "{}", statistics.steps);
+    assert!(statistics.steps < 150, "{}", statistics.steps);
 }

@@ -71,28 +71,49 @@ fn cut_after_every_token() {
     assert!(survives(tokens));
 }
 
-#[test]
-fn without_any_one_token() {
-    fn without(stream: TokenStream, at: &mut usize) -> TokenStream {
-        let mut out = Vec::new();
-        for token in stream {
-            let here = *at == 0;
-            *at = at.wrapping_sub(1);
-            match token {
-                _ if here => {}
-                TokenTree::Group(group) => {
-                    let mut inner = Group::new(group.delimiter(), without(group.stream(), at));
-                    inner.set_span(group.span());
-                    out.push(TokenTree::Group(inner));
-                }
-                token => out.push(token),
+/// The stream with one token exchanged for others (or for none).
+fn exchanged(stream: TokenStream, at: &mut usize, by: &TokenStream) -> TokenStream {
+    let mut out = TokenStream::new();
+    for token in stream {
+        let here = *at == 0;
+        *at = at.wrapping_sub(1);
+        match token {
+            _ if here => out.extend(by.clone()),
+            TokenTree::Group(group) => {
+                let mut inner = Group::new(group.delimiter(), exchanged(group.stream(), at, by));
+                inner.set_span(group.span());
+                out.extend([TokenTree::Group(inner)]);
             }
+            token => out.extend([token]),
         }
-        out.into_iter().collect()
     }
+    out
+}
+
+#[test]
+fn any_one_token_exchanged() {
     let tokens: TokenStream = SPIN_UP.parse().unwrap();
-    for at in 0..count(tokens.clone()) {
-        survives(without(tokens.clone(), &mut at.clone()));
+    let total = count(tokens.clone());
+    for by in [
+        "",
+        ";",
+        "-",
+        "7",
+        "m",
+        "t",
+        "theta",
+        "beam . end",
+        "( )",
+        "[ 1 , 2 , 3 ]",
+        "{ }",
+        "= =",
+        "param",
+        "r#fn",
+    ] {
+        let by: TokenStream = by.parse().unwrap();
+        for at in 0..total {
+            survives(exchanged(tokens.clone(), &mut at.clone(), &by));
+        }
     }
 }
 
@@ -116,4 +137,20 @@ fn deep_nesting_is_refused() {
     ));
     let powers = vec!["2"; 5000].join("^");
     assert!(!survives(format!("model M {{ const a = {powers}; }}").parse().unwrap()));
+}
+
+/// Names that use each other add up.
+#[test]
+fn deep_chains_of_names_are_refused() {
+    let deep = |at: usize| format!("{}m{at}(t){}", "sin(".repeat(150), ")".repeat(150));
+    let motions: String = (0..40)
+        .map(|at| format!("motion m{at}(t) = {};", deep(at + 1)))
+        .collect();
+    let (model, mistakes) = run(&format!("model M {{ {motions} motion m40(t) = 1; }}"));
+    assert!(model.is_none());
+    assert!(
+        mistakes
+            .iter()
+            .any(|mistake| mistake.message.contains("nested too deeply together"))
+    );
 }

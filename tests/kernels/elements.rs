@@ -1,0 +1,84 @@
+//! An element with another bending energy is one line of declaration: force and tangent follow.
+
+use std::collections::HashMap;
+
+use rncf_codegen::elements::{CABLE, Element, Library, thin_beam};
+use rncf_codegen::expand;
+use rncf_codegen::lower::elastic::{Form, Quantity, kernel};
+use rncf_codegen::lower::{Variant, elastic_kernels};
+use rncf_codegen::model::{ElementId, Evaluation, Quadrature};
+
+use crate::jacobians::{Random, assert_close, jacobian};
+
+/// Curvature squared per deformed length: exponent 3 (THEORY 5.1, remark i).
+const PER_DEFORMED_LENGTH: Element = Element {
+    names: &["rope"],
+    energy: |graph, fields, _| thin_beam(graph, fields, 3.0),
+    options: &[],
+    ..CABLE
+};
+
+#[test]
+fn another_exponent_is_one_line() {
+    let library = Library::standard().with(PER_DEFORMED_LENGTH);
+    let mut random = Random(11);
+    for dimension in [2, 3] {
+        let variant = Variant {
+            element: ElementId(1),
+            dimension,
+            options: Vec::new(),
+            quadrature: Quadrature::Exact,
+            evaluation: Evaluation::Automatic,
+            damped: false,
+            curved: false,
+        };
+        let kernels = elastic_kernels(&variant, &library);
+        let energy = kernel(&variant, &library, Form::Points, Quantity::Energy).unwrap();
+        let names = variant.component_names(&library, "").concat();
+        let mut inputs = HashMap::from([("length", 0.7), ("EA", 4000.0), ("EI", 130.0)].map(|(k, v)| (k.to_string(), v)));
+        for (place, name) in names.iter().enumerate() {
+            let straight = if place == 2 * dimension { 0.7 } else { f64::from(u8::from(place % (2 * dimension) == dimension)) };
+            inputs.insert(name.clone(), straight + 0.2 * random.next());
+        }
+        // Force = dU/dq by complex steps through the energy.
+        let force: Vec<f64> = jacobian(&energy, &inputs, &names).into_iter().map(|column| column[0]).collect();
+        let values = inputs_of(&kernels.force, &inputs);
+        let roots: Vec<_> = kernels.force.outputs.iter().map(|&(_, id)| id).collect();
+        if kernels.force.points.is_none() {
+            let derived = kernels.force.graph.evaluate(&roots, &values);
+            for (a, b) in derived.iter().zip(&force) {
+                assert!((a - b).abs() <= 1e-10 * 4000.0, "{a} {b}");
+            }
+        }
+        let unrolled = kernel(&variant, &library, Form::Points, Quantity::Tangent).unwrap();
+        let roots: Vec<_> = unrolled.outputs.iter().map(|&(_, id)| id).collect();
+        let tangent = unrolled.graph.evaluate(&roots, &inputs_of(&unrolled, &inputs));
+        let force = kernel(&variant, &library, Form::Points, Quantity::Force).unwrap();
+        assert_close("exponent 3", &tangent, &jacobian(&force, &inputs, &names));
+    }
+}
+
+fn inputs_of(kernel: &rncf_codegen::lower::Kernel, inputs: &HashMap<String, f64>) -> HashMap<rncf_codegen::symbolic::Id, f64> {
+    let roots: Vec<_> = kernel.outputs.iter().map(|&(_, id)| id).collect();
+    let graph = &kernel.graph;
+    let symbols = graph.reachable(&roots).into_iter();
+    let symbols = symbols.filter(|&id| matches!(graph.node(id), rncf_codegen::symbolic::Node::Symbol(_)));
+    symbols.filter_map(|id| inputs.get(graph.symbol_text(id)).map(|&value| (id, value))).collect()
+}
+
+/// The new word is a word of the language at once, and its expansion is Rust.
+#[test]
+fn the_language_knows_the_new_element() {
+    let text = "pub model Swing {
+        material steel { density = 7800 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section wire { area = 1 mm^2; second_moment = 0.08 mm^4; }
+        body line in inertial { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 4 * rope(wire, steel); }
+        joint top = pin(line.start, inertial);
+        load weight = gravity([0, 0, -9.81] m/s^2);
+        output z = line.end.z;
+    }";
+    let library = Library::standard().with(PER_DEFORMED_LENGTH);
+    let expansion = expand::text(text.parse().unwrap(), &library).unwrap();
+    assert!(expansion.contains("rope_spatial_elastic_tangent"));
+    assert!(expand::text(text.parse().unwrap(), &Library::standard()).is_err());
+}

@@ -1,0 +1,9 @@
+//! Compiled kernels against the expression graphs that they were written from, and the checked-in
+//! expansion against the generator.
+
+mod complex;
+mod elements;
+mod generated;
+mod jacobians;
+mod models;
+mod objectivity;
