@@ -112,14 +112,14 @@ impl Scene for Arm {
         state.x[0] = 1.0;
         state
     }
-    fn to_frame(&self, state: &State) -> FrameState {
+    fn frame_state(&mut self, state: &State) -> FrameState {
         FrameState {
             t: state.t,
             q: state.x.clone(),
             v: state.v.clone(),
         }
     }
-    fn from_frame(&self, frame: &FrameState) -> State {
+    fn state_of_frame(&self, frame: &FrameState) -> State {
         let mut state = State::zeros(frame.t, 2, self.constraints());
         state.x.clone_from(&frame.q);
         state.v.clone_from(&frame.v);
@@ -140,6 +140,7 @@ impl Scene for Arm {
         values[2] = 0.0;
         values[3] = self.sideways - square;
     }
+    fn steady_outputs(&mut self, _t: f64, _scale: f64, _x: &[f64], _out: &mut [f64]) {}
     fn steady_obstacle(&self, _t: f64) -> Option<String> {
         self.obstacle.clone()
     }

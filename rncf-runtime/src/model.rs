@@ -167,10 +167,10 @@ pub trait Scene: System + Send {
 
     /// The same bodies in referenced coordinates: positions and velocities of all nodal vectors in
     /// the bodies' frames, for carrying a state from one formulation to the other.
-    fn to_frame(&mut self, state: &State) -> FrameState;
+    fn frame_state(&mut self, state: &State) -> FrameState;
 
     /// The state with the nodal vectors of `frame`; accelerations and multipliers zero.
-    fn from_frame(&self, frame: &FrameState) -> State;
+    fn state_of_frame(&self, frame: &FrameState) -> State;
 
     /// Whether the unknowns live in the declared frames (RNCF), so that a relative equilibrium is
     /// an equilibrium of `x`.
@@ -183,6 +183,10 @@ pub trait Scene: System + Send {
 
     /// Stiffness d(steady_residual)/dx on [`System::pattern`].
     fn steady_tangent(&mut self, t: f64, scale: f64, x: &[f64], values: &mut [f64]);
+
+    /// Values of all outputs in a relative equilibrium: frames and loads as in
+    /// [`Scene::steady_residual`].
+    fn steady_outputs(&mut self, t: f64, scale: f64, x: &[f64], out: &mut [f64]);
 
     /// Why no relative equilibrium exists at `t`, naming the frame or load that is not invariant
     /// under the rotation, if so.

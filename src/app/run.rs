@@ -178,7 +178,7 @@ pub fn run_watched<M: Model>(
         Start::Rest => scene.rest(0.0),
         Start::Steady => {
             let frame = steady::frame_state(model, 0.0)?;
-            scene.from_frame(&frame)
+            scene.state_of_frame(&frame)
         }
     };
     let mut result = RunResult {

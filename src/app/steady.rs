@@ -26,17 +26,12 @@ pub struct SteadyResult {
     pub newton_iterations: u64,
     /// Time that it took.
     pub seconds: Seconds,
-    /// What the reader of the outputs must know, one sentence each.
-    pub notes: Vec<String>,
     /// Why the last equilibrium is not that of the full spin; `None` where it is.
     pub incomplete: Option<SolveError>,
 }
 
 /// Rows close enough for a chart; a power of two, so that the scales are exact.
 const LARGEST_STEP: f64 = 1.0 / 32.0;
-
-const REACTIONS: &str = "The outputs contain reactions, which belong to the motion at the time asked for: \
-    only the row of the full spin is given.";
 
 /// Follows the relative equilibria of a model from rest to the spin at `settings.t_end` (`None`: the
 /// model's end time); no other setting is used.
@@ -54,14 +49,13 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
     }
     let mut scene = referenced(model)?;
     let spin = scene.spin(t);
-    let only_last = scene.outputs_need_acceleration();
     let mut history = History::new::<M>("spin", "rad/s");
     let mut row = vec![0.0; scene.output_columns()];
     let mut spoiled = None;
     let mut newton_iterations = 0;
     let mut record = |scene: &mut dyn Scene, scale: f64, state: &State| {
-        if spoiled.is_none() && (scale == 1.0 || !only_last) {
-            scene.outputs(state, &mut row);
+        if spoiled.is_none() {
+            scene.steady_outputs(t, scale, &state.x, &mut row);
             spoiled = history.push(scale * spin, &row).err();
         }
     };
@@ -93,7 +87,6 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
         constraints: scene.constraints(),
         newton_iterations,
         seconds: clock.seconds(),
-        notes: only_last.then(|| REACTIONS.into()).into_iter().collect(),
         incomplete,
     };
     match result.incomplete {
@@ -106,7 +99,7 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
 pub(super) fn frame_state<M: Model>(model: &M, t: f64) -> Result<FrameState, RunError> {
     let mut scene = referenced(model)?;
     let found = equilibrium::steady(scene.as_mut(), t).map_err(RunError::Start)?;
-    Ok(scene.to_frame(found.state().unwrap_or(&scene.rest(t))))
+    Ok(scene.frame_state(found.state().unwrap_or(&scene.rest(t))))
 }
 
 /// Eliminated joints give the same equilibrium with fewer unknowns.

@@ -83,7 +83,7 @@ pub(super) fn of_steady<M: Model>(model: &M, result: &SteadyResult) -> Summary {
     put(&mut summary, "steps", json!(result.history.keys.len()));
     put(&mut summary, "newton_iterations", json!(result.newton_iterations));
     seconds(&mut summary, result.seconds);
-    tail::<M>(&mut summary, &result.history, &result.notes);
+    tail::<M>(&mut summary, &result.history, &[]);
     summary
 }
 

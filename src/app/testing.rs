@@ -275,14 +275,14 @@ impl Scene for RotorScene {
     }
 
     fn rest(&self, t: f64) -> State {
-        self.from_frame(&FrameState {
+        self.state_of_frame(&FrameState {
             t,
             q: vec![LENGTH, 0.0],
             v: vec![0.0; 2],
         })
     }
 
-    fn to_frame(&self, state: &State) -> FrameState {
+    fn frame_state(&mut self, state: &State) -> FrameState {
         let (q, v) = self.in_frame(state);
         FrameState {
             t: state.t,
@@ -291,7 +291,7 @@ impl Scene for RotorScene {
         }
     }
 
-    fn from_frame(&self, frame: &FrameState) -> State {
+    fn state_of_frame(&self, frame: &FrameState) -> State {
         let mut state = State::zeros(frame.t, 2, 0);
         let (x, mut v) = ([frame.q[0], frame.q[1]], [frame.v[0], frame.v[1]]);
         if self.absolute {
@@ -320,6 +320,12 @@ impl Scene for RotorScene {
         let w = scale * self.omega;
         let k = self.stiffness - w * w;
         values.copy_from_slice(&[k, 0.0, 0.0, k]);
+    }
+
+    fn steady_outputs(&mut self, t: f64, _: f64, x: &[f64], out: &mut [f64]) {
+        let mut state = State::zeros(t, x.len(), 0);
+        state.x.copy_from_slice(x);
+        self.outputs(&state, out);
     }
 
     fn steady_obstacle(&self, _: f64) -> Option<String> {

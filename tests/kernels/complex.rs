@@ -18,28 +18,52 @@ impl Scalar for Complex {
         self.re
     }
     fn add(self, other: Self) -> Self {
-        Self { re: self.re + other.re, im: self.im + other.im }
+        Self {
+            re: self.re + other.re,
+            im: self.im + other.im,
+        }
     }
     fn subtract(self, other: Self) -> Self {
-        Self { re: self.re - other.re, im: self.im - other.im }
+        Self {
+            re: self.re - other.re,
+            im: self.im - other.im,
+        }
     }
     fn multiply(self, other: Self) -> Self {
-        Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
+        Self {
+            re: self.re * other.re - self.im * other.im,
+            im: self.re * other.im + self.im * other.re,
+        }
     }
     fn divide(self, other: Self) -> Self {
         let norm = other.re * other.re + other.im * other.im;
-        let product = self.multiply(Self { re: other.re, im: -other.im });
-        Self { re: product.re / norm, im: product.im / norm }
+        let product = self.multiply(Self {
+            re: other.re,
+            im: -other.im,
+        });
+        Self {
+            re: product.re / norm,
+            im: product.im / norm,
+        }
     }
     fn call(self, function: Function) -> Self {
         // First order in the imaginary part is exact for a step of 1e-200.
         match function {
             Function::Sqrt => {
                 let root = self.re.sqrt();
-                Self { re: root, im: 0.5 * self.im / root }
+                Self {
+                    re: root,
+                    im: 0.5 * self.im / root,
+                }
             }
-            Function::Sin => Self { re: self.re.sin(), im: self.re.cos() * self.im },
-            Function::Cos => Self { re: self.re.cos(), im: -self.re.sin() * self.im },
+            Function::Sin => Self {
+                re: self.re.sin(),
+                im: self.re.cos() * self.im,
+            },
+            Function::Cos => Self {
+                re: self.re.cos(),
+                im: -self.re.sin() * self.im,
+            },
             other => panic!("{other:?} occurs in no kernel"),
         }
     }

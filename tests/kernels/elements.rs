@@ -35,13 +35,21 @@ fn another_exponent_is_one_line() {
         let kernels = elastic_kernels(&variant, &library);
         let energy = kernel(&variant, &library, Form::Points, Quantity::Energy).unwrap();
         let names = variant.component_names(&library, "").concat();
-        let mut inputs = HashMap::from([("length", 0.7), ("EA", 4000.0), ("EI", 130.0)].map(|(k, v)| (k.to_string(), v)));
+        let mut inputs =
+            HashMap::from([("length", 0.7), ("EA", 4000.0), ("EI", 130.0)].map(|(k, v)| (k.to_string(), v)));
         for (place, name) in names.iter().enumerate() {
-            let straight = if place == 2 * dimension { 0.7 } else { f64::from(u8::from(place % (2 * dimension) == dimension)) };
+            let straight = if place == 2 * dimension {
+                0.7
+            } else {
+                f64::from(u8::from(place % (2 * dimension) == dimension))
+            };
             inputs.insert(name.clone(), straight + 0.2 * random.next());
         }
         // Force = dU/dq by complex steps through the energy.
-        let force: Vec<f64> = jacobian(&energy, &inputs, &names).into_iter().map(|column| column[0]).collect();
+        let force: Vec<f64> = jacobian(&energy, &inputs, &names)
+            .into_iter()
+            .map(|column| column[0])
+            .collect();
         let values = inputs_of(&kernels.force, &inputs);
         let roots: Vec<_> = kernels.force.outputs.iter().map(|&(_, id)| id).collect();
         if kernels.force.points.is_none() {
@@ -58,12 +66,17 @@ fn another_exponent_is_one_line() {
     }
 }
 
-fn inputs_of(kernel: &rncf_codegen::lower::Kernel, inputs: &HashMap<String, f64>) -> HashMap<rncf_codegen::symbolic::Id, f64> {
+fn inputs_of(
+    kernel: &rncf_codegen::lower::Kernel,
+    inputs: &HashMap<String, f64>,
+) -> HashMap<rncf_codegen::symbolic::Id, f64> {
     let roots: Vec<_> = kernel.outputs.iter().map(|&(_, id)| id).collect();
     let graph = &kernel.graph;
     let symbols = graph.reachable(&roots).into_iter();
     let symbols = symbols.filter(|&id| matches!(graph.node(id), rncf_codegen::symbolic::Node::Symbol(_)));
-    symbols.filter_map(|id| inputs.get(graph.symbol_text(id)).map(|&value| (id, value))).collect()
+    symbols
+        .filter_map(|id| inputs.get(graph.symbol_text(id)).map(|&value| (id, value)))
+        .collect()
 }
 
 /// The new word is a word of the language at once, and its expansion is Rust.

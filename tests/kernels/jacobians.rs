@@ -21,7 +21,10 @@ pub struct Random(pub u64);
 
 impl Random {
     pub fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 }
@@ -30,15 +33,28 @@ impl Random {
 pub fn jacobian(kernel: &Kernel, inputs: &HashMap<String, f64>, with: &[String]) -> Vec<Vec<f64>> {
     let graph = &kernel.graph;
     let roots: Vec<Id> = kernel.outputs.iter().map(|&(_, id)| id).collect();
-    let symbols: Vec<Id> =
-        graph.reachable(&roots).into_iter().filter(|&id| matches!(graph.node(id), Node::Symbol(_))).collect();
+    let symbols: Vec<Id> = graph
+        .reachable(&roots)
+        .into_iter()
+        .filter(|&id| matches!(graph.node(id), Node::Symbol(_)))
+        .collect();
     let column = |name: &String| {
         let values = symbols.iter().map(|&id| {
             let text = graph.symbol_text(id);
             let re = *inputs.get(text).unwrap_or_else(|| panic!("no value for {text}"));
-            (id, Complex { re, im: if text == name { STEP } else { 0.0 } })
+            (
+                id,
+                Complex {
+                    re,
+                    im: if text == name { STEP } else { 0.0 },
+                },
+            )
         });
-        graph.evaluate(&roots, &values.collect()).iter().map(|value| value.im / STEP).collect()
+        graph
+            .evaluate(&roots, &values.collect())
+            .iter()
+            .map(|value| value.im / STEP)
+            .collect()
     };
     with.iter().map(column).collect()
 }
@@ -50,7 +66,11 @@ pub fn assert_close(what: &str, compiled: &[f64], columns: &[Vec<f64>]) {
     for (column, reference) in columns.iter().enumerate() {
         for (row, &value) in reference.iter().enumerate() {
             let error = (compiled[row * size + column] - value).abs() / scale;
-            assert!(error <= LIMIT, "{what}: entry ({row}, {column}) is {} instead of {value}", compiled[row * size + column]);
+            assert!(
+                error <= LIMIT,
+                "{what}: entry ({row}, {column}) is {} instead of {value}",
+                compiled[row * size + column]
+            );
         }
     }
 }
@@ -84,12 +104,24 @@ fn sample(variant: &Variant, row: &[(&str, f64)], random: &mut Random) -> Sample
         states.push(state);
     }
     let v = states.pop().unwrap();
-    Sample { inputs, q: states.pop().unwrap(), v }
+    Sample {
+        inputs,
+        q: states.pop().unwrap(),
+        v,
+    }
 }
 
 fn variant(dimension: usize, exact: usize, quadrature: Quadrature, damped: bool, curved: bool) -> Variant {
     let evaluation = Evaluation::Automatic;
-    Variant { element: ElementId(0), dimension, options: vec![exact], quadrature, evaluation, damped, curved }
+    Variant {
+        element: ElementId(0),
+        dimension,
+        options: vec![exact],
+        quadrature,
+        evaluation,
+        damped,
+        curved,
+    }
 }
 
 /// One test: the compiled tangent of `$module::$name` with the struct `$row`.
@@ -149,18 +181,50 @@ elastic_test!(planar, rncf_models::spin_up_equations, CablePlanar, cable_planar_
     variant(2, 0, Quadrature::Exact, false, false), Form::Points, damped =);
 elastic_test!(spatial, rncf_models::spin_up_spatial_equations, CableSpatial, cable_spatial_elastic_tangent, 12,
     variant(3, 0, Quadrature::Exact, false, false), Form::Points, damped =);
-elastic_test!(planar_curved_damped, crate::models::curved_damped_equations, CablePlanarCurvedDamped,
-    cable_planar_curved_damped_elastic_tangent, 8, variant(2, 0, Quadrature::Exact, true, true), Form::Tensor,
-    reference = cable_planar_curved_damped_reference, 9, damped = yes);
-elastic_test!(planar_exact_curved_damped, crate::models::curved_exact_equations, CablePlanarExactCurvedDamped,
-    cable_planar_exact_curved_damped_elastic_tangent, 8, variant(2, 1, Quadrature::Exact, true, true), Form::Points,
-    reference = cable_planar_exact_curved_damped_reference, 10, damped = yes);
-elastic_test!(spatial_exact_damped, crate::models::spatial_exact_equations, CableSpatialExactGauss3Damped,
-    cable_spatial_exact_gauss3_damped_elastic_tangent, 12, variant(3, 1, Quadrature::Gauss(3), true, false), Form::Points,
-    damped = yes);
-elastic_test!(spatial_tensor_damped, crate::models::spatial_tensor_equations, CableSpatialGauss3TensorDamped,
-    cable_spatial_gauss3_tensor_damped_elastic_tangent, 12, variant(3, 0, Quadrature::Gauss(3), true, false), Form::Points,
-    damped = yes);
+elastic_test!(
+    planar_curved_damped,
+    crate::models::curved_damped_equations,
+    CablePlanarCurvedDamped,
+    cable_planar_curved_damped_elastic_tangent,
+    8,
+    variant(2, 0, Quadrature::Exact, true, true),
+    Form::Tensor,
+    reference = cable_planar_curved_damped_reference,
+    9,
+    damped = yes
+);
+elastic_test!(
+    planar_exact_curved_damped,
+    crate::models::curved_exact_equations,
+    CablePlanarExactCurvedDamped,
+    cable_planar_exact_curved_damped_elastic_tangent,
+    8,
+    variant(2, 1, Quadrature::Exact, true, true),
+    Form::Points,
+    reference = cable_planar_exact_curved_damped_reference,
+    10,
+    damped = yes
+);
+elastic_test!(
+    spatial_exact_damped,
+    crate::models::spatial_exact_equations,
+    CableSpatialExactGauss3Damped,
+    cable_spatial_exact_gauss3_damped_elastic_tangent,
+    12,
+    variant(3, 1, Quadrature::Gauss(3), true, false),
+    Form::Points,
+    damped = yes
+);
+elastic_test!(
+    spatial_tensor_damped,
+    crate::models::spatial_tensor_equations,
+    CableSpatialGauss3TensorDamped,
+    cable_spatial_gauss3_tensor_damped_elastic_tangent,
+    12,
+    variant(3, 0, Quadrature::Gauss(3), true, false),
+    Form::Points,
+    damped = yes
+);
 
 /// Inertia: Euler, centrifugal and gyroscopic blocks.
 macro_rules! inertia_test {
@@ -171,17 +235,29 @@ macro_rules! inertia_test {
             let library = Library::standard();
             let variant = variant($dimension, 0, Quadrature::Exact, false, false);
             let mut random = Random(3);
-            let row = kernels::$row { length: 0.7, rhoA: 0.44, ..Default::default() };
-            let mut sample = sample(&variant, &[("length", row.length), ("rhoA", row.rhoA)], &mut random);
+            let row = kernels::$row {
+                length: 0.7,
+                rhoA: 0.44,
+                ..Default::default()
+            };
+            let mut sample = sample(
+                &variant,
+                &[("length", row.length), ("rhoA", row.rhoA)],
+                &mut random,
+            );
             let mut frame = rncf::mesh::FrameAction::default();
             for axis in 0..3 {
                 frame.acceleration[axis] = random.next();
                 frame.spin[axis] = 10.0 * random.next();
                 frame.spin_rate[axis] = 10.0 * random.next();
                 let letter = ["x", "y", "z"][axis];
-                sample.inputs.insert(format!("e_{letter}"), frame.acceleration[axis]);
+                sample
+                    .inputs
+                    .insert(format!("e_{letter}"), frame.acceleration[axis]);
                 sample.inputs.insert(format!("w_{letter}"), frame.spin[axis]);
-                sample.inputs.insert(format!("dw_{letter}"), frame.spin_rate[axis]);
+                sample
+                    .inputs
+                    .insert(format!("dw_{letter}"), frame.spin_rate[axis]);
             }
             sample.inputs.insert("w".to_string(), frame.spin[0]);
             sample.inputs.insert("dw".to_string(), frame.spin_rate[0]);
@@ -193,21 +269,41 @@ macro_rules! inertia_test {
             let force = inertia_kernels(&variant, &library).referenced;
             for (prefix, compiled) in [("", stiffness), ("v_", damping)] {
                 let names = variant.component_names(&library, prefix).concat();
-                assert_close(stringify!($test), &compiled, &jacobian(&force, &sample.inputs, &names));
+                assert_close(
+                    stringify!($test),
+                    &compiled,
+                    &jacobian(&force, &sample.inputs, &names),
+                );
             }
         }
     };
 }
 
-inertia_test!(planar_inertia, rncf_models::spin_up_equations, CablePlanar, cable_planar_inertia_tangent, 8, 2);
-inertia_test!(spatial_inertia, rncf_models::spin_up_spatial_equations, CableSpatial, cable_spatial_inertia_tangent, 12, 3);
+inertia_test!(
+    planar_inertia,
+    rncf_models::spin_up_equations,
+    CablePlanar,
+    cable_planar_inertia_tangent,
+    8,
+    2
+);
+inertia_test!(
+    spatial_inertia,
+    rncf_models::spin_up_spatial_equations,
+    CableSpatial,
+    cable_spatial_inertia_tangent,
+    12,
+    3
+);
 
 #[test]
 fn moments_on_slopes() {
     let mut random = Random(5);
     for dimension in [2, 3] {
         let [force, _] = rncf_codegen::lower::loads::moment_kernels(dimension);
-        let slope: Vec<f64> = (0..dimension).map(|i| f64::from(u8::from(i == 0)) + 0.3 * random.next()).collect();
+        let slope: Vec<f64> = (0..dimension)
+            .map(|i| f64::from(u8::from(i == 0)) + 0.3 * random.next())
+            .collect();
         let moment: [f64; 3] = std::array::from_fn(|_| random.next());
         let mut inputs = HashMap::new();
         let names: Vec<String> = (0..dimension).map(|i| format!("slope[{i}]")).collect();

@@ -6,7 +6,13 @@ use crate::models::{curved_damped_equations as polynomial, curved_exact_equation
 /// away: nodal vectors are relative to it, so that distance enters nowhere (Eq. 1).
 #[test]
 fn a_rotated_curved_element_feels_no_force() {
-    let row = polynomial::CablePlanarCurvedDamped { length: 0.47, EA: 4000.0, EI: 130.0, rhoA: 0.44, damping: 2e-3 };
+    let row = polynomial::CablePlanarCurvedDamped {
+        length: 0.47,
+        EA: 4000.0,
+        EI: 130.0,
+        rhoA: 0.44,
+        damping: 2e-3,
+    };
     let line = rncf::mesh::Line::Arc {
         from: [0.3, -0.2, 0.0],
         direction: [1.0, 0.4, 0.0],
@@ -15,10 +21,18 @@ fn a_rotated_curved_element_feels_no_force() {
         angle: 0.94,
     };
     let (start, end) = (line.at(0.0), line.at(1.0));
-    let shape = [start.0[0], start.0[1], start.1[0], start.1[1], end.0[0], end.0[1], end.1[0], end.1[1]];
+    let shape = [
+        start.0[0], start.0[1], start.1[0], start.1[1], end.0[0], end.0[1], end.1[0], end.1[1],
+    ];
     let mut reference = [0.0; 9];
     polynomial::cable_planar_curved_damped_reference(&row, &shape, &mut reference);
-    let exact_row = exact::CablePlanarExactCurvedDamped { length: row.length, EA: row.EA, EI: row.EI, rhoA: row.rhoA, damping: row.damping };
+    let exact_row = exact::CablePlanarExactCurvedDamped {
+        length: row.length,
+        EA: row.EA,
+        EI: row.EI,
+        rhoA: row.rhoA,
+        damping: row.damping,
+    };
     let mut exact_reference = [0.0; 10];
     exact::cable_planar_exact_curved_damped_reference(&exact_row, &shape, &mut exact_reference);
     for degrees in (0..=360).step_by(15) {

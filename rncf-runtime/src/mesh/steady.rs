@@ -139,6 +139,15 @@ impl<P: Parts> MeshScene<P> {
         frames[spec.frame].direction_to_frame(frames[body.frame].direction_to_inertial(vector))
     }
 
+    /// Output columns at the loaded state.
+    fn evaluate_outputs(&mut self, t: f64, load_scale: f64, out: &mut [f64]) {
+        if self.outputs_need_acceleration() {
+            self.full_force(t, load_scale);
+        }
+        let observed: Vec<f64> = (0..self.observed.len()).map(|index| self.observe(index)).collect();
+        self.parts.outputs(t, &observed, out);
+    }
+
     /// Nodal vectors of all bodies, from the full arrays, in their declared frames.
     fn vectors_in_frames(&self, full: [&[f64]; 2]) -> [Vec<f64>; 2] {
         let mut result = [Vec::new(), Vec::new()];
@@ -238,11 +247,7 @@ impl<P: Parts> Scene for MeshScene<P> {
 
     fn outputs(&mut self, state: &State, out: &mut [f64]) {
         self.load_state(state.t, &state.x, &state.v, &state.a, Regime::Moving);
-        if self.outputs_need_acceleration() {
-            self.full_force(state.t, 1.0);
-        }
-        let observed: Vec<f64> = (0..self.observed.len()).map(|index| self.observe(index)).collect();
-        self.parts.outputs(state.t, &observed, out);
+        self.evaluate_outputs(state.t, 1.0, out);
     }
 
     fn rest(&self, t: f64) -> State {
@@ -263,13 +268,13 @@ impl<P: Parts> Scene for MeshScene<P> {
         self.unknowns_from(t, &q, &v)
     }
 
-    fn to_frame(&mut self, state: &State) -> FrameState {
+    fn frame_state(&mut self, state: &State) -> FrameState {
         self.load_state(state.t, &state.x, &state.v, &state.a, Regime::Moving);
         let [q, v] = self.vectors_in_frames([&self.buffers.q, &self.buffers.v]);
         FrameState { t: state.t, q, v }
     }
 
-    fn from_frame(&self, frame: &FrameState) -> State {
+    fn state_of_frame(&self, frame: &FrameState) -> State {
         self.unknowns_from(frame.t, &frame.q, &frame.v)
     }
 
@@ -289,6 +294,12 @@ impl<P: Parts> Scene for MeshScene<P> {
         self.load_state(t, x, &zeros, &zeros, Regime::Steady(scale));
         let mut damping = vec![0.0; values.len()];
         self.full_tangent(t, scale * scale, values, &mut damping);
+    }
+
+    fn steady_outputs(&mut self, t: f64, scale: f64, x: &[f64], out: &mut [f64]) {
+        let zeros = vec![0.0; x.len()];
+        self.load_state(t, x, &zeros, &zeros, Regime::Steady(scale));
+        self.evaluate_outputs(t, scale * scale, out);
     }
 
     fn steady_obstacle(&self, t: f64) -> Option<String> {
