@@ -66,7 +66,13 @@ fn models(text: &str) -> Vec<TokenStream> {
         let file = syn::parse_file(block).unwrap_or_else(|error| panic!("{error} in\n{block}"));
         for item in file.items {
             let syn::Item::Macro(item) = item else { continue };
-            if item.mac.path.segments.last().is_some_and(|segment| segment.ident == "model") {
+            if item
+                .mac
+                .path
+                .segments
+                .last()
+                .is_some_and(|segment| segment.ident == "model")
+            {
                 models.push(item.mac.tokens);
             }
         }
@@ -104,7 +110,11 @@ fn items(content: TokenStream) -> Vec<(String, String, TokenStream)> {
             items.push((kind, name, item.drain(..).collect()));
         }
     }
-    assert!(item.is_empty(), "items end with `;` or braces: {}", item.into_iter().collect::<TokenStream>());
+    assert!(
+        item.is_empty(),
+        "items end with `;` or braces: {}",
+        item.into_iter().collect::<TokenStream>()
+    );
     items
 }
 
@@ -116,11 +126,19 @@ fn completed(tutorial: &TokenStream, example: &str) -> TokenStream {
         _ => None,
     });
     let declared = items(example.clone());
-    let is_declared = |kind: &str, name: &str| declared.iter().any(|(k, n, _)| n == name && (k == kind || kind != "output"));
+    let is_declared = |kind: &str, name: &str| {
+        declared
+            .iter()
+            .any(|(k, n, _)| n == name && (k == kind || kind != "output"))
+    };
     let rest = items(content.expect("a model has braces")).into_iter();
-    let rest = rest.filter(|(kind, name, _)| !is_declared(kind, name)).map(|(.., tokens)| tokens);
+    let rest = rest
+        .filter(|(kind, name, _)| !is_declared(kind, name))
+        .map(|(.., tokens)| tokens);
     let all: TokenStream = std::iter::once(example).chain(rest).collect();
-    format!("model Example {{ {all} }}").parse().expect("tokens make tokens")
+    format!("model Example {{ {all} }}")
+        .parse()
+        .expect("tokens make tokens")
 }
 
 #[test]
@@ -140,9 +158,17 @@ fn every_example_checks() {
     let text = document("docs/language.md");
     let tutorial = &models(&text)[0];
     let examples = blocks(&text, "rncf");
-    assert!(examples.len() >= 10, "every section has an example, found {}", examples.len());
+    assert!(
+        examples.len() >= 10,
+        "every section has an example, found {}",
+        examples.len()
+    );
     for example in examples {
-        assert_eq!(messages(completed(tutorial, &example)), Vec::<String>::new(), "{example}");
+        assert_eq!(
+            messages(completed(tutorial, &example)),
+            Vec::<String>::new(),
+            "{example}"
+        );
     }
 }
 
@@ -154,16 +180,23 @@ fn every_refusal_is_refused_in_these_words() {
     let mut lines = refused.lines().filter(|line| !line.trim().is_empty());
     let (mut count, mut wrong) = (0, Vec::new());
     while let Some(example) = lines.next() {
-        let message = lines.next().and_then(|line| line.trim().strip_prefix("// ")).unwrap_or_else(|| {
-            panic!("`{example}` is followed by its message");
-        });
+        let message = lines
+            .next()
+            .and_then(|line| line.trim().strip_prefix("// "))
+            .unwrap_or_else(|| {
+                panic!("`{example}` is followed by its message");
+            });
         let found = messages(completed(tutorial, example));
         if found != [message] {
             wrong.push(format!("{example}\n  {}", found.join("\n  ")));
         }
         count += 1;
     }
-    assert!(wrong.is_empty(), "other messages than in the document:\n{}", wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "other messages than in the document:\n{}",
+        wrong.join("\n")
+    );
     assert!(count >= 10, "found {count} refusals");
 }
 
@@ -173,7 +206,12 @@ fn every_word_is_described() {
     let library = Library::standard();
     let mut words: Vec<&str> = WORDS.to_vec();
     words.extend(Keyword::ALL.map(Keyword::word));
-    words.extend(vocabulary::MATERIAL.iter().chain(vocabulary::SECTION).map(|property| property.name));
+    words.extend(
+        vocabulary::MATERIAL
+            .iter()
+            .chain(vocabulary::SECTION)
+            .map(|property| property.name),
+    );
     words.extend(units::UNITS.iter().map(|unit| unit.symbol));
     for element in &library.elements {
         words.extend(element.names);
@@ -186,7 +224,15 @@ fn every_word_is_described() {
     let prose = prose(&text);
     let spans: Vec<&str> = prose.split('`').skip(1).step_by(2).collect();
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
-    let described = |word: &str| spans.iter().any(|span| span.split(|c| !is_word(c)).any(|part| part == word));
+    let described = |word: &str| {
+        spans
+            .iter()
+            .any(|span| span.split(|c| !is_word(c)).any(|part| part == word))
+    };
     let missing: Vec<&str> = words.into_iter().filter(|word| !described(word)).collect();
-    assert_eq!(missing, Vec::<&str>::new(), "docs/language.md does not describe these words");
+    assert_eq!(
+        missing,
+        Vec::<&str>::new(),
+        "docs/language.md does not describe these words"
+    );
 }
