@@ -21,13 +21,19 @@ const CASES: [(f64, [usize; 3], [&str; 3]); 4] = [
 fn main() {
     for max_step in [0.01, f64::INFINITY] {
         println!("\nStep ceiling: {max_step} s\n");
-        println!("| rad/s | model | elements | steps | rejected | at ceiling | CPU s | error of v (m) | published steps, s | ANCF/RNCF steps |");
+        println!(
+            "| rad/s | model | elements | steps | rejected | at ceiling | CPU s | error of v (m) | published steps, s | ANCF/RNCF steps |"
+        );
         println!("|---|---|---|---|---|---|---|---|---|---|");
         for (omega_s, [planar, spatial, referenced], published) in CASES {
             let rncf = spatial_run(omega_s, referenced, Formulation::Rncf, max_step);
             let plane = planar_run(omega_s, planar, max_step);
             let space = spatial_run(omega_s, spatial, Formulation::Ancf, max_step);
-            let cases = [("ANCF planar", planar, plane), ("ANCF spatial", spatial, space), ("RNCF spatial", referenced, rncf)];
+            let cases = [
+                ("ANCF planar", planar, plane),
+                ("ANCF spatial", spatial, space),
+                ("RNCF spatial", referenced, rncf),
+            ];
             let steps = cases[2].2.0.statistics.steps as f64;
             for ((name, elements, (result, error)), published) in cases.into_iter().zip(published) {
                 let statistics = &result.statistics;
@@ -45,17 +51,41 @@ fn main() {
 }
 
 fn spatial_run(omega_s: f64, elements: usize, formulation: Formulation, max_step: f64) -> (RunResult, f64) {
-    compare(&SpinUpSpatial { omega_s, elements, ..SpinUpSpatial::default() }, formulation, max_step)
+    compare(
+        &SpinUpSpatial {
+            omega_s,
+            elements,
+            ..SpinUpSpatial::default()
+        },
+        formulation,
+        max_step,
+    )
 }
 
 fn planar_run(omega_s: f64, elements: usize, max_step: f64) -> (RunResult, f64) {
-    compare(&SpinUp { omega_s, elements, ..SpinUp::default() }, Formulation::Ancf, max_step)
+    compare(
+        &SpinUp {
+            omega_s,
+            elements,
+            ..SpinUp::default()
+        },
+        Formulation::Ancf,
+        max_step,
+    )
 }
 
 /// The run of the table and its error of v.
 fn compare<M: Model>(model: &M, formulation: Formulation, max_step: f64) -> (RunResult, f64) {
-    let hht = Options { rtol: 1e-7, max_step, first_step: Some(1e-4), ..Options::default() };
-    let converged = Options { rtol: 1e-9, ..Options::default() };
+    let hht = Options {
+        rtol: 1e-7,
+        max_step,
+        first_step: Some(1e-4),
+        ..Options::default()
+    };
+    let converged = Options {
+        rtol: 1e-9,
+        ..Options::default()
+    };
     let result = solve(model, formulation, Method::Hht { alpha: -0.3 }, hht);
     let reference = solve(model, Formulation::Rncf, Method::Radau, converged);
     let pairs = result.history.column(1).zip(reference.history.column(1));
@@ -64,6 +94,11 @@ fn compare<M: Model>(model: &M, formulation: Formulation, max_step: f64) -> (Run
 }
 
 fn solve<M: Model>(model: &M, formulation: Formulation, method: Method, options: Options) -> RunResult {
-    let settings = RunSettings { formulation, method, options, ..RunSettings::default() };
+    let settings = RunSettings {
+        formulation,
+        method,
+        options,
+        ..RunSettings::default()
+    };
     run(model, &settings).unwrap_or_else(|error| panic!("{error}"))
 }

@@ -8,7 +8,10 @@ use rncf::prelude::*;
 use rncf_models::SpinUp;
 
 fn main() {
-    let model = SpinUp { elements: 16, ..SpinUp::default() };
+    let model = SpinUp {
+        elements: 16,
+        ..SpinUp::default()
+    };
     let reference = solve(&model, Formulation::Rncf, Method::Radau, 1e-11);
     println!("| integrator | rtol | steps | rejected | Newton | factorizations | max error of v (m) | ms |");
     println!("|---|---|---|---|---|---|---|---|");
@@ -37,13 +40,25 @@ fn main() {
 }
 
 fn solve(model: &SpinUp, formulation: Formulation, method: Method, rtol: f64) -> RunResult {
-    let options = Options { rtol, ..Options::default() };
-    let settings = RunSettings { formulation, method, options, ..RunSettings::default() };
+    let options = Options {
+        rtol,
+        ..Options::default()
+    };
+    let settings = RunSettings {
+        formulation,
+        method,
+        options,
+        ..RunSettings::default()
+    };
     run(model, &settings).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Largest difference of v on the grid of the history.
 fn error(result: &RunResult, reference: &RunResult) -> f64 {
     let of = |result: &RunResult| result.history.column(1).collect::<Vec<f64>>();
-    of(result).iter().zip(of(reference)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    of(result)
+        .iter()
+        .zip(of(reference))
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max)
 }
