@@ -256,7 +256,7 @@ impl<'a> Check<'a> {
     }
 
     fn mesh(&mut self, item: &Item, statements: &'a [Statement], complete: bool, space: Option<Space>) -> Option<Mesh> {
-        let missing = "its elements: `mesh 6 * cable(section, material);`";
+        let missing = "its elements: `mesh 6 * element(section, material);`";
         let statement = self.single(item, statements, complete, "`mesh`", missing, |statement| {
             if let Statement::Mesh { area, .. } = statement {
                 Some(*area)
@@ -410,7 +410,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// `cable(section, material)`: the two names.
+    /// `element(section, material)`: the two names.
     fn property_arguments(&mut self, call: &'a Call) -> Option<(&'a Name, &'a Name)> {
         let positional: Vec<&Expr> = call
             .arguments

@@ -229,3 +229,38 @@ fn cross(graph: &mut Graph, w: &[Id], u: &[Id]) -> Vector {
     }
     graph.cross(w, u)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elements::Library;
+    use crate::model::{ElementId, Evaluation, Quadrature};
+
+    /// THEORY 5.1, the printed mass matrix at l = 1, to the last bit; its rows of positions add up to
+    /// the printed first moments.
+    #[test]
+    fn the_mass_matrix_is_the_closed_form() {
+        let variant = Variant {
+            element: ElementId(0),
+            dimension: 3,
+            options: vec![0],
+            quadrature: Quadrature::Exact,
+            evaluation: Evaluation::Automatic,
+            damped: false,
+            curved: false,
+        };
+        let closed = [
+            [13.0 / 35.0, 11.0 / 210.0, 9.0 / 70.0, -13.0 / 420.0],
+            [11.0 / 210.0, 1.0 / 105.0, 13.0 / 420.0, -1.0 / 140.0],
+            [9.0 / 70.0, 13.0 / 420.0, 13.0 / 35.0, -11.0 / 210.0],
+            [-13.0 / 420.0, -1.0 / 140.0, -11.0 / 210.0, 1.0 / 105.0],
+        ];
+        let mass = unit_mass(&variant, &Library::standard());
+        for (row, closed) in mass.iter().zip(closed) {
+            assert_eq!(row[..], closed[..]);
+        }
+        for (row, moment) in mass.iter().zip([0.5, 1.0 / 12.0, 0.5, -1.0 / 12.0]) {
+            assert!((row[0] + row[2] - moment).abs() < 1e-16);
+        }
+    }
+}

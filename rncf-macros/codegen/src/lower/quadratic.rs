@@ -193,18 +193,99 @@ fn vanishes_at_zero(graph: &mut Graph, of: Id, symbols: &[(Invariant, Id)]) -> b
 mod tests {
     use super::*;
     use crate::elements::CABLE;
+    use crate::tensors::gauss_rule;
 
-    /// The printed matrices of the paper's Appendix B follow from the tensors, to the last bit.
+    /// `int h_i h_j h_m h_n dxi` of the relative vectors s0, d, s1, by hand: THEORY 5.1's kappa.
     #[test]
-    fn axial_tensor_is_the_closed_form() {
+    fn tensors_are_the_closed_forms_to_the_last_bit() {
         let terms = tensor_terms(&CABLE, 3, &[0], Quadrature::Exact).unwrap();
         assert_eq!((terms[0].coefficient, terms[0].power), ("EA", 1));
         assert_eq!((terms[1].coefficient, terms[1].power), ("EI", -1));
-        // int 1/4 h_D^4 = 1/4 * 6^4 int xi^4 (1 - xi)^4 = 1296/2520
-        assert_eq!(terms[0].tensor[0][0], (1296.0 / 4.0) / 630.0);
-        assert!(tensor_terms(&CABLE, 3, &[1], Quadrature::Exact).is_none());
-        assert!(tensor_terms(&CABLE, 2, &[1], Quadrature::Exact).is_none());
+        let axial = &terms[0].tensor;
+        // Invariants: s0.s0, s0.d, s0.s1, d.d, d.s1, s1.s1; the measure is 1/2 (a.a - 1).
+        assert_eq!(axial[3][3], 18.0 / 35.0); // 1/4 int (6 xi - 6 xi^2)^4
+        assert_eq!(axial[0][0], 1.0 / 70.0); // 1/4 int (1 - 4 xi + 3 xi^2)^4
+        assert_eq!(axial[5][5], 1.0 / 70.0);
+        assert_eq!(axial[0][5], 1.0 / 840.0);
         let planar = tensor_terms(&CABLE, 2, &[0], Quadrature::Exact).unwrap();
         assert!(planar[1].is_measure);
+        assert_eq!(planar[1].power, -1);
+    }
+
+    /// The exact tensors against a second evaluation by floating-point Gauss sums, full and reduced.
+    #[test]
+    fn tensors_equal_floating_point_gauss_sums() {
+        let shapes = relative_shapes(&CABLE);
+        for (dimension, quadrature, points) in [
+            (2, Quadrature::Exact, 5),
+            (3, Quadrature::Exact, 5),
+            (2, Quadrature::Gauss(3), 3),
+            (3, Quadrature::Gauss(3), 3),
+        ] {
+            let rule = gauss_rule(points);
+            let relative = invariants(3, dimension);
+            for term in tensor_terms(&CABLE, dimension, &[0], quadrature).unwrap() {
+                for (a, &first) in relative.iter().enumerate() {
+                    for (b, &second) in relative.iter().enumerate() {
+                        let at = |xi: f64| density(&shapes, &term, first, second, xi);
+                        let sum: f64 = rule
+                            .points
+                            .iter()
+                            .zip(&rule.weights)
+                            .map(|(&xi, &weight)| weight * at(xi))
+                            .sum();
+                        let error = (sum - term.tensor[a][b]).abs();
+                        assert!(
+                            error < 1e-14 * 144.0,
+                            "{} {a} {b}: {sum} {}",
+                            term.name,
+                            term.tensor[a][b]
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    /// `d2(density)/dI dJ` at a point, written by hand for the two terms of the cable.
+    fn density(shapes: &[(usize, Polynomial)], term: &TensorTerm, first: Invariant, second: Invariant, xi: f64) -> f64 {
+        let derivative = |vector: usize, order: usize| shapes[vector].1.derivative(order).at(xi);
+        let product = |invariant: Invariant, m: usize, n: usize, sign: f64| {
+            let (i, j) = (invariant.i, invariant.j);
+            let direct = derivative(i, m) * derivative(j, n);
+            if i == j {
+                direct
+            } else {
+                direct + sign * derivative(j, m) * derivative(i, n)
+            }
+        };
+        let dot = |invariant: Invariant, m: usize, n: usize| {
+            if invariant.product == Product::Dot {
+                product(invariant, m, n, 1.0)
+            } else {
+                0.0
+            }
+        };
+        let cross = |invariant: Invariant| {
+            if invariant.product == Product::Cross {
+                product(invariant, 1, 2, -1.0)
+            } else {
+                0.0
+            }
+        };
+        match (term.coefficient, term.is_measure) {
+            ("EA", _) => 0.25 * dot(first, 1, 1) * dot(second, 1, 1),
+            (_, true) => cross(first) * cross(second),
+            (_, false) => {
+                0.5 * (dot(first, 1, 1) * dot(second, 2, 2) + dot(first, 2, 2) * dot(second, 1, 1))
+                    - dot(first, 1, 2) * dot(second, 1, 2)
+            }
+        }
+    }
+
+    #[test]
+    fn other_exponents_have_no_tensor() {
+        assert!(tensor_terms(&CABLE, 3, &[1], Quadrature::Exact).is_none());
+        assert!(tensor_terms(&CABLE, 2, &[1], Quadrature::Exact).is_none());
     }
 }

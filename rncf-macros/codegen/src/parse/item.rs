@@ -292,7 +292,7 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
         "mesh" => {
             let count = expr::count(cursor)?;
             cursor.expect_punct('*')?;
-            let name = cursor.expect_name("an element such as `cable(section, material)`")?;
+            let name = cursor.expect_name("an element, `mesh 6 * element(section, material);`")?;
             Statement::Mesh {
                 area,
                 count,

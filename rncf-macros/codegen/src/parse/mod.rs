@@ -18,7 +18,7 @@
 //!             | "spatial" ";"
 //!             | "line" "from" vector "to" vector ";"
 //!             | "arc" "from" vector "direction" vector "radius" expr "angle" expr ";"
-//!             | "mesh" primary "*" call ";"     // cable(section, material [, option = value])
+//!             | "mesh" primary "*" call ";"     // element(section, material [, option = value])
 //! joint       = "joint" NAME "=" call ";"       // clamp|clamp_full|pin(BODY.end, FRAME [, at = vector])
 //! load        = "load" NAME "=" call ";"        // gravity(vector)
 //!                   // force|moment(BODY.end|BODY.at(expr), vector [, in = FRAME])
