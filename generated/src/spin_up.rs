@@ -1409,6 +1409,10 @@ pub mod spin_up_equations {
         fn frame_name(&self, frame: usize) -> &'static str {
             ["inertial", "hub"][frame]
         }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 0] = [];
+            VARIES[load]
+        }
         fn conservative(&self) -> bool {
             false
         }

@@ -125,8 +125,8 @@ fn generic(dimension: usize) -> Vec<(&'static str, f64)> {
         damping: 0.0,
         points: 5,
     };
-    let gauss = GaussElement::straight(data.clone()).unwrap();
-    let tensor = TensorElement::straight(data.clone()).unwrap();
+    let gauss = GaussElement::straight(data).unwrap();
+    let tensor = TensorElement::straight(data).unwrap();
     vec![
         ("plain loops over Eq. (7), any number of vectors", plain(&tensor, &data)),
         ("loops of fixed size, packed constant tensor", run(&tensor, &data)),

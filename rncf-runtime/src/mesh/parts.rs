@@ -203,6 +203,8 @@ pub trait Parts: Clone + Send + Sync + 'static {
 
     /// Motion of every frame at `t`.
     fn frames(&self, t: f64, motions: &mut [FrameMotion]);
+    /// Whether a load's components depend on time.
+    fn load_varies(&self, load: usize) -> bool;
     /// Components of a load at `t`, in its frame's axes.
     fn load(&self, load: usize, t: f64) -> [f64; 3];
 

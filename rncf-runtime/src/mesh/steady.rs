@@ -8,9 +8,17 @@ use super::scene::{MeshBody, MeshScene, Regime, undeformed};
 use crate::model::{FrameState, Scene};
 use crate::system::{State, System};
 
-/// Relative size below which an angular acceleration, or a load's component across the spin, counts
-/// as zero.
+/// Relative size below which a change of a motion, or a load's component across the spin, counts as
+/// zero.
 const NEGLIGIBLE: f64 = 1e-9;
+
+/// Time after which a uniform motion must still be the same, s.
+const A_WHILE: f64 = 1e-3;
+
+/// Whether two vectors differ by more than round-off.
+fn differs(a: [f64; 3], b: [f64; 3]) -> bool {
+    norm(subtract(a, b)) > NEGLIGIBLE * norm(a).max(norm(b)).max(f64::MIN_POSITIVE)
+}
 
 impl<P: Parts> MeshScene<P> {
     /// Energy of a conservative model: kinetic, strain, and potential of gravity and dead forces.
@@ -304,15 +312,25 @@ impl<P: Parts> Scene for MeshScene<P> {
     }
 
     fn steady_obstacle(&self, t: f64) -> Option<String> {
-        let mut frames = vec![FrameMotion::INERTIAL; self.parts.frame_count()];
-        self.parts.frames(t, &mut frames);
+        let motions_at = |t: f64| {
+            let mut frames = vec![FrameMotion::INERTIAL; self.parts.frame_count()];
+            self.parts.frames(t, &mut frames);
+            frames
+        };
+        let (frames, later) = (motions_at(t), motions_at(t + A_WHILE));
+        for (index, load) in self.loads.iter().enumerate() {
+            if self.parts.load_varies(index) {
+                return Some(format!("load `{}` varies with time", load.name));
+            }
+        }
         for body in &self.bodies {
-            let frame = &frames[body.spec.frame];
-            let (spin, rate) = (norm(frame.spin), norm(frame.spin_rate));
+            let (frame, next) = (&frames[body.spec.frame], &later[body.spec.frame]);
+            let spin = norm(frame.spin);
             let name = self.parts.frame_name(body.spec.frame);
-            if rate > NEGLIGIBLE * spin.max(1.0) {
+            let pull = |frame: &FrameMotion| frame.direction_to_frame(frame.acceleration);
+            if differs(frame.spin, next.spin) || differs(pull(frame), pull(next)) {
                 return Some(format!(
-                    "frame `{name}` turns with the angular acceleration {rate:e} rad/s^2, not uniformly"
+                    "frame `{name}` does not move uniformly: its spin or acceleration changes"
                 ));
             }
             for (index, load) in self.loads.iter().enumerate() {

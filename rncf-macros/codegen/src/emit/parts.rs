@@ -224,13 +224,21 @@ impl Parts<'_> {
         let names: Vec<&String> = self.model.frames.iter().map(|frame| &frame.name).collect();
         let columns: usize = self.model.outputs.iter().map(|output| output.components.len()).sum();
         let kinks = self.equations.kinks.1;
+        let varies: Vec<bool> = self
+            .model
+            .loads
+            .iter()
+            .map(|load| load_varies(self.model, load))
+            .collect();
         format!(
             "fn output_columns(&self) -> usize {{ {columns} }}\n\
              fn frame_count(&self) -> usize {{ {} }}\n\
              fn frame_name(&self, frame: usize) -> &'static str {{ {names:?}[frame] }}\n\
+             fn load_varies(&self, load: usize) -> bool {{ const VARIES: [bool; {}] = {varies:?};\nVARIES[load] }}\n\
              fn conservative(&self) -> bool {{ {} }}\n\
              fn kinks(&self) -> ::std::vec::Vec<f64> {{\nlet mut times = [0.0; {kinks}];\nkinks(&self.model, &mut times);\ntimes.to_vec()\n}}\n",
             names.len(),
+            varies.len(),
             self.equations.conservative
         )
     }
@@ -422,6 +430,12 @@ impl Parts<'_> {
              fn prescribed(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::mesh::JointData, prescribed: &mut ::rncf::mesh::Prescribed) {{\n{prescribed}}}\n"
         )
     }
+}
+
+fn load_varies(model: &Model, load: &crate::model::Load) -> bool {
+    let (LoadKind::Gravity(components) | LoadKind::Force { components, .. } | LoadKind::Moment { components, .. }) =
+        &load.kind;
+    crate::lower::motions::varies(model, components)
 }
 
 /// A property's value, checked when the model is built.
