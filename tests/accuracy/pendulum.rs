@@ -155,7 +155,7 @@ fn check(exact: &[State], method: Method, steps: &[f64], expected: [f64; 3]) -> 
     Ok(lowest)
 }
 
-const RADAU_STEPS: [f64; 3] = [0.02, 0.01, 0.005];
+const RADAU_STEPS: [f64; 3] = [0.05, 0.025, 0.0125];
 const ALPHA_STEPS: [f64; 3] = [0.005, 0.0025, 0.00125];
 
 #[test]

@@ -130,10 +130,10 @@ fn start(dimension: usize, elements: usize) -> [Vec<f64>; 2] {
     for node in 0..=elements {
         let s = LENGTH * node as f64 / elements as f64;
         let (square, slope) = (s * s / (LENGTH * LENGTH), 2.0 * s / (LENGTH * LENGTH));
-        q.extend_from_slice(&[s, 0.2 * square, 0.1 * square][..dimension]);
-        q.extend_from_slice(&[1.0, 0.2 * slope, 0.1 * slope][..dimension]);
-        v.extend_from_slice(&[0.1 * s, 0.5 * square, 0.4 * square][..dimension]);
-        v.extend_from_slice(&[0.1, 0.5 * slope, 0.4 * slope][..dimension]);
+        q.extend_from_slice(&[s, 0.1 * square, 0.05 * square][..dimension]);
+        q.extend_from_slice(&[1.0, 0.1 * slope, 0.05 * slope][..dimension]);
+        v.extend_from_slice(&[0.05 * s, 0.3 * square, 0.2 * square][..dimension]);
+        v.extend_from_slice(&[0.05, 0.3 * slope, 0.2 * slope][..dimension]);
     }
     [q, v]
 }
@@ -153,7 +153,7 @@ impl Reference {
             .iter()
             .flat_map(|full| free(full, dimension))
             .collect();
-        let run = agreed(&system, Method::DoPri8, 1e-13, &y, &times, 1e-10).unwrap();
+        let run = agreed(&system, Method::DoPri8, 1e-13, &y, &times, 3e-10).unwrap();
         let instants = times.iter().zip(&run.states).map(|(&t, y)| instant(&system, t, y));
         Self {
             dimension,
@@ -203,17 +203,14 @@ fn instant(system: &Coriolis, t: f64, y: &[f64]) -> Instant {
 
 impl Instant {
     /// Force and moment of the root as the models put them out: `m = slope x force on the slope`.
-    pub fn reactions(&self, dimension: usize) -> [f64; 6] {
+    pub fn reactions(&self, dimension: usize) -> Vec<f64> {
         let along = self.q[dimension];
-        let [force, on_slope] = self.root;
-        [
-            force[0],
-            force[1],
-            force[2],
-            0.0,
-            -along * on_slope[2],
-            along * on_slope[1],
-        ]
+        let [f, s] = self.root;
+        if dimension == 2 {
+            vec![f[0], f[1], along * s[1]]
+        } else {
+            vec![f[0], f[1], f[2], 0.0, -along * s[2], along * s[1]]
+        }
     }
 
     /// Multipliers of the root's conditions in the given way: `M a + f + C_x^T lambda = 0`, position along the axes of

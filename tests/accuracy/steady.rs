@@ -52,7 +52,12 @@ fn elongations_of_the_table() {
                     let (outputs, _) = equilibrium(scene.as_mut(), 16.0);
                     let u = outputs[0];
                     println!("{spin} rad/s, n = {elements}, {joints:?}: u = {u:.9e}, table {expected:.9e}");
-                    assert!((u - expected).abs() < half_digit(spin), "{spin} rad/s, {elements}: {u}");
+                    // One cubic holds the shape to the third power of the strain.
+                    let cubic = if elements == 1 { 5e-8 * expected } else { 0.0 };
+                    assert!(
+                        (u - expected).abs() < half_digit(spin) + cubic,
+                        "{spin} rad/s, {elements}: {u}"
+                    );
                     assert!(outputs[1..].iter().all(|v| v.abs() < 1e-14), "{outputs:?}");
                 }
             }
@@ -146,9 +151,10 @@ fn root_holds_the_centrifugal_force() {
                 // Round-off of the elastic force: EA times the last digit of the strain.
                 let round_off = 1e-15 * AXIAL_STIFFNESS / rigid;
                 assert!(errors[0].abs() < 1e-12 + 4.0 * round_off, "{errors:?}");
-                // The bar's shape is cubic to the third power of the strain.
-                assert!(errors[1].abs() < 1e-8 + 4.0 * round_off, "{errors:?}");
-                assert!((u - (tip - LENGTH)).abs() < 1e-10, "{errors:?}");
+                // The bar's shape is a cubic up to the third power of the strain.
+                let cubic = if elements == 1 { 5e-8 } else { 1e-10 };
+                assert!(errors[1].abs() < cubic + 4.0 * round_off, "{errors:?}");
+                assert!(errors[2].abs() < cubic + 4.0 * round_off, "{errors:?}");
                 // To first order the beam is rigid: the rest is the strain.
                 let strain = u / LENGTH;
                 assert!(
@@ -181,6 +187,18 @@ fn equilibrium_is_at_rest_in_every_formulation() {
             println!(
                 "{formulation:?} {joints:?} t = {:.2}: u {:.9e}, v {:.1e}, force {:.9e} N of {expected:.9e}",
                 state.t, outputs[0], outputs[1], outputs[2]
+            );
+            // RNCF does not move at all; ANCF turns by 4 rad within the tolerance.
+            let allowed = match formulation {
+                Formulation::Rncf => [1e-13, 1e-12],
+                Formulation::Ancf => [8.0 * 1e-8, 1e-6],
+            };
+            let tip = [outputs[0] - frame.q[frame.q.len() - 4] + LENGTH, outputs[1]];
+            assert!(tip.iter().all(|error| error.abs() < allowed[0]), "{tip:?}");
+            assert!(
+                (outputs[2] / expected - 1.0).abs() < allowed[1],
+                "{}",
+                outputs[2] / expected - 1.0
             );
         }
     }
