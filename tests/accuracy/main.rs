@@ -2,6 +2,7 @@
 
 mod dense;
 mod determinism;
+mod gravity;
 mod models;
 mod orders;
 mod pendulum;

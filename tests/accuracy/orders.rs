@@ -124,6 +124,13 @@ fn figures(errors: &Errors, orders: &Errors) -> String {
 /// Every way of every beam by one family of methods.
 fn converge(methods: &[Method], steps: &[f64], expected: impl Fn((Formulation, Joints)) -> Expected, slack: f64) {
     for (dimension, elements) in [(2, 1), (2, 3), (3, 1), (3, 3)] {
+        // Without damping, the faster bending modes of three elements count.
+        let divisor = match (dimension, elements, methods) {
+            (3, 3, [Method::Radau]) => 2.0,
+            (3, 3, _) => 4.0,
+            _ => 1.0,
+        };
+        let steps: Vec<f64> = steps.iter().map(|h| h / divisor).collect();
         let reference = Reference::new(dimension, elements, Mistake::None);
         println!(
             "reference {dimension}D n={elements}: tolerances agree to {:.1e}",
@@ -131,7 +138,7 @@ fn converge(methods: &[Method], steps: &[f64], expected: impl Fn((Formulation, J
         );
         for way in WAYS {
             for &method in methods {
-                let table = table(&reference, way, method, steps);
+                let table = table(&reference, way, method, &steps);
                 let finest = steps.len() - 1;
                 let found = check(&table, expected(way), slack);
                 let text = match &found {

@@ -10,9 +10,10 @@ pub const WAYS: [(Formulation, Joints); 4] = [
     (Formulation::Ancf, Joints::Multipliers),
 ];
 
-/// Options with a fixed step, s.
+/// Options with a fixed step, s; Newton's iteration goes on to round-off.
 pub fn fixed(h: f64) -> Options {
     Options {
+        rtol: 1e-12,
         step: StepSize::Fixed(h),
         ..Options::default()
     }
