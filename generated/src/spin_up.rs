@@ -547,23 +547,23 @@ pub mod spin_up_equations {
         let cross_s0_d = s0_x * d_y - s0_y * d_x;
         let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
         let cross_d_s1 = s1_y * d_x - s1_x * d_y;
-        let t41 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t42 = strain_dot_d_d * 0.02142857142857143;
-        let t43 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t41 + t42
+        let t41 = length * EA * 0.5;
+        let t42 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t43 = strain_dot_d_d * 0.02142857142857143;
+        let t44 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t42 + t43
             + strain_dot_d_s1 * (-0.0035714285714285713)
             + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t44 = length * EA * 0.5;
         let t45 = strain_dot_s0_s1 * (-0.007142857142857143);
         let t46 = strain_dot_d_d * (-0.12857142857142856);
         let t47 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let t48 = strain_dot_s0_s0 * t43 * t44
-            + t44
+        let t48 = t41 * (strain_dot_s0_s0 * t44)
+            + t41
                 * (strain_dot_s0_d
                     * (strain_dot_s0_s0 * 0.0035714285714285713
                         + strain_dot_s0_d * 0.08571428571428572 + t45 + t46 + t47));
         let t49 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let t50 = t44
+        let t50 = t41
             * (strain_dot_s0_s1
                 * (t47
                     + (t49 + strain_dot_s0_d * (-0.007142857142857143)
@@ -574,20 +574,20 @@ pub mod spin_up_equations {
             + strain_dot_d_d * 0.5142857142857142
             + strain_dot_d_s1 * (-0.12857142857142856)
             + strain_dot_s1_s1 * 0.02142857142857143;
-        let t52 = t48 + t50 + t44 * (strain_dot_d_d * t51)
-            + t44
+        let t52 = t48 + t50 + t41 * (strain_dot_d_d * t51)
+            + t41
                 * (strain_dot_d_s1
                     * (t46 + (t45 + t49) + strain_dot_d_s1 * 0.08571428571428572
                         + strain_dot_s1_s1 * 0.0035714285714285713));
-        let t53 = t42
-            + (t41
+        let t53 = t43
+            + (t42
                 + (strain_dot_s0_s0 * 0.0011904761904761906
                     + strain_dot_s0_d * (-0.0035714285714285713)))
             + strain_dot_d_s1 * 0.0035714285714285713
             + strain_dot_s1_s1 * 0.014285714285714285;
         let t54 = 0.5 * (inverse_length * EI);
         let t55 = cross_s0_s1 * (-2.2);
-        let t56 = t52 + t44 * (strain_dot_s1_s1 * t53)
+        let t56 = t52 + t41 * (strain_dot_s1_s1 * t53)
             + t54 * (cross_s0_d * (cross_s0_d * 7.2 + t55 + cross_d_s1 * 1.2));
         let t57 = t56
             + t54

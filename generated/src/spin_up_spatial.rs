@@ -642,23 +642,23 @@ pub mod spin_up_spatial_equations {
         let strain_dot_d_s1 = dot_d_s1 - 1.0;
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y + s1_z * s1_z;
         let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
-        let t43 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t44 = strain_dot_d_d * 0.02142857142857143;
-        let t45 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t43 + t44
+        let t43 = length * EA * 0.5;
+        let t44 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t45 = strain_dot_d_d * 0.02142857142857143;
+        let t46 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t44 + t45
             + strain_dot_d_s1 * (-0.0035714285714285713)
             + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t46 = length * EA * 0.5;
         let t47 = strain_dot_s0_s1 * (-0.007142857142857143);
         let t48 = strain_dot_d_d * (-0.12857142857142856);
         let t49 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let t50 = strain_dot_s0_s0 * t45 * t46
-            + t46
+        let t50 = t43 * (strain_dot_s0_s0 * t46)
+            + t43
                 * (strain_dot_s0_d
                     * (strain_dot_s0_s0 * 0.0035714285714285713
                         + strain_dot_s0_d * 0.08571428571428572 + t47 + t48 + t49));
         let t51 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let t52 = t46
+        let t52 = t43
             * (strain_dot_s0_s1
                 * (t49
                     + (t51 + strain_dot_s0_d * (-0.007142857142857143)
@@ -669,37 +669,37 @@ pub mod spin_up_spatial_equations {
             + strain_dot_d_d * 0.5142857142857142
             + strain_dot_d_s1 * (-0.12857142857142856)
             + strain_dot_s1_s1 * 0.02142857142857143;
-        let t54 = t50 + t52 + t46 * (strain_dot_d_d * t53)
-            + t46
+        let t54 = t50 + t52 + t43 * (strain_dot_d_d * t53)
+            + t43
                 * (strain_dot_d_s1
                     * (t48 + (t47 + t51) + strain_dot_d_s1 * 0.08571428571428572
                         + strain_dot_s1_s1 * 0.0035714285714285713));
-        let t55 = t44
-            + (t43
+        let t55 = t45
+            + (t44
                 + (strain_dot_s0_s0 * 0.0011904761904761906
                     + strain_dot_s0_d * (-0.0035714285714285713)))
             + strain_dot_d_s1 * 0.0035714285714285713
             + strain_dot_s1_s1 * 0.014285714285714285;
-        let t56 = dot_d_d * 3.6;
-        let t57 = 0.5 * (inverse_length * EI);
-        let t58 = t54 + t46 * (strain_dot_s1_s1 * t55)
-            + dot_s0_s0 * (t56 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6) * t57;
+        let t56 = 0.5 * (inverse_length * EI);
+        let t57 = dot_d_d * 3.6;
+        let t58 = t54 + t43 * (strain_dot_s1_s1 * t55)
+            + t56 * (dot_s0_s0 * (t57 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6));
         let t59 = dot_s0_s1 * 2.2;
         let t60 = t58
-            + t57
+            + t56
                 * (dot_s0_d
                     * (dot_s0_d * (-7.2) + t59 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2)));
         let t61 = dot_s0_s1 * (-1.2);
         let t62 = t60
-            + t57
+            + t56
                 * (dot_s0_s1
                     * (dot_s0_d * 2.2 + t61 + dot_d_d * (-1.2) + dot_d_s1 * 2.2));
-        let t63 = t62 + t57 * (dot_d_d * (t61 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6))
-            + t57
+        let t63 = t62 + t56 * (dot_d_d * (t61 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6))
+            + t56
                 * (dot_d_s1
                     * (t59 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2)));
         *energy
-            += t63 + t57 * (dot_s1_s1 * (t56 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2))));
+            += t63 + t56 * (dot_s1_s1 * (t57 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2))));
     }
     /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
     ///

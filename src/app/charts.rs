@@ -91,14 +91,21 @@ impl Chart {
         ticks: usize,
     ) -> Result<(), impl Display + use<'a, Y>> {
         let style = ("sans-serif", TEXT).into_font().color(&INK);
+        let size = |(low, high): (f64, f64)| if low <= high { low.abs().max(high.abs()) } else { 0.0 };
+        let x_size = size(self.range(|point| point.0));
+        let y_size = if self.logarithmic {
+            0.0
+        } else {
+            size(self.range(|point| point.1))
+        };
         chart
             .configure_mesh()
             .x_desc(self.x.as_str())
             .y_desc(self.y.as_str())
             .x_labels(11)
             .y_labels(ticks)
-            .x_label_formatter(&|value| tick(*value))
-            .y_label_formatter(&|value| tick(*value))
+            .x_label_formatter(&|value| tick(*value, x_size))
+            .y_label_formatter(&|value| tick(*value, y_size))
             .label_style(style.clone())
             .axis_desc_style(style)
             .axis_style(INK.stroke_width(3))
@@ -145,9 +152,10 @@ fn decades((low, high): (f64, f64)) -> std::ops::Range<f64> {
     0.999 * 10f64.powf(first)..10f64.powf(last)
 }
 
-/// Short text of a tick's value.
-fn tick(value: f64) -> String {
-    // Ticks are short decimals up to the round-off of their computation.
+/// Short text of a tick's value on an axis with values up to `size`.
+fn tick(value: f64, size: f64) -> String {
+    // Ticks are short decimals up to the round-off of their computation, which shows at zero.
+    let value = if value.abs() < 1e-9 * size { 0.0 } else { value };
     super::parameters::digits(value, 6)
 }
 
@@ -215,6 +223,12 @@ mod tests {
         for label in ["0.001", "0.01", "0.1"] {
             assert!(svg.contains(label), "{label}");
         }
+    }
+
+    #[test]
+    fn zero_is_labelled_without_round_off() {
+        let svg = chart(vec![vec![(0.0, 0.0), (10.0, -0.533), (20.0, 0.008)]], false);
+        assert_eq!(svg.matches("\n0\n").count(), 2, "{svg}");
     }
 
     #[test]

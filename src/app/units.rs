@@ -45,6 +45,7 @@ const SYMBOLS: &[Symbol] = &[
     ("min", 60.0, 0, TIME, false),
     ("h", 3600.0, 0, TIME, false),
     ("d", 86400.0, 0, TIME, false),
+    ("day", 86400.0, 0, TIME, false),
     ("K", 1.0, 0, [0, 0, 0, 1, 0, 0], true),
     ("A", 1.0, 0, [0, 0, 0, 0, 1, 0], true),
     ("N", 1.0, 0, [1, 1, -2, 0, 0, 0], true),
@@ -63,6 +64,8 @@ const SYMBOLS: &[Symbol] = &[
     ("rpm", PI / 30.0, 0, ANGULAR_VELOCITY, false),
     ("au", 149_597_870_700.0, 0, LENGTH, false),
     ("AU", 149_597_870_700.0, 0, LENGTH, false),
+    ("inch", 0.0254, 0, LENGTH, false),
+    ("ft", 0.3048, 0, LENGTH, false),
     ("L", 1.0, -3, [3, 0, 0, 0, 0, 0], true),
     ("%", 1.0, -2, NONE, false),
     ("1", 1.0, 0, NONE, false),
@@ -303,6 +306,7 @@ mod tests {
         assert_eq!(si("1 rev/min"), TAU / 60.0);
         assert_eq!(si("30 rpm"), 30.0 * (PI / 30.0));
         assert_eq!(si("2 h"), 7200.0);
+        assert_eq!((si("2 day"), si("1 ft"), si("1 inch")), (172_800.0, 0.3048, 0.0254));
         assert_eq!(si("5 %"), 5e-2);
         assert_eq!(si(".5 um"), 0.5e-6);
     }

@@ -85,10 +85,10 @@ fn the_language_knows_the_new_element() {
     let text = "pub model Swing {
         material steel { density = 7800 kg/m^3; young = 210 GPa; poisson = 0.3; }
         section wire { area = 1 mm^2; second_moment = 0.08 mm^4; }
-        body line in inertial { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 4 * rope(wire, steel); }
-        joint top = pin(line.start, inertial);
+        body swing in inertial { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 4 * rope(wire, steel); }
+        joint top = pin(swing.start, inertial);
         load weight = gravity([0, 0, -9.81] m/s^2);
-        output z = line.end.z;
+        output z = swing.end.z;
     }";
     let library = Library::standard().with(PER_DEFORMED_LENGTH);
     let expansion = expand::text(text.parse().unwrap(), &library).unwrap();

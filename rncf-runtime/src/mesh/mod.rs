@@ -6,12 +6,14 @@
 mod assembly;
 mod checks;
 mod conditions;
+mod evaluate;
 mod frame;
 mod layout;
 mod line;
 mod parts;
 mod scene;
 mod steady;
+mod system;
 
 pub use checks::{array, array_mut, check_params, non_negative, poisson, positive};
 pub use frame::{FrameAction, FrameMotion};

@@ -1,9 +1,10 @@
 //! Outputs, energy, changes of formulation, and relative equilibria of a scene.
 
+use super::evaluate::{MAX_SIZE, weighted};
 use super::frame::{FrameMotion, cross, norm, subtract};
 use super::layout::VectorKind;
 use super::parts::{LoadKind, ObservedSpec, Parts, PointQuantity};
-use super::scene::{MAX_SIZE, MeshBody, MeshScene, Regime, undeformed, weighted};
+use super::scene::{MeshBody, MeshScene, Regime, undeformed};
 use crate::model::{FrameState, Scene};
 use crate::system::{State, System};
 

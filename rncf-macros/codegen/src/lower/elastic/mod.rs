@@ -1,0 +1,231 @@
+//! Elastic kernels of an element: force, tangent, energy and reference values, as a constant tensor
+//! or by integration points, unrolled or in a loop.
+
+mod nodal;
+mod points;
+mod tensor;
+
+use std::collections::HashMap;
+
+use crate::elements::{Element, Library};
+use crate::lower::invariants::{Blocks, Invariant};
+use crate::lower::kernel::{Kernel, PointLoop};
+use crate::lower::quadratic::base_vector;
+use crate::lower::signature::Signature;
+use crate::lower::variant::Variant;
+use crate::model::Quadrature;
+use crate::symbolic::{Graph, Id, linear::Vector};
+
+/// How the strain energy is integrated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Constant tensor, unrolled.
+    Tensor,
+    /// Integration points, unrolled.
+    Points,
+    /// Integration points in a loop.
+    Loop,
+}
+
+/// What a kernel computes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Generalised elastic and damping force.
+    Force,
+    /// Its derivatives with respect to positions and velocities.
+    Tangent,
+    /// Strain energy.
+    Energy,
+    /// Values in the stress-free shape that the other kernels subtract.
+    Reference,
+}
+
+/// Number of integration points of the rule, exact or not.
+pub fn points(element: &Element, quadrature: Quadrature) -> usize {
+    match quadrature {
+        Quadrature::Exact => element.default_points,
+        Quadrature::Gauss(points) => points,
+    }
+}
+
+/// The kernel of one quantity in one form; `None` where the form does not exist (a tensor of an
+/// energy that is not quadratic).
+pub fn kernel(variant: &Variant, library: &Library, form: Form, quantity: Quantity) -> Option<Kernel> {
+    // Reference values are computed once, so that nothing is gained by a loop.
+    let form = if (form, quantity) == (Form::Loop, Quantity::Reference) {
+        Form::Points
+    } else {
+        form
+    };
+    let mut builder = Builder::new(variant, library, form, quantity);
+    match form {
+        Form::Tensor => builder.tensor()?,
+        Form::Points | Form::Loop => builder.points(),
+    }
+    Some(builder.finish())
+}
+
+/// A stress state: on which invariants, of which vectors, and what it adds up to.
+struct State {
+    invariants: Vec<Invariant>,
+    stress: Vec<Id>,
+    stiffness: Vec<Vec<Id>>,
+    viscosity: Vec<Vec<Id>>,
+    energy: Id,
+}
+
+struct Builder<'a> {
+    variant: &'a Variant,
+    library: &'a Library,
+    element: &'a Element,
+    form: Form,
+    quantity: Quantity,
+    graph: Graph,
+    inverse_length: Id,
+    length: Id,
+    damping: Id,
+    coefficients: HashMap<&'static str, Id>,
+    /// Relative vectors and their rates.
+    vectors: Vec<Vector>,
+    rates: Vec<Vector>,
+    force: Vec<Vector>,
+    stiffness: Blocks,
+    viscosity: Option<Blocks>,
+    energy: Id,
+    references: Vec<Id>,
+    points: Option<PointLoop>,
+}
+
+impl<'a> Builder<'a> {
+    fn new(variant: &'a Variant, library: &'a Library, form: Form, quantity: Quantity) -> Self {
+        let element = variant.declaration(library);
+        let mut graph = Graph::new();
+        let length = graph.symbol("length");
+        let one = graph.one();
+        let inverse_length = graph.divide(one, length);
+        graph.name(inverse_length, "inverse_length");
+        let damping = graph.symbol("damping");
+        let coefficients = element
+            .coefficients
+            .iter()
+            .map(|c| (c.name, graph.symbol(c.name)))
+            .collect();
+        let mut builder = Self {
+            variant,
+            library,
+            element,
+            form,
+            quantity,
+            inverse_length,
+            length,
+            damping,
+            coefficients,
+            vectors: Vec::new(),
+            rates: Vec::new(),
+            force: Vec::new(),
+            stiffness: Vec::new(),
+            viscosity: None,
+            energy: graph.zero(),
+            references: Vec::new(),
+            points: None,
+            graph,
+        };
+        builder.vectors = builder.relative_vectors("");
+        if variant.damped && matches!(quantity, Quantity::Force | Quantity::Tangent) {
+            builder.rates = builder.relative_vectors("v_");
+        }
+        builder
+    }
+
+    /// Relative vectors from nodal ones: differences of positions over the length, slopes.
+    fn relative_vectors(&mut self, prefix: &str) -> Vec<Vector> {
+        let names = self.variant.component_names(self.library, prefix);
+        let nodal: Vec<Vector> = names
+            .iter()
+            .map(|list| list.iter().map(|name| self.graph.symbol(name.clone())).collect())
+            .collect();
+        let base = base_vector(self.element);
+        let mut relative = Vec::new();
+        for (index, vector) in self.element.vectors.iter().enumerate() {
+            if index == base {
+                continue;
+            }
+            if vector.order == 0 {
+                let difference = self.graph.subtract_vectors(&nodal[index], &nodal[base]);
+                let scaled = self.graph.scale(self.inverse_length, &difference);
+                for (c, &id) in scaled.iter().enumerate() {
+                    self.graph.name(id, format!("{prefix}d_{}", ["x", "y", "z"][c]));
+                }
+                relative.push(scaled);
+            } else {
+                relative.push(nodal[index].clone());
+            }
+        }
+        relative
+    }
+
+    /// Names of the relative vectors for documentation and variables.
+    fn relative_names(&self) -> Vec<String> {
+        let base = base_vector(self.element);
+        let vectors = self
+            .element
+            .vectors
+            .iter()
+            .enumerate()
+            .filter(|&(index, _)| index != base);
+        vectors
+            .map(|(_, vector)| {
+                if vector.order == 0 {
+                    "d".to_string()
+                } else {
+                    vector.name.to_string()
+                }
+            })
+            .collect()
+    }
+
+    fn length_power(&mut self, power: i32) -> Id {
+        if power >= 0 {
+            self.graph.power(self.length, power)
+        } else {
+            self.graph.power(self.inverse_length, -power)
+        }
+    }
+
+    fn reference_symbol(&mut self, index: usize) -> Id {
+        while self.references.len() <= index {
+            let next = self.references.len();
+            let symbol = self.graph.symbol(format!("reference[{next}]"));
+            self.references.push(symbol);
+        }
+        self.references[index]
+    }
+
+    /// Back to nodal vectors, and the function around it.
+    fn finish(mut self) -> Kernel {
+        let outputs = match self.quantity {
+            Quantity::Energy => vec![("*energy".to_string(), self.energy)],
+            Quantity::Reference => self
+                .references
+                .iter()
+                .enumerate()
+                .map(|(index, &id)| (format!("reference[{index}]"), id))
+                .collect(),
+            Quantity::Force => self.nodal_force(),
+            Quantity::Tangent => {
+                let stiffness = std::mem::take(&mut self.stiffness);
+                let mut outputs = self.nodal_blocks(&stiffness, "stiffness");
+                if let Some(viscosity) = self.viscosity.take() {
+                    outputs.extend(self.nodal_blocks(&viscosity, "damping_matrix"));
+                }
+                outputs
+            }
+        };
+        let signature = Signature {
+            variant: self.variant,
+            library: self.library,
+            references: self.references.len(),
+        };
+        signature.elastic(self.form, self.quantity, self.graph, self.points, outputs)
+    }
+}

@@ -1,0 +1,238 @@
+//! The documents are true: every model and every example in them is checked, every refusal is
+//! refused in the words that stand there, and every word of the language is described.
+//!
+//! Fenced blocks are told apart by their tag:
+//! * `rust` with a `model!` in it: a whole model, which must expand;
+//! * `rncf`: items; what they refer to and do not declare comes from the document's first model;
+//! * `refused`: one item a line, each followed by `//` and the message that it must get.
+
+use std::fs;
+use std::path::Path;
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use rncf_codegen::elements::Library;
+use rncf_codegen::parse::tree::Keyword;
+use rncf_codegen::{expand, units, vocabulary};
+
+/// Words that the parser knows and no table holds.
+#[rustfmt::skip]
+const WORDS: &[&str] = &[
+    "model", "run", "t_end", "every", "count", "in", "t", "pi", "inertial", "if", "else",
+    "rotating", "moving", "axis", "angle", "origin",
+    "planar", "spatial", "line", "arc", "mesh", "from", "to", "direction", "radius", "xy", "yz", "zx",
+    "quadrature", "evaluation", "gauss", "automatic", "tensor", "points", "loop",
+    "clamp", "clamp_full", "pin", "at", "start", "end", "gravity", "force", "moment",
+    "position", "velocity", "slope",
+    "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "min", "max",
+    "atan2",
+];
+
+/// Items that end with their braces; all others end with a semicolon.
+const BRACED: &[&str] = &["material", "section", "body", "run"];
+
+fn document(path: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// Contents of the fenced blocks with a tag.
+fn blocks(text: &str, tag: &str) -> Vec<String> {
+    let mut blocks: Vec<String> = Vec::new();
+    let mut open: Option<bool> = None;
+    for line in text.lines() {
+        match (line.trim_start().strip_prefix("```"), open) {
+            (Some(found), None) => {
+                open = Some(found.trim() == tag);
+                blocks.extend(open.filter(|wanted| *wanted).map(|_| String::new()));
+            }
+            (Some(_), Some(_)) => open = None,
+            (None, Some(true)) => *blocks.last_mut().unwrap() += &format!("{line}\n"),
+            (None, _) => {}
+        }
+    }
+    assert!(open.is_none(), "a fenced block is not closed");
+    blocks
+}
+
+/// All that is outside of fenced blocks.
+fn prose(text: &str) -> String {
+    text.split("```").step_by(2).collect()
+}
+
+/// The tokens between the parentheses or braces of every `model!` in a document.
+fn models(text: &str) -> Vec<TokenStream> {
+    let mut models = Vec::new();
+    for block in blocks(text, "rust").iter().filter(|block| block.contains("model!")) {
+        let file = syn::parse_file(block).unwrap_or_else(|error| panic!("{error} in\n{block}"));
+        for item in file.items {
+            let syn::Item::Macro(item) = item else { continue };
+            if item
+                .mac
+                .path
+                .segments
+                .last()
+                .is_some_and(|segment| segment.ident == "model")
+            {
+                models.push(item.mac.tokens);
+            }
+        }
+    }
+    models
+}
+
+/// Messages of the mistakes of a declaration.
+fn messages(tokens: TokenStream) -> Vec<String> {
+    match expand::text(tokens, &Library::standard()) {
+        Ok(_) => Vec::new(),
+        Err(mistakes) => mistakes.iter().map(|mistake| mistake.message.clone()).collect(),
+    }
+}
+
+/// The items of a model: kind, name, tokens.
+fn items(content: TokenStream) -> Vec<(String, String, TokenStream)> {
+    let mut items = Vec::new();
+    let mut item: Vec<TokenTree> = Vec::new();
+    for token in content {
+        let words = item.iter().filter_map(|token| match token {
+            TokenTree::Ident(word) => Some(word.to_string()),
+            _ => None,
+        });
+        let words: Vec<String> = words.take(2).collect();
+        let braced = words.first().is_some_and(|word| BRACED.contains(&word.as_str()));
+        let ends = match &token {
+            TokenTree::Punct(punct) => !braced && punct.as_char() == ';',
+            TokenTree::Group(group) => braced && group.delimiter() == Delimiter::Brace,
+            _ => false,
+        };
+        item.push(token);
+        if ends {
+            let [kind, name] = [0, 1].map(|at| words.get(at).cloned().unwrap_or_default());
+            items.push((kind, name, item.drain(..).collect()));
+        }
+    }
+    assert!(
+        item.is_empty(),
+        "items end with `;` or braces: {}",
+        item.into_iter().collect::<TokenStream>()
+    );
+    items
+}
+
+/// `example` and, of the first model of the document, what it does not declare itself.
+fn completed(tutorial: &TokenStream, example: &str) -> TokenStream {
+    let example: TokenStream = example.parse().unwrap_or_else(|error| panic!("{error} in\n{example}"));
+    let content = tutorial.clone().into_iter().find_map(|token| match token {
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),
+        _ => None,
+    });
+    let declared = items(example.clone());
+    let is_declared = |kind: &str, name: &str| {
+        declared
+            .iter()
+            .any(|(k, n, _)| n == name && (k == kind || kind != "output"))
+    };
+    let rest = items(content.expect("a model has braces")).into_iter();
+    let rest = rest
+        .filter(|(kind, name, _)| !is_declared(kind, name))
+        .map(|(.., tokens)| tokens);
+    let all: TokenStream = std::iter::once(example).chain(rest).collect();
+    format!("model Example {{ {all} }}")
+        .parse()
+        .expect("tokens make tokens")
+}
+
+#[test]
+fn every_whole_model_expands() {
+    for path in ["docs/language.md", "README.md"] {
+        let models = models(&document(path));
+        assert!(!models.is_empty(), "{path} shows a model");
+        for model in models {
+            let text = model.to_string();
+            assert_eq!(messages(model), Vec::<String>::new(), "{path}:\n{text}");
+        }
+    }
+}
+
+#[test]
+fn every_example_checks() {
+    let text = document("docs/language.md");
+    let tutorial = &models(&text)[0];
+    let examples = blocks(&text, "rncf");
+    assert!(
+        examples.len() >= 10,
+        "every section has an example, found {}",
+        examples.len()
+    );
+    for example in examples {
+        assert_eq!(
+            messages(completed(tutorial, &example)),
+            Vec::<String>::new(),
+            "{example}"
+        );
+    }
+}
+
+#[test]
+fn every_refusal_is_refused_in_these_words() {
+    let text = document("docs/language.md");
+    let tutorial = &models(&text)[0];
+    let refused = blocks(&text, "refused").concat();
+    let mut lines = refused.lines().filter(|line| !line.trim().is_empty());
+    let (mut count, mut wrong) = (0, Vec::new());
+    while let Some(example) = lines.next() {
+        let message = lines
+            .next()
+            .and_then(|line| line.trim().strip_prefix("// "))
+            .unwrap_or_else(|| {
+                panic!("`{example}` is followed by its message");
+            });
+        let found = messages(completed(tutorial, example));
+        if found != [message] {
+            wrong.push(format!("{example}\n  {}", found.join("\n  ")));
+        }
+        count += 1;
+    }
+    assert!(
+        wrong.is_empty(),
+        "other messages than in the document:\n{}",
+        wrong.join("\n")
+    );
+    assert!(count >= 10, "found {count} refusals");
+}
+
+#[test]
+fn every_word_is_described() {
+    let text = document("docs/language.md");
+    let library = Library::standard();
+    let mut words: Vec<&str> = WORDS.to_vec();
+    words.extend(Keyword::ALL.map(Keyword::word));
+    words.extend(
+        vocabulary::MATERIAL
+            .iter()
+            .chain(vocabulary::SECTION)
+            .map(|property| property.name),
+    );
+    words.extend(units::UNITS.iter().map(|unit| unit.symbol));
+    for element in &library.elements {
+        words.extend(element.names);
+        for option in element.options {
+            words.push(option.name);
+            words.extend(option.values);
+        }
+    }
+    // In prose and tables a word stands in backticks, alone or with what belongs to it.
+    let prose = prose(&text);
+    let spans: Vec<&str> = prose.split('`').skip(1).step_by(2).collect();
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let described = |word: &str| {
+        spans
+            .iter()
+            .any(|span| span.split(|c| !is_word(c)).any(|part| part == word))
+    };
+    let missing: Vec<&str> = words.into_iter().filter(|word| !described(word)).collect();
+    assert_eq!(
+        missing,
+        Vec::<&str>::new(),
+        "docs/language.md does not describe these words"
+    );
+}

@@ -1,0 +1,238 @@
+//! Forces and tangents of all nodal components at a state.
+
+use super::assembly::evaluate;
+use super::conditions::Condition;
+use super::frame::add;
+use super::layout::VectorKind;
+use super::parts::{LoadKind, Parts, Prescribed};
+use super::scene::{Buffers, MeshBody, MeshScene, Regime};
+
+/// Degrees of freedom of the largest element.
+pub(super) const MAX_SIZE: usize = 32;
+
+/// `sum_a weight_a q_a` of an element.
+pub(super) fn weighted(full: &[f64], components: &[usize], dimension: usize, weights: &[f64]) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for (place, &component) in components.iter().enumerate() {
+        sum[place % dimension] += weights[place / dimension] * full[component];
+    }
+    sum
+}
+
+impl<P: Parts> MeshScene<P> {
+    /// Fills the full state: frames, prescribed vectors, then the unknowns.
+    pub(super) fn load_state(&mut self, t: f64, x: &[f64], v: &[f64], a: &[f64], regime: Regime) {
+        let buffers = &mut self.buffers;
+        self.parts.frames(t, &mut buffers.frames);
+        if let Regime::Steady(scale) = regime {
+            for frame in &mut buffers.frames {
+                *frame = frame.steady(scale);
+            }
+        }
+        for condition in &self.conditions {
+            let dimension = self.bodies[self.joints[condition.joint].body].spec.dimension();
+            let slope_prescribed = condition.slope_kind == VectorKind::Prescribed;
+            if !condition.position_eliminated && !slope_prescribed {
+                continue;
+            }
+            let mut prescribed = Prescribed::default();
+            self.parts
+                .prescribed(condition.joint, condition.absolute, t, &condition.data, &mut prescribed);
+            let mut set = |vector: usize, values: [[f64; 3]; 3]| {
+                let place = self.layout.offset(vector);
+                buffers.q[place..place + dimension].copy_from_slice(&values[0][..dimension]);
+                buffers.v[place..place + dimension].copy_from_slice(&values[1][..dimension]);
+                buffers.a[place..place + dimension].copy_from_slice(&values[2][..dimension]);
+            };
+            if condition.position_eliminated {
+                set(condition.position, prescribed.position);
+            }
+            if slope_prescribed {
+                set(condition.slope, prescribed.slope);
+            }
+        }
+        self.layout.expand(x, &mut buffers.q);
+        self.layout.expand(v, &mut buffers.v);
+        self.layout.expand(a, &mut buffers.a);
+    }
+
+    /// Sum of all gravity loads, inertial axes.
+    pub(super) fn gravity(&self, t: f64) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        for (index, load) in self.loads.iter().enumerate() {
+            if load.kind == LoadKind::Gravity {
+                sum = add(
+                    sum,
+                    self.buffers.frames[load.frame].direction_to_inertial(self.parts.load(index, t)),
+                );
+            }
+        }
+        sum
+    }
+
+    /// `M a + f` of all components at the loaded state; loads are multiplied by `load_scale`.
+    pub(super) fn full_force(&mut self, t: f64, load_scale: f64) {
+        let gravity = self.gravity(t).map(|g| load_scale * g);
+        let Buffers {
+            q,
+            v,
+            a,
+            force,
+            frames,
+            results,
+        } = &mut self.buffers;
+        force.fill(0.0);
+        for (index, body) in self.bodies.iter().enumerate() {
+            let action = frames[body.frame].action(body.spec.axes, gravity);
+            let size = body.spec.element_size();
+            let (q, v, a): (&[f64], &[f64], &[f64]) = (q, v, a);
+            evaluate(body.spec.count, size, results, |element, result| {
+                let mut local = [[0.0; MAX_SIZE]; 3];
+                for (values, full) in local.iter_mut().zip([q, v, a]) {
+                    body.connectivity.gather(element, full, &mut values[..size]);
+                }
+                let [q, v, a] = &local;
+                self.parts.force(
+                    index,
+                    element,
+                    body.frame == 0,
+                    &action,
+                    &q[..size],
+                    &v[..size],
+                    &a[..size],
+                    result,
+                );
+            });
+            for element in 0..body.spec.count {
+                let local = &results[element * size..(element + 1) * size];
+                for (&component, value) in body.connectivity.element(element).iter().zip(local) {
+                    force[component] += value;
+                }
+            }
+        }
+        self.add_loads(t, load_scale);
+    }
+
+    /// Force or moment of a load in the axes of its body, in their order.
+    fn load_in_body(&self, index: usize, t: f64, body: &MeshBody) -> [f64; 3] {
+        let load = &self.loads[index];
+        let mut value = self.parts.load(index, t);
+        if load.frame != body.frame {
+            let frames = &self.buffers.frames;
+            value = frames[body.frame].direction_to_frame(frames[load.frame].direction_to_inertial(value));
+        }
+        match (&load.kind, body.spec.axes) {
+            (LoadKind::Moment { .. }, &[first, second]) => [value[3 - first - second], 0.0, 0.0],
+            (_, axes) => {
+                let mut components = [0.0; 3];
+                for (place, &axis) in axes.iter().enumerate() {
+                    components[place] = value[axis];
+                }
+                components
+            }
+        }
+    }
+
+    fn add_loads(&mut self, t: f64, load_scale: f64) {
+        for index in 0..self.loads.len() {
+            let Some(point) = &self.load_points[index] else {
+                continue;
+            };
+            let body = &self.bodies[point.body];
+            let dimension = body.spec.dimension();
+            let value = self.load_in_body(index, t, body).map(|x| load_scale * x);
+            let components = body.connectivity.element(point.element);
+            match self.loads[index].kind {
+                LoadKind::Gravity => {}
+                LoadKind::Force { .. } => {
+                    for (place, &component) in components.iter().enumerate() {
+                        let weight = point.values[place / dimension];
+                        self.buffers.force[component] -= weight * value[place % dimension];
+                    }
+                }
+                LoadKind::Moment { .. } => {
+                    let slope = weighted(&self.buffers.q, components, dimension, &point.slopes);
+                    let mut force = [0.0; 3];
+                    self.parts
+                        .moment(dimension, &slope[..dimension], value, &mut force[..dimension]);
+                    for (place, &component) in components.iter().enumerate() {
+                        let weight = point.slopes[place / dimension];
+                        self.buffers.force[component] -= weight * force[place % dimension];
+                    }
+                }
+            }
+        }
+    }
+
+    /// Derivatives of [`MeshScene::full_force`] at the loaded state, on the pattern.
+    pub(super) fn full_tangent(&mut self, t: f64, load_scale: f64, stiffness: &mut [f64], damping: &mut [f64]) {
+        stiffness.fill(0.0);
+        damping.fill(0.0);
+        let Buffers {
+            q, v, frames, results, ..
+        } = &mut self.buffers;
+        for (index, body) in self.bodies.iter().enumerate() {
+            let action = frames[body.frame].action(body.spec.axes, [0.0; 3]);
+            let size = body.spec.element_size();
+            let (q, v): (&[f64], &[f64]) = (q, v);
+            let width = 2 * size * size;
+            evaluate(body.spec.count, width, results, |element, result| {
+                let mut local = [[0.0; MAX_SIZE]; 2];
+                for (values, full) in local.iter_mut().zip([q, v]) {
+                    body.connectivity.gather(element, full, &mut values[..size]);
+                }
+                let (k, c) = result.split_at_mut(size * size);
+                let [q, v] = &local;
+                self.parts
+                    .tangent(index, element, body.frame == 0, &action, &q[..size], &v[..size], k, c);
+            });
+            for element in 0..body.spec.count {
+                let (k, c) = results[element * width..(element + 1) * width].split_at(size * size);
+                body.scatter.add(element, k, stiffness);
+                body.scatter.add(element, c, damping);
+            }
+        }
+        self.add_load_tangents(t, load_scale, stiffness);
+    }
+
+    fn add_load_tangents(&self, t: f64, load_scale: f64, stiffness: &mut [f64]) {
+        for (index, point) in self.load_points.iter().enumerate() {
+            let (Some(point), LoadKind::Moment { .. }) = (point, self.loads[index].kind) else {
+                continue;
+            };
+            let body = &self.bodies[point.body];
+            let (dimension, size) = (body.spec.dimension(), body.spec.element_size());
+            let value = self.load_in_body(index, t, body).map(|x| load_scale * x);
+            let slope = weighted(
+                &self.buffers.q,
+                body.connectivity.element(point.element),
+                dimension,
+                &point.slopes,
+            );
+            let mut block = [0.0; 9];
+            self.parts.moment_tangent(
+                dimension,
+                &slope[..dimension],
+                value,
+                &mut block[..dimension * dimension],
+            );
+            let mut local = vec![0.0; size * size];
+            for row in 0..size {
+                for column in 0..size {
+                    let weight = point.slopes[row / dimension] * point.slopes[column / dimension];
+                    local[row * size + column] = -weight * block[row % dimension * dimension + column % dimension];
+                }
+            }
+            body.scatter.add(point.element, &local, stiffness);
+        }
+    }
+
+    /// Position and slope of a condition's node in one of the full arrays.
+    pub(super) fn node(&self, condition: &Condition, full: &[f64]) -> [f64; 6] {
+        let mut node = [0.0; 6];
+        for (place, component) in self.condition_components(condition).into_iter().enumerate() {
+            node[place] = full[component];
+        }
+        node
+    }
+}
