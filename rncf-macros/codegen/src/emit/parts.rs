@@ -347,13 +347,20 @@ impl Parts<'_> {
             let size = self.variant(index).variant.size(self.library);
             let damped = self.variant(index).variant.damped;
             let (v, damping) = if damped { ("v, ", ", damping_matrix") } else { ("", "") };
-            let inertia = if body.frame == crate::model::INERTIAL {
+            let inertial = body.frame == crate::model::INERTIAL;
+            // An undamped body at rest has no velocity terms: no kernel would fix the matrix's size.
+            let matrix = if damped || !inertial {
+                "let damping_matrix = ::rncf::mesh::array_mut(damping);\n"
+            } else {
+                ""
+            };
+            let inertia = if inertial {
                 String::new()
             } else {
                 format!("if !absolute {{ {name}_inertia_tangent(&self.row_{row}, frame, stiffness, damping_matrix); }}")
             };
             format!(
-                "let [q, v]: [&[f64; {size}]; 2] = [q, v].map(::rncf::mesh::array);\nlet stiffness = ::rncf::mesh::array_mut(stiffness);\nlet damping_matrix = ::rncf::mesh::array_mut(damping);\n{name}_elastic_tangent(&self.row_{row}, {reference}q, {v}stiffness{damping});\n{inertia}"
+                "let [q, v]: [&[f64; {size}]; 2] = [q, v].map(::rncf::mesh::array);\nlet stiffness = ::rncf::mesh::array_mut(stiffness);\n{matrix}{name}_elastic_tangent(&self.row_{row}, {reference}q, {v}stiffness{damping});\n{inertia}"
             )
         });
         let energy = self.by_body(|index, body| {
