@@ -1,0 +1,47 @@
+//! The compiler's report as text: `.stderr` files.
+
+/// One error.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Report {
+    /// Line of the program, from 1.
+    pub line: usize,
+    /// The text above the `^`s.
+    pub underlined: String,
+    /// What follows `error: `.
+    pub message: String,
+}
+
+/// All errors of a report, sorted.
+///
+/// ```text
+/// error: unknown unit `Gpa`: did you mean `GPa`?
+///  --> compile_fail/units/unknown.rs:8:56
+///   |
+/// 8 |         material steel { young = 210 Gpa; }
+///   |                                      ^^^
+/// ```
+pub fn reports(stderr: &str) -> Vec<Report> {
+    let mut reports: Vec<Report> = stderr.split("\n\n").filter_map(report).collect();
+    reports.sort();
+    reports
+}
+
+/// One error; `None` for a block that is none.
+fn report(block: &str) -> Option<Report> {
+    let lines: Vec<&str> = block.trim_start().lines().collect();
+    let message = lines
+        .first()?
+        .strip_prefix("error")?
+        .trim_start_matches(": ")
+        .to_string();
+    let carets = lines.iter().position(|line| line.contains('^'))?;
+    let (number, source) = lines[carets - 1].split_once(" | ")?;
+    let shift = lines[carets].find("| ")? + 2;
+    let mark = &lines[carets][shift..];
+    let (from, count) = (mark.find('^')?, mark.matches('^').count());
+    Some(Report {
+        line: number.trim().parse().ok()?,
+        underlined: source.chars().skip(from).take(count).collect(),
+        message,
+    })
+}
