@@ -28,8 +28,8 @@ fn programs() -> Vec<PathBuf> {
     programs
 }
 
-/// The declaration inside `rncf::model! { .. }`, and the number of lines before it.
-fn declaration(program: &str) -> (&str, usize) {
+/// The declaration inside `rncf::model! { .. }`, on the lines where it stands.
+fn declaration(program: &str) -> String {
     const HEAD: &str = "rncf::model! {";
     let start = program.find(HEAD).expect("a program declares a model") + HEAD.len();
     let mut depth = 1;
@@ -37,19 +37,24 @@ fn declaration(program: &str) -> (&str, usize) {
         depth += i32::from(letter == '{') - i32::from(letter == '}');
         depth == 0
     });
-    let text = &program[start..start + end.expect("the braces of the model close")];
-    (text, program[..start].lines().count() - 1)
+    let above = "\n".repeat(program[..start].matches('\n').count());
+    above + &program[start..start + end.expect("the braces of the model close")]
 }
 
 /// What the library says of a program's model, in the form of the compiler's report.
 fn found(program: &str) -> Vec<Report> {
-    let (text, above) = declaration(program);
+    let text = declaration(program);
     let tokens = text.parse().expect("the declaration consists of tokens");
     let mistakes = expand::text(tokens, &Library::standard()).expect_err("the model has a mistake");
     let mut reports: Vec<Report> = mistakes
         .into_iter()
         .map(|mistake| Report {
-            line: mistake.area.line() + above,
+            line: text
+                .lines()
+                .nth(mistake.area.line() - 1)
+                .unwrap_or_default()
+                .trim()
+                .to_string(),
             underlined: mistake.area.source_text().expect("the text is at hand"),
             message: mistake.message,
         })
