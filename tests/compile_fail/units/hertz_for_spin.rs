@@ -7,8 +7,8 @@ rncf::model! {
         param spin = 4 rad/s;
         material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
         section wire { area = 1 mm^2; second_moment = 0.08 mm^4; }
-        motion theta(t) = 4 Hz * t;
-        frame hub = rotating(axis = z, angle = theta(t));
+        motion theta(t) = spin * t;
+        frame hub = rotating(axis = z, angle = 4 Hz * t);
         body rod in hub {
             planar xy;
             line from [0, 0, 0] m to [1, 0, 0] m;
