@@ -4,6 +4,8 @@
 #![deny(clippy::all)]
 #![forbid(unsafe_code)]
 
+pub mod everything;
+
 rncf::model! {
     /// A damped rod beside the axis of a hub that gathers speed and trembles.
     pub model Swing {
