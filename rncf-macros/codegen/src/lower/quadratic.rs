@@ -200,8 +200,10 @@ mod tests {
         let terms = tensor_terms(&CABLE, 3, &[0], Quadrature::Exact).unwrap();
         assert_eq!((terms[0].coefficient, terms[0].power), ("EA", 1));
         assert_eq!((terms[1].coefficient, terms[1].power), ("EI", -1));
+        // D comes second of the relative vectors: D.D is the fourth invariant.
+        assert_eq!((invariants(3, 3)[3].i, invariants(3, 3)[3].j), (1, 1));
         // int 1/4 h_D^4 = 1/4 * 6^4 int xi^4 (1 - xi)^4 = 1296/2520
-        assert_eq!(terms[0].tensor[0][0], (1296.0 / 4.0) / 630.0);
+        assert_eq!(terms[0].tensor[3][3], (1296.0 / 4.0) / 630.0);
         assert!(tensor_terms(&CABLE, 3, &[1], Quadrature::Exact).is_none());
         assert!(tensor_terms(&CABLE, 2, &[1], Quadrature::Exact).is_none());
         let planar = tensor_terms(&CABLE, 2, &[0], Quadrature::Exact).unwrap();
