@@ -12,7 +12,7 @@ use crate::beam::{Beam, Chain, Root};
 use crate::dense::{Cholesky, Matrix};
 use crate::element::Weights;
 use crate::inertia::{Frame, State};
-use crate::spin_up::SpinUp;
+use crate::spin_up::{Motion, SpinUp};
 use crate::system::System;
 
 /// States `(x, x')`; `x` is the slope's norm `u` where the root is clamped, then the free coordinates of the chain.

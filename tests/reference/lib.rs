@@ -4,6 +4,7 @@
 //!   code with run-time loops; also the yardstick of the benches.
 //! - [`spin_up`], [`beam`], [`rotating_beam`], [`inertial_beam`]: the spin-up beam (THEORY 9.1) in the rotating and in
 //!   the inertial frame, as first-order systems.
+//! - [`swing`]: another motion of the same beam, for scenes that are nobody's example.
 //! - [`pendulum`]: the planar pendulum (THEORY 10, T1) with its exact multiplier.
 //! - [`system`], [`integrate`]: what a first-order system offers, and its integration by russell_ode.
 //! - [`table`]: the published numbers and recorded histories.
@@ -20,6 +21,7 @@ pub mod pendulum;
 pub mod quadrature;
 pub mod rotating_beam;
 pub mod spin_up;
+pub mod swing;
 pub mod system;
 pub mod table;
 pub mod tensor;

@@ -7,16 +7,16 @@ use crate::beam::{Beam, Chain, Root};
 use crate::dense::{Cholesky, Matrix};
 use crate::element::Weights;
 use crate::inertia::{Frame, State};
-use crate::spin_up::SpinUp;
+use crate::spin_up::{Motion, SpinUp};
 use crate::system::System;
 
 /// States `(x, x')` with `x` the free coordinates of the chain in the rotating frame.
 ///
 /// `M x'' = - (2 M [w] x' + M ([w'] + [w][w]) q + F_e + d A^T r'')`, rows of the free coordinates.
 #[derive(Clone, Debug)]
-pub struct RotatingBeam {
+pub struct RotatingBeam<M = SpinUp> {
     chain: Chain,
-    motion: SpinUp,
+    motion: M,
     /// Places of the free coordinates in the chain.
     free: Vec<usize>,
     straight: Vec<f64>,
@@ -25,12 +25,12 @@ pub struct RotatingBeam {
     mass: Matrix,
 }
 
-impl RotatingBeam {
+impl<M: Motion> RotatingBeam<M> {
     /// Beam that starts straight along x of a frame which turns about z by `motion`.
     ///
     /// # Errors
     /// As [`Chain::new`].
-    pub fn new(beam: Beam, motion: SpinUp) -> Result<Self> {
+    pub fn new(beam: Beam, motion: M) -> Result<Self> {
         let chain = Chain::new(beam)?;
         let n = chain.dimension();
         let held = match beam.root {
@@ -65,7 +65,7 @@ impl RotatingBeam {
     }
 
     /// The prescribed motion.
-    pub fn motion(&self) -> &SpinUp {
+    pub fn motion(&self) -> &M {
         &self.motion
     }
 
@@ -102,6 +102,18 @@ impl RotatingBeam {
         })
     }
 
+    /// The frame's motion at time `t`.
+    fn frame(&self, t: f64) -> Frame {
+        let (turn, radius) = (self.motion.at(t), self.chain.beam().hub_radius);
+        Frame {
+            spin: [0.0, 0.0, turn.rate],
+            spin_rate: [0.0, 0.0, turn.acceleration],
+            origin_acceleration: [-radius * turn.rate * turn.rate, radius * turn.acceleration, 0.0],
+        }
+    }
+}
+
+impl RotatingBeam<SpinUp> {
     /// Relative equilibrium at the final spin (THEORY 8): states with `x' = 0` that balance, by Newton's method from the
     /// straight beam.
     ///
@@ -131,19 +143,9 @@ impl RotatingBeam {
         }
         Err("the relative equilibrium did not converge in ten Newton steps: lower the spin".into())
     }
-
-    /// The frame's motion at time `t`.
-    fn frame(&self, t: f64) -> Frame {
-        let (turn, radius) = (self.motion.at(t), self.chain.beam().hub_radius);
-        Frame {
-            spin: [0.0, 0.0, turn.rate],
-            spin_rate: [0.0, 0.0, turn.acceleration],
-            origin_acceleration: [-radius * turn.rate * turn.rate, radius * turn.acceleration, 0.0],
-        }
-    }
 }
 
-impl System for RotatingBeam {
+impl<M: Motion> System for RotatingBeam<M> {
     fn size(&self) -> usize {
         2 * self.free.len()
     }

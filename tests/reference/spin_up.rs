@@ -21,6 +21,12 @@ pub struct Rotation {
     pub acceleration: f64,
 }
 
+/// A prescribed rotation about z.
+pub trait Motion: Send + Sync {
+    /// Angle, rate and acceleration at time `t >= 0` (s).
+    fn at(&self, t: f64) -> Rotation;
+}
+
 impl SpinUp {
     /// Run-up to `spin` (rad/s) within `duration` (s; 15 in THEORY 9.1).
     ///
@@ -39,9 +45,10 @@ impl SpinUp {
     pub fn duration(&self) -> f64 {
         self.duration
     }
+}
 
-    /// Angle, rate and acceleration at time `t >= 0` (s).
-    pub fn at(&self, t: f64) -> Rotation {
+impl Motion for SpinUp {
+    fn at(&self, t: f64) -> Rotation {
         let Self { spin, duration } = *self;
         if t > duration {
             return Rotation {

@@ -1,12 +1,12 @@
-//! The motion: its derivatives, and its join at the end of the run-up.
+//! The motions: their derivatives, and the join at the end of the run-up.
 
 use crate::differences::jacobian;
-use rncf_tests::spin_up::SpinUp;
+use rncf_tests::spin_up::{Motion, SpinUp};
+use rncf_tests::swing::Swing;
 
-#[test]
-fn derivatives_are_derivatives() {
-    let motion = SpinUp::new(4.0, 15.0).unwrap();
-    for t in [0.5, 3.0, 11.0, 14.5, 16.0] {
+/// Rate and acceleration against differences.
+fn check(motion: &impl Motion, times: &[f64]) {
+    for &t in times {
         let rates = jacobian(|t| vec![motion.at(t[0]).angle, motion.at(t[0]).rate], &[t], 1e-2).concat();
         let at = motion.at(t);
         assert!(
@@ -14,6 +14,12 @@ fn derivatives_are_derivatives() {
             "t = {t}"
         );
     }
+}
+
+#[test]
+fn derivatives_are_derivatives() {
+    check(&SpinUp::new(4.0, 15.0).unwrap(), &[0.5, 3.0, 11.0, 14.5, 16.0]);
+    check(&Swing::new(1.5, 0.05, 1.1).unwrap(), &[0.5, 3.0, 11.0]);
 }
 
 #[test]

@@ -1,8 +1,6 @@
 //! A kernel: a function of numbers that is emitted as straight-line code, with at most one loop over
 //! integration points in the middle.
 
-use std::collections::HashMap;
-
 use crate::symbolic::{Cost, Graph, Id};
 
 /// A function to emit.
@@ -57,18 +55,27 @@ impl Kernel {
     /// All nodes that the kernel evaluates, in topological order, with their stage.
     pub fn schedule(&self) -> Vec<(Id, Stage)> {
         let mut roots: Vec<Id> = self.outputs.iter().map(|&(_, id)| id).collect();
-        let mut stages: HashMap<Id, Stage> = HashMap::new();
+        let mut stages = vec![Stage::Before; self.graph.len()];
         if let Some(points) = &self.points {
             roots.extend(points.sums.iter().map(|&(_, summand)| summand));
-            stages.extend(points.varying.iter().map(|&id| (id, Stage::Inside)));
-            stages.extend(points.sums.iter().map(|&(sum, _)| (sum, Stage::After)));
+            points
+                .varying
+                .iter()
+                .for_each(|id| stages[id.0 as usize] = Stage::Inside);
+            points
+                .sums
+                .iter()
+                .for_each(|(sum, _)| stages[sum.0 as usize] = Stage::After);
         }
         let mut schedule = Vec::new();
         for id in self.graph.reachable(&roots) {
             let children = self.graph.children(id);
-            let own = stages.get(&id).copied().unwrap_or(Stage::Before);
-            let stage = children.iter().map(|child| stages[child]).fold(own, Stage::max);
-            stages.insert(id, stage);
+            let own = stages[id.0 as usize];
+            let stage = children
+                .iter()
+                .map(|child| stages[child.0 as usize])
+                .fold(own, Stage::max);
+            stages[id.0 as usize] = stage;
             schedule.push((id, stage));
         }
         schedule

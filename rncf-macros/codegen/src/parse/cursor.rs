@@ -109,6 +109,11 @@ impl Cursor {
         matches!(self.peek_second(), Some(TokenTree::Punct(punct)) if punct.as_char() == c)
     }
 
+    /// Whether the token after the next is punctuation, or there is none.
+    pub fn is_second_punct_or_end(&self) -> bool {
+        matches!(self.peek_second(), Some(TokenTree::Punct(_)) | None)
+    }
+
     pub fn eat_punct(&mut self, c: char) -> bool {
         let is = self.is_punct(c);
         self.at += usize::from(is);

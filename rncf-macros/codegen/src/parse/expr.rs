@@ -12,7 +12,8 @@ use crate::model::{Binary, Comparison};
 /// Greatest height of an expression tree: recursion over it stays far from the stack's end.
 const MAX_HEIGHT: usize = 200;
 
-/// Words that end an expression and never name a unit, besides the keywords of items.
+/// Words that end an expression and never name a unit, besides the keywords of items. Where a value is
+/// expected they may be names (`radius * 2`), but not before the word, literal or bracket with which a statement goes on.
 const STOP: &[&str] = &[
     "angle",
     "radius",
@@ -200,7 +201,8 @@ fn primary(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
     if cursor.is_word("if") {
         return conditional(cursor, depth);
     }
-    if cursor.word().is_none() || STOP.iter().any(|word| cursor.is_word(word)) {
+    let ends = STOP.iter().any(|word| cursor.is_word(word)) && !cursor.is_second_punct_or_end();
+    if cursor.word().is_none() || ends {
         return Err(cursor.expected("a value"));
     }
     let name = cursor.expect_name("a value")?;

@@ -1,9 +1,30 @@
 //! Derivatives and substitution.
 
 use std::collections::HashMap;
+use std::ops::Index;
 
 use super::{Graph, Id, Node};
 use crate::model::Function;
+
+/// What became of the nodes that a graph had at the start; a table, since a walk asks for each of them many times.
+struct Done(Vec<Id>);
+
+impl Done {
+    fn new(graph: &Graph) -> Self {
+        Self(vec![Id(0); graph.len()])
+    }
+
+    fn insert(&mut self, id: Id, new: Id) {
+        self.0[id.0 as usize] = new;
+    }
+}
+
+impl Index<&Id> for Done {
+    type Output = Id;
+    fn index(&self, id: &Id) -> &Id {
+        &self.0[id.0 as usize]
+    }
+}
 
 impl Graph {
     /// `sum_s d(of)/ds * rates[s]`: with `rates = {x: 1}` the partial derivative with respect to x,
@@ -12,7 +33,7 @@ impl Graph {
     /// `abs`, `min` and `max` are differentiated branch by branch; `if` likewise, as a motion is
     /// smooth between its kinks.
     pub fn differentiate(&mut self, of: Id, rates: &HashMap<Id, Id>) -> Id {
-        let mut done: HashMap<Id, Id> = HashMap::new();
+        let mut done = Done::new(self);
         for id in self.reachable(&[of]) {
             let derivative = self.node_derivative(id, rates, &done);
             done.insert(id, derivative);
@@ -26,8 +47,14 @@ impl Graph {
         self.differentiate(of, &HashMap::from([(with, one)]))
     }
 
-    fn node_derivative(&mut self, id: Id, rates: &HashMap<Id, Id>, done: &HashMap<Id, Id>) -> Id {
+    fn node_derivative(&mut self, id: Id, rates: &HashMap<Id, Id>, done: &Done) -> Id {
         match self.node(id) {
+            // Most nodes do not depend on one symbol.
+            Node::Add(a, b) | Node::Subtract(a, b) | Node::Multiply(a, b) | Node::Divide(a, b)
+                if self.is_zero(done[&a]) && self.is_zero(done[&b]) =>
+            {
+                done[&a]
+            }
             Node::Number(_) => self.zero(),
             Node::Symbol(_) => match rates.get(&id) {
                 Some(&rate) => rate,
@@ -136,7 +163,7 @@ impl Graph {
 
     /// The expression with nodes replaced.
     pub fn substitute(&mut self, of: Id, replacements: &HashMap<Id, Id>) -> Id {
-        let mut done: HashMap<Id, Id> = HashMap::new();
+        let mut done = Done::new(self);
         for id in self.reachable(&[of]) {
             let new = match replacements.get(&id) {
                 Some(&replacement) => replacement,
@@ -147,7 +174,7 @@ impl Graph {
         done[&of]
     }
 
-    fn rebuild(&mut self, id: Id, done: &HashMap<Id, Id>) -> Id {
+    fn rebuild(&mut self, id: Id, done: &Done) -> Id {
         match self.node(id) {
             Node::Number(_) | Node::Symbol(_) => id,
             Node::Add(a, b) => self.add(done[&a], done[&b]),

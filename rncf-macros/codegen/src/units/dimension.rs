@@ -1,7 +1,7 @@
 //! Dimension algebra with rational exponents of m, kg, s, K, A. An angle is a plain number here;
 //! that something was written as an angle is tracked lexically by the checks of expressions.
 
-use super::table::NAMES;
+use super::names::NAMES;
 
 /// A rational exponent, reduced, with a positive denominator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

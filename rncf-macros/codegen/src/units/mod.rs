@@ -2,6 +2,7 @@
 //! is the f64 nearest to 68.95e9.
 
 mod dimension;
+mod names;
 mod number;
 mod table;
 

@@ -272,3 +272,26 @@ fn a_planar_arc() {
     assert_eq!(model.bodies[0].space, Space::Planar { normal: 1 });
     assert_eq!(model.visibility, "pub(crate)");
 }
+
+/// Words of one statement are names in the expressions of others.
+#[test]
+fn words_of_statements_are_names_in_expressions() {
+    let model = model(
+        "model Words {
+            param radius = 2 m;  param angle = 3 deg;  param direction = 1 m;
+            material steel { density = 7850 kg/m^3; young = 210 GPa; }
+            section thin { area = 1 mm^2; second_moment = 1 mm^4; }
+            body line {
+                planar xy;
+                arc from [radius, 2*direction, 0] direction [1, 0, 0] radius (radius) angle angle;
+                mesh 8 * cable(thin, steel);
+            }
+            joint foot = pin(line.start, inertial);
+            output x = line.end.x - (radius + direction) / angle;
+        }",
+    );
+    let Line::Arc { radius, angle, .. } = &model.bodies[0].line else {
+        panic!("arc")
+    };
+    assert_eq!((radius, angle), (&Param(ParamId(0)), &Param(ParamId(1))));
+}

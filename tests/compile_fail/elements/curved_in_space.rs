@@ -1,0 +1,22 @@
+//! A curved cable in space.
+
+rncf::model! {
+    /// A rod on a turning hub.
+    pub model Rod {
+        /// Angular velocity of the hub.
+        param spin = 4 rad/s;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section wire { area = 1 mm^2; second_moment = 0.08 mm^4; }
+        motion theta(t) = spin * t;
+        frame hub = rotating(axis = z, angle = theta(t));
+        body rod in hub {
+            spatial;
+            arc from [0, 0, 0] m direction [1, 0, 0] radius 2 m angle 30 deg;
+            mesh 4 * cable(wire, steel);
+        }
+        joint root = clamp(rod.start, hub);
+        output tip = rod.end;
+    }
+}
+
+fn main() {}
