@@ -8,7 +8,7 @@ use rncf_tests::element::Data;
 use rncf_tests::inertia::{Frame, State as Coordinates};
 use rncf_tests::integrate::{Method, agreed};
 use rncf_tests::rotating_beam::RotatingBeam;
-use rncf_tests::spin_up::SpinUp;
+use rncf_tests::spin_up::{Motion, SpinUp};
 use rncf_tests::system::System;
 
 /// Distance of the root from the axis, m.
