@@ -169,3 +169,25 @@ rncf::model! {
         run { t_end = 2 s; every = 0.1 s; }
     }
 }
+
+rncf::model! {
+    /// Spin-up of THEORY 9.1 with the three-point rule.
+    pub model SpinUpReduced {
+        /// Number of elements.
+        param elements: count = 6;
+        material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
+        section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
+        motion theta(t) =
+            if t <= 15 s { (4 [rad/s] / 15 s) * (t^2/2 + (15 s/(2*pi))^2 * (cos(2*pi*t/15 s) - 1)) }
+            else { 4 [rad/s] * (t - 7.5 s) };
+        frame hub = rotating(axis = z, angle = theta(t));
+        body beam in hub {
+            planar xy;
+            line from [0, 0, 0] m to [8, 0, 0] m;
+            mesh elements * cable(tube, aluminium, quadrature = gauss(3));
+        }
+        joint root = clamp(beam.start, hub);
+        output u = beam.end.x - 8 m;
+        output v = beam.end.y;
+    }
+}

@@ -4,7 +4,7 @@ use rncf::{Method, Model, Options};
 use rncf_models::{SpinUp, SpinUpSpatial};
 use rncf_tests::table::{EXTREMES, Extreme, History, Record};
 
-use crate::models::SpinUpExact;
+use crate::models::{SpinUpExact, SpinUpReduced};
 use crate::runs::{WAYS, adaptive, apart, fixed, grid, history, short};
 
 /// The method of the table and of the records.
@@ -181,6 +181,39 @@ fn formulations_agree_to_the_tolerance() {
                 );
                 assert!(worst < factor * 8.0 * scale, "{method:?}, {rtol:e}: {differences:?}");
             }
+        }
+    }
+}
+
+/// THEORY 5.1, remark vi: the exact and the three-point rule on coarse meshes, least v at 4 rad/s on
+/// the 0.1 s grid; the reduced rule is the more accurate one.
+#[test]
+fn rules_of_integration_on_coarse_meshes() {
+    const RULES: [(usize, f64, f64); 4] = [
+        (2, -0.49584, -0.51055),
+        (4, -0.53129, -0.53260),
+        (6, -0.53368, -0.53383),
+        (8, -0.53395, -0.53398),
+    ];
+    let times = grid(0.1, 9.0);
+    for (elements, exact, reduced) in RULES {
+        let full = history(&planar(4.0, elements), WAYS[0], Method::Radau, adaptive(1e-8), &times).0;
+        let few = history(
+            &SpinUpReduced { elements },
+            WAYS[0],
+            Method::Radau,
+            adaptive(1e-8),
+            &times,
+        )
+        .0;
+        for (name, rows, printed) in [("exact", full, exact), ("three points", few, reduced)] {
+            let value = extremes(&times, &rows)[0];
+            println!("{elements} elements, {name}: least v {value:.6} m, printed {printed}");
+            // Five printed digits, and the step error of the record (its step is not printed).
+            assert!(
+                (value - printed).abs() < 4e-5,
+                "{elements} elements, {name}: {value} m, printed {printed}"
+            );
         }
     }
 }

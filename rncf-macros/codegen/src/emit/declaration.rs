@@ -59,10 +59,10 @@ fn implementation(model: &Model, equations: &Equations) -> String {
         "#[allow(clippy::all)]\nimpl ::rncf::Model for {name} {{\n\
          const NAME: &'static str = {name:?};\n\
          const DOC: &'static str = {:?};\n\
-         const SOURCE: &'static str = {:?};\n\
+         const SOURCE: &'static str = {};\n\
          const NOTES: &'static [&'static str] = &[{}];\n",
         model.doc,
-        model.source,
+        raw(&model.source),
         notes.join(", ")
     );
     text += "fn params() -> &'static [::rncf::Param] {\n&[\n";
@@ -134,6 +134,15 @@ fn implementation(model: &Model, equations: &Equations) -> String {
     text
 }
 
+/// A text over several lines as a raw string literal.
+fn raw(text: &str) -> String {
+    let mut fence = "#".to_string();
+    while text.contains(&format!("\"{fence}")) {
+        fence.push('#');
+    }
+    format!("r{fence}\"{text}\"{fence}")
+}
+
 /// What was chosen and left out, and why.
 fn notes(model: &Model, equations: &Equations) -> Vec<String> {
     let mut notes = Vec::new();
@@ -149,7 +158,12 @@ fn notes(model: &Model, equations: &Equations) -> Vec<String> {
                 body.name
             ));
         }
-        if body.frame != crate::model::INERTIAL {
+        if body.frame == crate::model::INERTIAL {
+            notes.push(format!(
+                "Body `{}` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+                body.name
+            ));
+        } else {
             notes.push(format!(
                 "Body `{}` moves in the prescribed frame `{}`: no unknowns for the frame, its reactions are evaluated.",
                 body.name, model.frames[body.frame.0].name

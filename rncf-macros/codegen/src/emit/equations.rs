@@ -22,6 +22,8 @@ pub struct VariantKernels {
     pub shapes: Kernel,
     /// Documentation of the struct with the constants, and the struct's fields.
     pub row: String,
+    /// Whether a body of this variant lives in a moving frame.
+    pub moving: bool,
 }
 
 /// Everything that is derived for a model.
@@ -63,6 +65,7 @@ impl Equations {
                     variants.push(variant_kernels(variant, library));
                     variants.len() - 1
                 });
+            variants[index].moving |= body.frame != INERTIAL;
             variant_of.push(index);
         }
         let mut moments: Vec<(usize, [Kernel; 2])> = Vec::new();
@@ -113,15 +116,13 @@ impl Equations {
                 add(kernel);
             }
             let inertia = &variant.inertia;
-            for kernel in [
-                &inertia.mass,
-                &inertia.referenced,
-                &inertia.referenced_tangent,
-                &inertia.absolute,
-                &variant.shapes,
-            ] {
-                add(kernel);
+            add(&inertia.mass);
+            if variant.moving {
+                add(&inertia.referenced);
+                add(&inertia.referenced_tangent);
             }
+            add(&inertia.absolute);
+            add(&variant.shapes);
         }
         self.frames.iter().chain(&self.loads).for_each(&mut add);
         for (referenced, absolute) in &self.joints {
@@ -152,6 +153,7 @@ fn variant_kernels(variant: Variant, library: &Library) -> VariantKernels {
         elastic,
         name,
         row,
+        moving: false,
         variant,
     }
 }

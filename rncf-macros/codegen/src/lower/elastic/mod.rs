@@ -3,6 +3,7 @@
 
 mod nodal;
 mod points;
+mod stress;
 mod tensor;
 
 use std::collections::HashMap;

@@ -2,11 +2,10 @@
 
 use std::collections::HashMap;
 
-use super::{Builder, Form, Quantity, State, points};
-use crate::elements::Density;
+use super::{Builder, Form, Quantity, points};
 use crate::lower::invariants::{Blocks, Response, mirror, zero_blocks};
 use crate::lower::kernel::PointLoop;
-use crate::lower::quadratic::{field_invariants, relative_shapes};
+use crate::lower::quadratic::relative_shapes;
 use crate::symbolic::{Graph, Id, linear::Vector};
 use crate::tensors::{Rule, gauss_rule};
 
@@ -74,19 +73,6 @@ impl Builder<'_> {
         if !self.rates.is_empty() {
             self.viscosity = Some(zero_blocks(&mut self.graph, count, dimension));
         }
-    }
-
-    /// Reference value of measure `index` at a point.
-    pub(super) fn point_reference(&mut self, measures: usize, index: usize, point: usize) -> Id {
-        if self.form == Form::Points {
-            return self.reference_symbol(point * measures + index);
-        }
-        while self.references.len() <= index {
-            let next = self.references.len();
-            let symbol = self.graph.symbol(format!("reference[point * {measures} + {next}]"));
-            self.references.push(symbol);
-        }
-        self.references[index]
     }
 
     /// Contribution of one point: fields, stress, and its projection on the relative vectors.
@@ -160,110 +146,6 @@ impl Builder<'_> {
             fields.push(scaled);
         }
         fields
-    }
-
-    /// Stress on the invariants of the fields, times the weight.
-    fn field_state(&mut self, fields: &[Vector], rates: &[Vector], point: usize, weight: Id) -> State {
-        let variant = self.variant;
-        let (symbols, list) = field_invariants(&mut self.graph, self.element, variant.dimension);
-        let terms = (self.element.energy)(&mut self.graph, &symbols, &variant.options);
-        let rate_symbols: Vec<Id> = list.iter().map(|_| self.graph.symbol("rate")).collect();
-        let measures = terms
-            .iter()
-            .filter(|term| matches!(term.density, Density::Measure(_)))
-            .count();
-        let mut real: HashMap<Id, Id> = HashMap::new();
-        let mut straight: HashMap<Id, Id> = HashMap::new();
-        for (&(invariant, symbol), &rate_symbol) in list.iter().zip(&rate_symbols) {
-            real.insert(symbol, invariant.value(&mut self.graph, fields));
-            if !rates.is_empty() {
-                real.insert(rate_symbol, invariant.rate(&mut self.graph, fields, rates));
-            }
-            let tangents = self.element.fields[invariant.i].order == 1 && self.element.fields[invariant.j].order == 1;
-            let value = if tangents { invariant.straight() } else { 0.0 };
-            straight.insert(symbol, self.graph.number(value));
-        }
-        let mut stress = vec![self.graph.zero(); list.len()];
-        let mut energy = self.graph.zero();
-        let mut measure_index = 0;
-        for term in &terms {
-            let coefficient = self.coefficients[term.coefficient];
-            let factor = self.graph.multiply(coefficient, weight);
-            match term.density {
-                Density::Measure(measure) => {
-                    if self.quantity == Quantity::Reference {
-                        let value = self.graph.substitute(measure, &real);
-                        self.references.push(value);
-                        continue;
-                    }
-                    let reference = if variant.curved {
-                        self.point_reference(measures, measure_index, point)
-                    } else {
-                        self.graph.substitute(measure, &straight)
-                    };
-                    measure_index += 1;
-                    let change = self.graph.subtract(measure, reference);
-                    let mut strain = change;
-                    if !rates.is_empty() {
-                        let chain = list
-                            .iter()
-                            .zip(&rate_symbols)
-                            .map(|(&(_, s), &rate)| (s, rate))
-                            .collect();
-                        let rate = self.graph.differentiate(measure, &chain);
-                        let viscous = self.graph.multiply(self.damping, rate);
-                        strain = self.graph.add(change, viscous);
-                    }
-                    let scaled = self.graph.multiply(factor, strain);
-                    for (index, &(_, symbol)) in list.iter().enumerate() {
-                        let slope = self.graph.partial(measure, symbol);
-                        let part = self.graph.multiply(scaled, slope);
-                        stress[index] = self.graph.add(stress[index], part);
-                    }
-                    let (half, square) = (self.graph.number(0.5), self.graph.power(change, 2));
-                    let half_factor = self.graph.multiply(half, factor);
-                    let part = self.graph.multiply(half_factor, square);
-                    energy = self.graph.add(energy, part);
-                }
-                Density::Energy(density) => {
-                    for (index, &(_, symbol)) in list.iter().enumerate() {
-                        let slope = self.graph.partial(density, symbol);
-                        let part = self.graph.multiply(factor, slope);
-                        stress[index] = self.graph.add(stress[index], part);
-                    }
-                    let part = self.graph.multiply(factor, density);
-                    energy = self.graph.add(energy, part);
-                }
-            }
-        }
-        let used: Vec<usize> = (0..list.len())
-            .filter(|&index| !self.graph.is_zero(stress[index]))
-            .collect();
-        let matrix = |builder: &mut Self, with: &dyn Fn(usize) -> Id| -> Vec<Vec<Id>> {
-            let entry = |builder: &mut Self, row: usize, column: usize| {
-                let derivative = builder.graph.partial(stress[row], with(column));
-                builder.graph.substitute(derivative, &real)
-            };
-            used.iter()
-                .map(|&row| used.iter().map(|&column| entry(builder, row, column)).collect())
-                .collect()
-        };
-        let stiffness = matrix(self, &|column| list[column].1);
-        let viscosity = if rates.is_empty() {
-            Vec::new()
-        } else {
-            matrix(self, &|column| rate_symbols[column])
-        };
-        State {
-            invariants: used.iter().map(|&index| list[index].0).collect(),
-            stress: used
-                .iter()
-                .map(|&index| self.graph.substitute(stress[index], &real))
-                .collect(),
-            stiffness,
-            viscosity,
-            energy: self.graph.substitute(energy, &real),
-        }
     }
 
     /// Powers of the length that belong to the fields, applied to forces on them.

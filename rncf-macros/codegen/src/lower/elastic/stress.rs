@@ -1,0 +1,187 @@
+//! Stress at an integration point: the energy density is differentiated with respect to symbols for
+//! the invariants of the fields, then the symbols are replaced by what they stand for.
+
+use std::collections::HashMap;
+
+use super::{Builder, Form, Quantity, State};
+use crate::elements::{Density, Term};
+use crate::lower::invariants::Invariant;
+use crate::lower::quadratic::field_invariants;
+use crate::symbolic::{Id, linear::Vector};
+
+/// Symbols of a point and what they stand for.
+struct Symbols {
+    invariants: Vec<Invariant>,
+    values: Vec<Id>,
+    /// Rates of the invariants.
+    rates: Vec<Id>,
+    /// What values and rates are at the point.
+    real: HashMap<Id, Id>,
+    /// What values are in a straight, unstretched shape.
+    straight: HashMap<Id, Id>,
+    is_damped: bool,
+}
+
+/// Stress on every invariant and energy, as expressions of the symbols.
+struct Response {
+    stress: Vec<Id>,
+    energy: Id,
+}
+
+impl Builder<'_> {
+    /// Stress on the invariants of the fields, times the weight.
+    pub(super) fn field_state(&mut self, fields: &[Vector], rates: &[Vector], point: usize, weight: Id) -> State {
+        let (symbols, terms) = self.point_symbols(fields, rates);
+        if self.quantity == Quantity::Reference {
+            self.add_references(&symbols, &terms);
+        }
+        let zero = self.graph.zero();
+        let mut response = Response {
+            stress: vec![zero; symbols.values.len()],
+            energy: zero,
+        };
+        let measures: Vec<&Term> = terms
+            .iter()
+            .filter(|term| matches!(term.density, Density::Measure(_)))
+            .collect();
+        for term in &terms {
+            let factor = self.graph.multiply(self.coefficients[term.coefficient], weight);
+            match term.density {
+                Density::Measure(measure) => {
+                    let index = measures
+                        .iter()
+                        .position(|other| std::ptr::eq(*other, term))
+                        .unwrap_or(0);
+                    let reference = if self.variant.curved && self.quantity != Quantity::Reference {
+                        self.point_reference(measures.len(), index, point)
+                    } else {
+                        self.graph.substitute(measure, &symbols.straight)
+                    };
+                    self.add_measure(&symbols, measure, reference, factor, &mut response);
+                }
+                Density::Energy(density) => self.add_energy(&symbols, density, factor, &mut response),
+            }
+        }
+        self.replace(&symbols, &response)
+    }
+
+    fn point_symbols(&mut self, fields: &[Vector], rates: &[Vector]) -> (Symbols, Vec<Term>) {
+        let (element, graph) = (self.element, &mut self.graph);
+        let (declared, list) = field_invariants(graph, element, self.variant.dimension);
+        let terms = (element.energy)(graph, &declared, &self.variant.options);
+        let mut symbols = Symbols {
+            invariants: list.iter().map(|&(invariant, _)| invariant).collect(),
+            values: list.iter().map(|&(_, symbol)| symbol).collect(),
+            rates: list.iter().map(|_| graph.symbol("rate")).collect(),
+            real: HashMap::new(),
+            straight: HashMap::new(),
+            is_damped: !rates.is_empty(),
+        };
+        for (place, &(invariant, symbol)) in list.iter().enumerate() {
+            symbols.real.insert(symbol, invariant.value(graph, fields));
+            if symbols.is_damped {
+                symbols
+                    .real
+                    .insert(symbols.rates[place], invariant.rate(graph, fields, rates));
+            }
+            // Of a straight axis only the tangent differs from zero.
+            let tangents = element.fields[invariant.i].order == 1 && element.fields[invariant.j].order == 1;
+            let value = if tangents { invariant.straight() } else { 0.0 };
+            symbols.straight.insert(symbol, graph.number(value));
+        }
+        (symbols, terms)
+    }
+
+    /// Values of the measures at the point: what the other kernels subtract.
+    fn add_references(&mut self, symbols: &Symbols, terms: &[Term]) {
+        for term in terms {
+            if let Density::Measure(measure) = term.density {
+                let value = self.graph.substitute(measure, &symbols.real);
+                self.references.push(value);
+            }
+        }
+    }
+
+    /// Reference value of measure `index` at a point.
+    fn point_reference(&mut self, measures: usize, index: usize, point: usize) -> Id {
+        if self.form == Form::Points {
+            return self.reference_symbol(point * measures + index);
+        }
+        while self.references.len() <= index {
+            let next = self.references.len();
+            let symbol = self.graph.symbol(format!("reference[point * {measures} + {next}]"));
+            self.references.push(symbol);
+        }
+        self.references[index]
+    }
+
+    /// `1/2 factor (s - s0)^2`, with the stress `factor (s - s0 + c s') ds/dI`.
+    fn add_measure(&mut self, symbols: &Symbols, measure: Id, reference: Id, factor: Id, response: &mut Response) {
+        let graph = &mut self.graph;
+        let change = graph.subtract(measure, reference);
+        let mut strain = change;
+        if symbols.is_damped {
+            let chain = symbols
+                .values
+                .iter()
+                .copied()
+                .zip(symbols.rates.iter().copied())
+                .collect();
+            let rate = graph.differentiate(measure, &chain);
+            let viscous = graph.multiply(self.damping, rate);
+            strain = graph.add(change, viscous);
+        }
+        let scaled = graph.multiply(factor, strain);
+        for (stress, &symbol) in response.stress.iter_mut().zip(&symbols.values) {
+            let slope = graph.partial(measure, symbol);
+            let part = graph.multiply(scaled, slope);
+            *stress = graph.add(*stress, part);
+        }
+        let (half, square) = (graph.number(0.5), graph.power(change, 2));
+        let half_factor = graph.multiply(half, factor);
+        let part = graph.multiply(half_factor, square);
+        response.energy = graph.add(response.energy, part);
+    }
+
+    fn add_energy(&mut self, symbols: &Symbols, density: Id, factor: Id, response: &mut Response) {
+        let graph = &mut self.graph;
+        for (stress, &symbol) in response.stress.iter_mut().zip(&symbols.values) {
+            let slope = graph.partial(density, symbol);
+            let part = graph.multiply(factor, slope);
+            *stress = graph.add(*stress, part);
+        }
+        let part = graph.multiply(factor, density);
+        response.energy = graph.add(response.energy, part);
+    }
+
+    /// Derivatives of the stress, and everything with the symbols replaced; invariants without
+    /// stress are dropped.
+    fn replace(&mut self, symbols: &Symbols, response: &Response) -> State {
+        let used: Vec<usize> = (0..response.stress.len())
+            .filter(|&index| !self.graph.is_zero(response.stress[index]))
+            .collect();
+        let matrix = |builder: &mut Self, with: &[Id]| -> Vec<Vec<Id>> {
+            let entry = |builder: &mut Self, row: usize, column: usize| {
+                let derivative = builder.graph.partial(response.stress[row], with[column]);
+                builder.graph.substitute(derivative, &symbols.real)
+            };
+            used.iter()
+                .map(|&row| used.iter().map(|&column| entry(builder, row, column)).collect())
+                .collect()
+        };
+        let stiffness = matrix(self, &symbols.values);
+        let viscosity = if symbols.is_damped {
+            matrix(self, &symbols.rates)
+        } else {
+            Vec::new()
+        };
+        let mut real = |id: Id| self.graph.substitute(id, &symbols.real);
+        State {
+            invariants: used.iter().map(|&index| symbols.invariants[index]).collect(),
+            stress: used.iter().map(|&index| real(response.stress[index])).collect(),
+            stiffness,
+            viscosity,
+            energy: real(response.energy),
+        }
+    }
+}
