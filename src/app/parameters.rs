@@ -177,7 +177,7 @@ mod tests {
     #[test]
     fn values_are_set_in_si() {
         let mut rotor = Rotor::default();
-        let words = ["omega=60 rpm", "coils=3", "stiffness=0.2 kN/m", "loss=5 %"].map(String::from);
+        let words = ["omega=60 rpm", "coils=3", "stiffness=0.2 kN/m", "loss=0.05"].map(String::from);
         assign(&mut rotor, &words).unwrap();
         assert_eq!(rotor.omega, 60.0 * (std::f64::consts::PI / 30.0));
         assert_eq!((rotor.coils, rotor.stiffness, rotor.loss), (3, 200.0, 0.05));
