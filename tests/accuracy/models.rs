@@ -191,3 +191,21 @@ rncf::model! {
         output v = beam.end.y;
     }
 }
+
+rncf::model! {
+    /// The beam of THEORY 9.1 in uniform rotation from the start.
+    pub model Uniform {
+        param spin = 40 rad/s;
+        material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
+        section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
+        frame hub = rotating(axis = z, angle = spin * t);
+        body beam in hub {
+            planar xy;
+            line from [0, 0, 0] m to [8, 0, 0] m;
+            mesh 6 * cable(tube, aluminium);
+        }
+        joint root = clamp(beam.start, hub);
+        output u = beam.end.x - 8 m;
+        output v = beam.end.y;
+    }
+}

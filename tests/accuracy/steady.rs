@@ -1,11 +1,11 @@
 //! Relative equilibria at constant spin: elongation and root reaction (THEORY 8.1, 9.1).
 
-use rncf::{Formulation, Joints, Method, Model, Scene, steady};
+use rncf::{Formulation, Joints, Method, Model, Scene, State, steady};
 use rncf_models::{SpinUp, SpinUpSpatial};
 use rncf_tests::table::STEADY_ELONGATIONS;
 
-use crate::models::{Held, HeldSpatial};
-use crate::runs::{adaptive, states_at};
+use crate::models::{Held, HeldSpatial, Uniform};
+use crate::runs::{WAYS, adaptive, grid, states_at};
 
 const LENGTH: f64 = 8.0;
 const AXIAL_STIFFNESS: f64 = 68.95e9 * 0.7299e-4;
@@ -201,5 +201,33 @@ fn equilibrium_is_at_rest_in_every_formulation() {
                 outputs[2] / expected - 1.0
             );
         }
+    }
+}
+
+/// From relative equilibrium nothing moves in the frame, in either formulation; from rest it does.
+#[test]
+fn a_steady_start_stays_steady() {
+    let model = Uniform::default();
+    let mut referenced = model.build(Formulation::Rncf, Joints::Eliminated).unwrap();
+    let found = steady(referenced.as_mut(), 0.0).unwrap();
+    let frame = referenced.frame_state(found.state().unwrap());
+    for (formulation, joints) in WAYS {
+        let mut scene = model.build(formulation, joints).unwrap();
+        let start = scene.state_of_frame(&frame);
+        let largest = |scene: &mut dyn Scene, start: State| {
+            let (states, _) = states_at(scene, start, Method::Radau, adaptive(1e-8), &grid(0.05, 1.0));
+            let mut row = [0.0; 2];
+            let far = states.iter().map(|state| {
+                scene.outputs(state, &mut row);
+                (row[0] - 1.0948018e-2).abs().max(row[1].abs())
+            });
+            far.fold(0.0, f64::max)
+        };
+        let moved = largest(scene.as_mut(), start);
+        println!("{formulation:?} {joints:?}: moves by {moved:.1e} m");
+        // The printed elongation has eight digits; rtol 1e-8 of 8 m.
+        assert!(moved < 8e-7, "{formulation:?} {joints:?}: {moved} m");
+        let rest = scene.rest(0.0);
+        assert!(largest(scene.as_mut(), rest) > 5e-3);
     }
 }

@@ -15,9 +15,10 @@ const NEGLIGIBLE: f64 = 1e-9;
 /// Time after which a uniform motion must still be the same, s.
 const A_WHILE: f64 = 1e-3;
 
-/// Whether two vectors differ by more than round-off.
+/// Whether two spins (rad/s) or accelerations (m/s^2) differ by more than round-off; a motion that
+/// sets out smoothly from rest counts as uniform there.
 fn differs(a: [f64; 3], b: [f64; 3]) -> bool {
-    norm(subtract(a, b)) > NEGLIGIBLE * norm(a).max(norm(b)).max(f64::MIN_POSITIVE)
+    norm(subtract(a, b)) > NEGLIGIBLE * norm(a).max(norm(b)).max(1.0)
 }
 
 impl<P: Parts> MeshScene<P> {
