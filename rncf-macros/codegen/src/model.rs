@@ -155,6 +155,38 @@ pub enum Function {
     Atan2,
 }
 
+impl Function {
+    /// Value of a function of one argument; `None` for one of two.
+    pub fn of(self, x: f64) -> Option<f64> {
+        Some(match self {
+            Function::Sin => x.sin(),
+            Function::Cos => x.cos(),
+            Function::Tan => x.tan(),
+            Function::Asin => x.asin(),
+            Function::Acos => x.acos(),
+            Function::Atan => x.atan(),
+            Function::Sinh => x.sinh(),
+            Function::Cosh => x.cosh(),
+            Function::Tanh => x.tanh(),
+            Function::Exp => x.exp(),
+            Function::Ln => x.ln(),
+            Function::Sqrt => x.sqrt(),
+            Function::Abs => x.abs(),
+            Function::Min | Function::Max | Function::Atan2 => return None,
+        })
+    }
+
+    /// Value of a function of two arguments; `None` for one of one.
+    pub fn of_two(self, x: f64, y: f64) -> Option<f64> {
+        Some(match self {
+            Function::Min => x.min(y),
+            Function::Max => x.max(y),
+            Function::Atan2 => x.atan2(y),
+            _ => return None,
+        })
+    }
+}
+
 /// A component of something observed, in outputs.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Observable {

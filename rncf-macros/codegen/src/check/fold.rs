@@ -44,25 +44,11 @@ fn power(base: f64, exponent: f64) -> f64 {
 }
 
 fn call(function: Function, values: &[f64]) -> Option<f64> {
-    let x = *values.first()?;
-    Some(match function {
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
-        Function::Tan => x.tan(),
-        Function::Asin => x.asin(),
-        Function::Acos => x.acos(),
-        Function::Atan => x.atan(),
-        Function::Sinh => x.sinh(),
-        Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
-        Function::Exp => x.exp(),
-        Function::Ln => x.ln(),
-        Function::Sqrt => x.sqrt(),
-        Function::Abs => x.abs(),
-        Function::Min => x.min(*values.get(1)?),
-        Function::Max => x.max(*values.get(1)?),
-        Function::Atan2 => x.atan2(*values.get(1)?),
-    })
+    match *values {
+        [x] => function.of(x),
+        [x, y] => function.of_two(x, y),
+        _ => None,
+    }
 }
 
 /// Whether nothing in the expression depends on time.

@@ -25,26 +25,6 @@ pub trait Scalar: Copy {
     fn call2(self, function: Function, other: Self) -> Self;
 }
 
-/// Function of one argument in f64.
-pub(super) fn function(function: Function, x: f64) -> f64 {
-    match function {
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
-        Function::Tan => x.tan(),
-        Function::Asin => x.asin(),
-        Function::Acos => x.acos(),
-        Function::Atan => x.atan(),
-        Function::Sinh => x.sinh(),
-        Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
-        Function::Exp => x.exp(),
-        Function::Ln => x.ln(),
-        Function::Sqrt => x.sqrt(),
-        Function::Abs => x.abs(),
-        Function::Min | Function::Max | Function::Atan2 => unreachable!("{function:?} has two arguments"),
-    }
-}
-
 /// Comparison in f64.
 pub(super) fn compare(comparison: Comparison, x: f64, y: f64) -> bool {
     match comparison {
@@ -74,16 +54,15 @@ impl Scalar for f64 {
     fn divide(self, other: Self) -> Self {
         self / other
     }
-    fn call(self, name: Function) -> Self {
-        function(name, self)
+    fn call(self, function: Function) -> Self {
+        function
+            .of(self)
+            .unwrap_or_else(|| unreachable!("{function:?} has two arguments"))
     }
     fn call2(self, function: Function, other: Self) -> Self {
-        match function {
-            Function::Min => self.min(other),
-            Function::Max => self.max(other),
-            Function::Atan2 => self.atan2(other),
-            _ => unreachable!("{function:?} has one argument"),
-        }
+        function
+            .of_two(self, other)
+            .unwrap_or_else(|| unreachable!("{function:?} has one argument"))
     }
 }
 

@@ -308,7 +308,7 @@ impl Graph {
 
     /// A function of one argument.
     pub fn call(&mut self, function: Function, a: Id) -> Id {
-        if let Some(folded) = self.value(a).and_then(|x| self.fold(evaluate::function(function, x))) {
+        if let Some(folded) = self.value(a).and_then(|x| function.of(x)).and_then(|x| self.fold(x)) {
             return folded;
         }
         self.intern(Node::Call(function, a))
