@@ -1,7 +1,7 @@
 //! Time integration of a [`System`]: HHT, generalized-alpha and Radau IIA.
 //!
 //! The driver ([`Integrator`]) owns the time axis: limits, kinks, the end, and the counts of
-//! steps. A method ([`scheme::Scheme`]) tries one step at a time.
+//! steps. A method (`scheme::Scheme`) tries one step at a time.
 
 mod alpha;
 mod bordered;
