@@ -177,7 +177,7 @@ fn equilibrium_is_at_rest_in_every_formulation() {
     let found = steady(referenced.as_mut(), 0.0).unwrap();
     let frame = referenced.frame_state(found.state().unwrap());
     let expected = -centrifugal(spin, &frame.q, 2);
-    for (formulation, joints) in crate::runs::WAYS {
+    for (formulation, joints) in WAYS {
         let mut scene = model.build(formulation, joints).unwrap();
         let start = scene.state_of_frame(&frame);
         let (states, _) = states_at(scene.as_mut(), start, Method::Radau, adaptive(1e-8), &[0.0, 0.05, 0.1]);

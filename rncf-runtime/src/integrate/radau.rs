@@ -27,7 +27,7 @@ const AGED: f64 = 0.02;
 /// The next step keeps its size, and thus the factorizations, if it would grow by less.
 const KEEP: f64 = 1.2;
 /// Contraction up to which a step may grow.
-const CONTRACTING: f64 = 0.08;
+const CONTRACTING: f64 = 0.04;
 /// Bounds of the change of the step.
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 4.0;
@@ -43,6 +43,8 @@ pub(super) struct Radau {
     /// Start and end of the last accepted step.
     before: State,
     now: State,
+    /// Where the tangent is evaluated.
+    middle: State,
     /// Stages of the last accepted step, none after a start.
     last: Option<Stages>,
     trial: Stages,
@@ -57,7 +59,7 @@ pub(super) struct Radau {
 /// How far the tangent can be trusted.
 #[derive(Clone, Copy, PartialEq)]
 enum Age {
-    /// Evaluated at the start of this step.
+    /// Evaluated for this step.
     Fresh,
     /// Of an earlier step, with good contraction.
     Kept,
@@ -84,6 +86,7 @@ impl Radau {
             estimate: Estimate::new(system, options.rtol),
             before: State::zeros(0.0, n, m),
             now: State::zeros(0.0, n, m),
+            middle: State::zeros(0.0, n, m),
             last: None,
             trial: Stages::new(n, m),
             tangent: Age::Stale,
@@ -100,8 +103,15 @@ impl Radau {
         statistics: &mut Statistics,
     ) -> Result<Converged, (f64, Cause)> {
         loop {
+            match &self.last {
+                Some(last) => self.trial.extrapolate(&self.coefficients, last, h),
+                None => self.trial.predict_first(&self.coefficients, &self.now, h),
+            }
             if self.tangent == Age::Stale {
-                self.matrices.linearize(system, &self.now, statistics);
+                // One tangent serves all stages: the one in the middle is nearest to them.
+                self.trial.differentiate(&self.coefficients, &self.now);
+                self.trial.stage(&self.coefficients, 1, &self.now, &mut self.middle);
+                self.matrices.linearize(system, &self.middle, statistics);
                 self.tangent = Age::Fresh;
             }
             if let Err(singular) = self.matrices.factor(&self.coefficients, h, statistics) {
@@ -111,10 +121,6 @@ impl Radau {
                 }
                 let worst = super::newton::row(singular, self.now.x.len());
                 return Err((0.5, Cause::Singular { worst }));
-            }
-            match &self.last {
-                Some(last) => self.trial.extrapolate(&self.coefficients, last, h),
-                None => self.trial.predict_first(&self.coefficients, &self.now, h),
             }
             let (coefficients, matrices) = (&self.coefficients, &mut self.matrices);
             let failure =
