@@ -9,6 +9,9 @@
 //! | [`lower`] | expression graph | kernels, with the cheapest form chosen by count |
 //! | [`emit`] | model and kernels | Rust |
 
+#[macro_use]
+mod messages;
+
 pub mod check;
 pub mod elements;
 pub mod emit;

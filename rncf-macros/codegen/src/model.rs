@@ -438,6 +438,14 @@ pub enum LoadKind {
     },
 }
 
+impl LoadKind {
+    /// Components of the load, in the axes of its frame.
+    pub fn components(&self) -> &[Expr; 3] {
+        let (Self::Gravity(components) | Self::Force { components, .. } | Self::Moment { components, .. }) = self;
+        components
+    }
+}
+
 /// An output.
 #[derive(Clone, Debug)]
 pub struct Output {

@@ -1,5 +1,7 @@
 //! What is said about a declaration that makes no sense: what is wrong, and what would be right.
 
+pub use crate::messages::{not_a_number, not_ascii};
+
 pub const LONG_CHAIN: &str = "too many names are defined by each other: shorten the chain";
 pub const NO_TIME: &str = "`t` has no meaning here: only motions, frames, loads and outputs change with time";
 pub const LONE_T: &str = "`t` is time: a product is written `2*t`; tonnes stand in brackets, `2 [t]`";
@@ -35,14 +37,6 @@ pub const NOTHING_OBSERVED: &str =
     "this observes nothing: write e.g. `beam.end.x`, `beam.at(4 m).velocity.y` or `root.moment.z`";
 pub const NO_OUTPUT: &str = "the model has no output: add e.g. `output u = beam.end.x;`";
 
-macro_rules! messages {
-    ($($name:ident($($argument:ident),*) = $text:literal;)*) => {
-        $(pub fn $name($($argument: &str),*) -> String {
-            format!($text)
-        })*
-    };
-}
-
 messages! {
     reserved(name) = "`{name}` has a meaning of its own: choose another name";
     duplicate(name, kind, line) = "`{name}` is already declared as `{kind}` in line {line}";
@@ -52,8 +46,6 @@ messages! {
     recursion(name, chain) = "`{name}` is defined by itself: {chain}";
     surplus(name, usage) = "one argument too many for `{name}`: write e.g. `{usage}`";
     usage(name, usage) = "`{name}` is not complete: write e.g. `{usage}`";
-    not_ascii(text, plain) = "`{text}` is not ASCII: write `{plain}`";
-    not_a_number(text) = "`{text}` is not a decimal number: write e.g. `8`, `0.5` or `1e-5`";
     number_range(text) = "`{text}` with this unit is outside the range of numbers";
     missing_star(name) = "`{name}` is no unit: a product is written with `*`";
     unit_or_name(name, unit) = "`{name}` could be a unit or the name that is declared: write `[{unit}]` for the unit, or parentheses around the number with its own unit";

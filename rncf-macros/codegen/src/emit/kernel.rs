@@ -32,13 +32,7 @@ pub fn documentation<'a>(paragraphs: impl Iterator<Item = &'a str>) -> String {
 fn body(kernel: &Kernel) -> Vec<String> {
     let graph = &kernel.graph;
     let schedule = kernel.schedule();
-    let at = |stage: Stage| -> Vec<Id> {
-        schedule
-            .iter()
-            .filter(|&&(_, place)| place == stage)
-            .map(|&(id, _)| id)
-            .collect()
-    };
+    let at = |stage: Stage| Kernel::at_stage(&schedule, stage);
     let (before, inside, after) = (at(Stage::Before), at(Stage::Inside), at(Stage::After));
     let all: Vec<Id> = schedule.iter().map(|&(id, _)| id).collect();
     let summands = kernel

@@ -228,7 +228,7 @@ impl Parts<'_> {
             .model
             .loads
             .iter()
-            .map(|load| load_varies(self.model, load))
+            .map(|load| crate::lower::motions::varies(self.model, load.kind.components()))
             .collect();
         format!(
             "fn output_columns(&self) -> usize {{ {columns} }}\n\
@@ -437,12 +437,6 @@ impl Parts<'_> {
              fn prescribed(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::mesh::JointData, prescribed: &mut ::rncf::mesh::Prescribed) {{\n{prescribed}}}\n"
         )
     }
-}
-
-fn load_varies(model: &Model, load: &crate::model::Load) -> bool {
-    let (LoadKind::Gravity(components) | LoadKind::Force { components, .. } | LoadKind::Moment { components, .. }) =
-        &load.kind;
-    crate::lower::motions::varies(model, components)
 }
 
 /// A property's value, checked when the model is built.

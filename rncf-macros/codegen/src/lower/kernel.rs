@@ -81,16 +81,19 @@ impl Kernel {
         schedule
     }
 
+    /// Nodes of a schedule that belong to one stage.
+    pub fn at_stage(schedule: &[(Id, Stage)], stage: Stage) -> Vec<Id> {
+        schedule
+            .iter()
+            .filter(|&&(_, place)| place == stage)
+            .map(|&(id, _)| id)
+            .collect()
+    }
+
     /// Counted operations of one evaluation, loops multiplied out, sums and outputs included.
     pub fn cost(&self) -> Cost {
         let schedule = self.schedule();
-        let at = |stage: Stage| -> Vec<Id> {
-            schedule
-                .iter()
-                .filter(|&&(_, place)| place == stage)
-                .map(|&(id, _)| id)
-                .collect()
-        };
+        let at = |stage: Stage| Self::at_stage(&schedule, stage);
         let additions = |count: usize| Cost {
             additions: count,
             ..Cost::default()

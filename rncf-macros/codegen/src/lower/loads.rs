@@ -4,15 +4,13 @@ use super::kernel::Kernel;
 use super::motions::Time;
 use super::variant::Variant;
 use crate::elements::Library;
-use crate::model::{Load, LoadKind, Model, Observable};
+use crate::model::{Load, Model, Observable};
 use crate::symbolic::{Graph, Id};
 
 /// Components of a load in its frame's axes.
 pub fn load_kernel(model: &Model, load: &Load) -> Kernel {
     let mut time = Time::new(model);
-    let (LoadKind::Gravity(components) | LoadKind::Force { components, .. } | LoadKind::Moment { components, .. }) =
-        &load.kind;
-    let value = time.vector(components);
+    let value = time.vector(load.kind.components());
     let outputs = value
         .iter()
         .enumerate()

@@ -268,10 +268,7 @@ pub fn kinks_kernel(model: &Model) -> (Kernel, usize) {
         roots.extend(rotation.iter().flatten().copied().chain(position));
     }
     for load in &model.loads {
-        let (crate::model::LoadKind::Gravity(components)
-        | crate::model::LoadKind::Force { components, .. }
-        | crate::model::LoadKind::Moment { components, .. }) = &load.kind;
-        roots.extend(time.vector(components));
+        roots.extend(time.vector(load.kind.components()));
     }
     let zero = time.graph.zero();
     let start = HashMap::from([(time.t, zero)]);

@@ -1,5 +1,6 @@
 //! What is said about text that cannot be read: what is wrong, and what would be right.
 
+pub use crate::messages::{not_a_number, not_ascii};
 pub use crate::suggest::unknown;
 
 pub const TOO_DEEP: &str = "this is nested too deeply: give parts of it names with `const` or `motion`";
@@ -12,24 +13,14 @@ pub const MOTION_ARGUMENT: &str = "a motion is a function of time: write `(t)`";
 pub const INNER_DOC: &str = "documentation stands before what it describes: write `///`";
 pub const ATTRIBUTE: &str = "attributes have no meaning here; only documentation comments `///` do";
 
-macro_rules! messages {
-    ($($name:ident($($argument:ident),*) = $text:literal;)*) => {
-        $(pub fn $name($($argument: &str),*) -> String {
-            format!($text)
-        })*
-    };
-}
-
 messages! {
     expected(what, found) = "expected {what}, found {found}";
     missing_semicolon(found) = "missing `;` after this (next comes {found})";
     missing_name(keyword) = "`{keyword}` needs a name: `{keyword} name ..`";
     after_model(found) = "one `model!` declares one model: nothing may follow its braces, found {found}";
-    not_a_number(text) = "`{text}` is not a decimal number: write e.g. `8`, `0.5` or `1e-5`";
     missing_space(number, unit) = "a space is missing between number and unit: `{number} {unit}`";
     unit_power(number, unit) = "after a number in an expression one unit symbol is read: write the power in brackets, `{number} [{unit}^2]`, or mean `({number} {unit})^2`";
     unit_after_slash(found) = "is {found} above or below the line? write `*`, or parentheses as in `W/(m K)`";
-    not_ascii(text, plain) = "`{text}` is not ASCII: write `{plain}`";
     raw_name(plain) = "raw names are not allowed: choose another name than `{plain}`, which is a keyword of Rust";
     rust_keyword(text) = "`{text}` is a keyword of Rust and cannot be a name: try `{text}_`";
 }

@@ -1,0 +1,15 @@
+//! How messages are written down as data, and those that reading and checking share.
+
+/// Functions that fill the texts: `name(argument) = "text with {argument}";`.
+macro_rules! messages {
+    ($($name:ident($($argument:ident),*) = $text:literal;)*) => {
+        $(pub fn $name($($argument: &str),*) -> String {
+            format!($text)
+        })*
+    };
+}
+
+messages! {
+    not_ascii(text, plain) = "`{text}` is not ASCII: write `{plain}`";
+    not_a_number(text) = "`{text}` is not a decimal number: write e.g. `8`, `0.5` or `1e-5`";
+}
