@@ -209,3 +209,38 @@ rncf::model! {
         output v = beam.end.y;
     }
 }
+
+rncf::model! {
+    /// A body in a turning frame whose direction is held by the ground.
+    pub model HeldByGround {
+        material steel { density = 7850 kg/m^3; young = 210 GPa; }
+        section rod { area = 1 cm^2; second_moment = 1 cm^4; }
+        frame hub = rotating(axis = z, angle = 3 [rad/s] * t);
+        frame arm in hub = rotating(axis = y, angle = 20 deg);
+        body beam in hub {
+            spatial;
+            line from [0, 0, 0] m to [1, 0, 0] m;
+            mesh 2 * cable(rod, steel);
+        }
+        joint root = clamp(beam.start, inertial);
+        output u = beam.end.x;
+    }
+}
+
+rncf::model! {
+    /// The same held by a frame that turns with it.
+    pub model HeldByArm {
+        material steel { density = 7850 kg/m^3; young = 210 GPa; }
+        section rod { area = 1 cm^2; second_moment = 1 cm^4; }
+        frame hub = rotating(axis = z, angle = 3 [rad/s] * t);
+        frame arm in hub = rotating(axis = y, angle = 20 deg);
+        body beam in hub {
+            spatial;
+            line from [0.1, 0, 0] m to [1, 0, 0] m;
+            mesh 2 * cable(rod, steel);
+        }
+        joint root = clamp(beam.start, arm);
+        load pull = force(beam.end, [10, 0, 3] N, in = arm);
+        output u = beam.end.x;
+    }
+}

@@ -4,7 +4,7 @@ use rncf::{Formulation, Joints, Method, Model, Scene, State, steady};
 use rncf_models::{SpinUp, SpinUpSpatial};
 use rncf_tests::table::STEADY_ELONGATIONS;
 
-use crate::models::{Held, HeldSpatial, Uniform};
+use crate::models::{Held, HeldByArm, HeldByGround, HeldSpatial, Uniform};
 use crate::runs::{WAYS, adaptive, grid, states_at};
 
 const LENGTH: f64 = 8.0;
@@ -230,4 +230,22 @@ fn a_steady_start_stays_steady() {
         let rest = scene.rest(0.0);
         assert!(largest(scene.as_mut(), rest) > 5e-3);
     }
+}
+
+/// A joint that keeps a direction in space is refused by name; joints and loads in another frame that
+/// turns with the body are not.
+#[test]
+fn what_does_not_turn_with_the_body_is_refused() {
+    let mut scene = HeldByGround::default()
+        .build(Formulation::Rncf, Joints::Eliminated)
+        .unwrap();
+    let error = steady(scene.as_mut(), 1.0).unwrap_err().to_string();
+    assert!(
+        error.contains("joint `root` holds the direction of body `beam`"),
+        "{error}"
+    );
+    let mut scene = HeldByArm::default()
+        .build(Formulation::Rncf, Joints::Eliminated)
+        .unwrap();
+    steady(scene.as_mut(), 1.0).unwrap();
 }

@@ -14,6 +14,8 @@ pub struct Condition {
     pub position: usize,
     /// Global number of the node's slope.
     pub slope: usize,
+    /// Components of position and slope in the full arrays; filled in once they are numbered.
+    pub components: Vec<usize>,
     /// Constants in the joint's frame.
     pub data: JointData,
     /// Whether the body's vectors are in the inertial frame.
@@ -113,6 +115,7 @@ pub fn condition(
         joint: index,
         position,
         slope,
+        components: Vec::new(),
         data,
         absolute,
         position_eliminated,

@@ -230,7 +230,7 @@ impl<P: Parts> MeshScene<P> {
     /// Position and slope of a condition's node in one of the full arrays.
     pub(super) fn node(&self, condition: &Condition, full: &[f64]) -> [f64; 6] {
         let mut node = [0.0; 6];
-        for (place, component) in self.condition_components(condition).into_iter().enumerate() {
+        for (place, &component) in condition.components.iter().enumerate() {
             node[place] = full[component];
         }
         node

@@ -10,10 +10,13 @@ mod evaluate;
 mod frame;
 mod layout;
 mod line;
+mod outputs;
 mod parts;
 mod scene;
+mod states;
 mod steady;
 mod system;
+mod view;
 
 pub use checks::{array, array_mut, check_params, non_negative, poisson, positive};
 pub use frame::{FrameAction, FrameMotion};

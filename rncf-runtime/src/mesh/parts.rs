@@ -39,6 +39,13 @@ impl BodySpec {
         self.orders.len() * self.dimension()
     }
 
+    /// Node and local number (of the node's first element) of a nodal vector, counted in the body.
+    pub fn locate(&self, vector: usize) -> (usize, usize) {
+        let place = vector % self.vectors_per_node;
+        let local = self.connectivity.iter().position(|&other| other == place).unwrap_or(0);
+        (vector / self.vectors_per_node, local)
+    }
+
     /// Nodal vectors of the body.
     pub fn vectors(&self) -> usize {
         (self.count + 1) * self.vectors_per_node

@@ -187,11 +187,15 @@ impl<P: Parts> MeshScene<P> {
 
     fn number_constraints(&mut self) {
         let mut entries = Vec::new();
-        for (index, condition) in self.conditions.iter().enumerate() {
+        for (index, condition) in self.conditions.iter_mut().enumerate() {
+            let dimension = self.bodies[self.joints[condition.joint].body].spec.dimension();
+            let layout = &self.layout;
+            let of = |vector: usize| (0..dimension).map(move |component| layout.offset(vector) + component);
+            condition.components = of(condition.position).chain(of(condition.slope)).collect();
             for &row in &condition.rows {
                 let column = self.constraint_rows.len();
                 self.constraint_rows.push((index, row));
-                for component in self.condition_components(condition) {
+                for &component in &condition.components {
                     if let Some((unknown, _)) = self.layout.unknown(component) {
                         entries.push((unknown, column));
                     }
@@ -199,13 +203,6 @@ impl<P: Parts> MeshScene<P> {
             }
         }
         self.constraint_pattern = Pattern::new(self.layout.unknowns(), self.constraint_rows.len(), entries);
-    }
-
-    /// Components of the position and slope that a condition is about.
-    pub(super) fn condition_components(&self, condition: &Condition) -> Vec<usize> {
-        let dimension = self.bodies[self.joints[condition.joint].body].spec.dimension();
-        let of = |vector: usize| (0..dimension).map(move |component| self.layout.offset(vector) + component);
-        of(condition.position).chain(of(condition.slope)).collect()
     }
 
     fn unknown_sizes(&self) -> Vec<f64> {
@@ -225,15 +222,8 @@ impl<P: Parts> MeshScene<P> {
     pub(super) fn locate(&self, vector: usize) -> (&MeshBody, usize, usize) {
         let index = self.bodies.partition_point(|body| body.first_vector <= vector) - 1;
         let body = &self.bodies[index];
-        let within = vector - body.first_vector;
-        let place = within % body.spec.vectors_per_node;
-        let local = body
-            .spec
-            .connectivity
-            .iter()
-            .position(|&other| other == place)
-            .unwrap_or(0);
-        (body, within / body.spec.vectors_per_node, local)
+        let (node, local) = body.spec.locate(vector - body.first_vector);
+        (body, node, local)
     }
 
     fn assemble_mass(&mut self) {

@@ -51,7 +51,7 @@ impl<P: Parts> System for MeshScene<P> {
         }
         self.load_state(state.t, &state.x, &state.v, &state.a, Regime::Moving);
         let mut column = 0;
-        for condition in &self.conditions {
+        for condition in self.conditions.iter().filter(|condition| !condition.rows.is_empty()) {
             let joint = &self.joints[condition.joint];
             let count = row_count(joint.kind, self.bodies[joint.body].spec.dimension());
             let mut rows = [0.0; 6];
@@ -77,26 +77,24 @@ impl<P: Parts> System for MeshScene<P> {
 
     fn constraint_jacobian(&mut self, t: f64, _x: &[f64], values: &mut [f64]) {
         values.fill(0.0);
-        for (column, &(index, row)) in self.constraint_rows.iter().enumerate() {
-            let condition = &self.conditions[index];
+        let mut column = 0;
+        for condition in self.conditions.iter().filter(|condition| !condition.rows.is_empty()) {
             let joint = &self.joints[condition.joint];
             let dimension = self.bodies[joint.body].spec.dimension();
-            let count = row_count(joint.kind, dimension);
+            let (count, width) = (row_count(joint.kind, dimension), 2 * dimension);
             let mut jacobian = [0.0; 36];
-            let width = 2 * dimension;
-            self.parts.condition_jacobian(
-                condition.joint,
-                condition.absolute,
-                t,
-                &condition.data,
-                &mut jacobian[..count * width],
-            );
-            for (place, component) in self.condition_components(condition).into_iter().enumerate() {
-                if let Some((unknown, factor)) = self.layout.unknown(component)
-                    && let Some(entry) = self.constraint_pattern.find(unknown, column)
-                {
-                    values[entry] += factor * jacobian[row * width + place];
+            let entries = &mut jacobian[..count * width];
+            self.parts
+                .condition_jacobian(condition.joint, condition.absolute, t, &condition.data, entries);
+            for &row in &condition.rows {
+                for (place, &component) in condition.components.iter().enumerate() {
+                    if let Some((unknown, factor)) = self.layout.unknown(component)
+                        && let Some(entry) = self.constraint_pattern.find(unknown, column)
+                    {
+                        values[entry] += factor * jacobian[row * width + place];
+                    }
                 }
+                column += 1;
             }
         }
     }

@@ -1,0 +1,83 @@
+//! States of a scene in the declared frames and back.
+
+use super::frame::FrameMotion;
+use super::parts::{Parts, PointQuantity};
+use super::scene::{MeshBody, MeshScene};
+use crate::system::{State, System};
+
+impl<P: Parts> MeshScene<P> {
+    /// Nodal vectors of all bodies, from the full arrays, in their declared frames.
+    pub(super) fn vectors_in_frames(&self, full: [&[f64]; 2]) -> [Vec<f64>; 2] {
+        let mut result = [Vec::new(), Vec::new()];
+        self.each_vector(|body, order, place| {
+            let at = |full: &[f64]| self.vector_at(body, full, place);
+            let pair = [at(full[0]), at(full[1])];
+            let (position, rate) = if order == 0 {
+                (
+                    PointQuantity::Position,
+                    self.in_declared(body, PointQuantity::Velocity, pair),
+                )
+            } else {
+                let frame = &self.buffers.frames[body.spec.frame];
+                let rate = if body.frame == body.spec.frame {
+                    pair[1]
+                } else {
+                    frame.rate_to_frame(pair[0], pair[1])
+                };
+                (PointQuantity::Slope, rate)
+            };
+            let value = self.in_declared(body, position, pair);
+            result[0].extend(body.spec.axes.iter().map(|&axis| value[axis]));
+            result[1].extend(body.spec.axes.iter().map(|&axis| rate[axis]));
+        });
+        result
+    }
+
+    /// Calls back with every nodal vector: body, order, place in the full arrays.
+    fn each_vector(&self, mut each: impl FnMut(&MeshBody, usize, usize)) {
+        for body in &self.bodies {
+            for within in 0..body.spec.vectors() {
+                let (_, local) = body.spec.locate(within);
+                each(
+                    body,
+                    body.spec.orders[local],
+                    self.layout.offset(body.first_vector + within),
+                );
+            }
+        }
+    }
+
+    /// Motion of every frame at `t`.
+    pub(super) fn motions(&self, t: f64) -> Vec<FrameMotion> {
+        let mut frames = vec![FrameMotion::INERTIAL; self.parts.frame_count()];
+        self.parts.frames(t, &mut frames);
+        frames
+    }
+
+    /// The unknowns of nodal vectors in declared frames.
+    pub(super) fn unknowns_from(&self, t: f64, q: &[f64], v: &[f64]) -> State {
+        let frames = self.motions(t);
+        let (mut full_q, mut full_v) = (q.to_vec(), v.to_vec());
+        self.each_vector(|body, order, place| {
+            if body.frame == body.spec.frame {
+                return;
+            }
+            let frame = &frames[body.spec.frame];
+            let at = |full: &[f64]| self.vector_at(body, full, place);
+            let (value, rate) = (at(q), at(v));
+            let mut inertial = [frame.direction_to_inertial(value), frame.rate_to_inertial(value, rate)];
+            if order == 0 {
+                inertial[0] = frame.point_to_inertial(value);
+                inertial[1] = std::array::from_fn(|i| inertial[1][i] + frame.velocity[i]);
+            }
+            for (component, &axis) in body.spec.axes.iter().enumerate() {
+                full_q[place + component] = inertial[0][axis];
+                full_v[place + component] = inertial[1][axis];
+            }
+        });
+        let mut state = State::zeros(t, self.unknowns(), self.constraints());
+        self.layout.project(&full_q, &mut state.x);
+        self.layout.project(&full_v, &mut state.v);
+        state
+    }
+}
