@@ -31,7 +31,6 @@ pub(super) struct MeshPoint {
 }
 
 /// Buffers of the full (not reduced) state.
-#[derive(Default)]
 pub(super) struct Buffers {
     pub q: Vec<f64>,
     pub v: Vec<f64>,
@@ -39,6 +38,20 @@ pub(super) struct Buffers {
     pub force: Vec<f64>,
     pub frames: Vec<FrameMotion>,
     pub results: Vec<f64>,
+}
+
+impl Buffers {
+    fn new(components: usize, frames: Vec<FrameMotion>) -> Self {
+        let zeros = || vec![0.0; components];
+        Self {
+            q: zeros(),
+            v: zeros(),
+            a: zeros(),
+            force: zeros(),
+            frames,
+            results: Vec::new(),
+        }
+    }
 }
 
 /// How the frames are taken.
@@ -100,20 +113,7 @@ impl<P: Parts> MeshScene<P> {
                 condition(index, joint, body, firsts[joint.body], data, absolute(body), joints)
             })
             .collect();
-        let dimensions: Vec<usize> = specs
-            .iter()
-            .flat_map(|spec| std::iter::repeat_n(spec.dimension(), spec.vectors()))
-            .collect();
-        let mut kinds = vec![VectorKind::Free; dimensions.len()];
-        for condition in &conditions {
-            if condition.position_eliminated {
-                kinds[condition.position] = VectorKind::Prescribed;
-            }
-            if condition.slope_kind != VectorKind::Free {
-                kinds[condition.slope] = condition.slope_kind;
-            }
-        }
-        let layout = Layout::new(&dimensions, kinds);
+        let layout = numbering(&specs, &conditions);
         let connectivities: Vec<Connectivity> = specs
             .iter()
             .zip(&firsts)
@@ -124,26 +124,20 @@ impl<P: Parts> MeshScene<P> {
             .flat_map(|connectivity| connectivity.entries(&layout));
         let diagonal = (0..layout.unknowns()).map(|unknown| (unknown, unknown));
         let pattern = Pattern::new(layout.unknowns(), layout.unknowns(), entries.chain(diagonal));
-        let bodies: Vec<MeshBody> = specs
-            .into_iter()
-            .zip(firsts)
-            .zip(connectivities)
-            .enumerate()
-            .map(|(index, ((spec, first_vector), connectivity))| {
-                let mut mass = vec![0.0; spec.orders.len().pow(2)];
-                parts.mass(index, &mut mass);
-                let frame = if absolute(&spec) { 0 } else { spec.frame };
-                let scatter = Scatter::new(&connectivity, &layout, &pattern);
-                MeshBody {
-                    spec,
-                    first_vector,
-                    frame,
-                    connectivity,
-                    scatter,
-                    mass,
-                }
-            })
-            .collect();
+        let bodies = specs.into_iter().zip(firsts).zip(connectivities).enumerate();
+        let bodies = bodies.map(|(index, ((spec, first_vector), connectivity))| {
+            let mut mass = vec![0.0; spec.orders.len().pow(2)];
+            parts.mass(index, &mut mass);
+            MeshBody {
+                first_vector,
+                frame: if absolute(&spec) { 0 } else { spec.frame },
+                scatter: Scatter::new(&connectivity, &layout, &pattern),
+                connectivity,
+                mass,
+                spec,
+            }
+        });
+        let bodies = bodies.collect();
         let mut scene = Self {
             formulation,
             joints: joint_specs,
@@ -155,14 +149,7 @@ impl<P: Parts> MeshScene<P> {
             constraint_rows: Vec::new(),
             sizes: Vec::new(),
             mass: vec![0.0; pattern.entries()],
-            buffers: Buffers {
-                q: vec![0.0; layout.components()],
-                v: vec![0.0; layout.components()],
-                a: vec![0.0; layout.components()],
-                force: vec![0.0; layout.components()],
-                frames,
-                results: Vec::new(),
-            },
+            buffers: Buffers::new(layout.components(), frames),
             parts,
             bodies,
             conditions,
@@ -286,6 +273,24 @@ impl<P: Parts> MeshScene<P> {
         self.parts.shapes(body, xi, &mut point.values, &mut point.slopes);
         Ok(point)
     }
+}
+
+/// Numbers the unknowns that the joints leave.
+fn numbering(specs: &[BodySpec], conditions: &[Condition]) -> Layout {
+    let dimensions = specs
+        .iter()
+        .flat_map(|spec| std::iter::repeat_n(spec.dimension(), spec.vectors()));
+    let dimensions: Vec<usize> = dimensions.collect();
+    let mut kinds = vec![VectorKind::Free; dimensions.len()];
+    for condition in conditions {
+        if condition.position_eliminated {
+            kinds[condition.position] = VectorKind::Prescribed;
+        }
+        if condition.slope_kind != VectorKind::Free {
+            kinds[condition.slope] = condition.slope_kind;
+        }
+    }
+    Layout::new(&dimensions, kinds)
 }
 
 fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
