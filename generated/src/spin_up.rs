@@ -1393,6 +1393,8 @@ pub mod spin_up_equations {
                     orders: &[0, 1, 0, 1],
                     connectivity: &[0, 1, 2, 3],
                     vectors_per_node: 2,
+                    fidelity: ::rncf::mesh::Fidelity::Full,
+                    mean_axes: false,
                 },
             ])
         }

@@ -198,6 +198,7 @@ impl Newton {
             stiffness: vec![0.0; block.len()],
             jacobian: vec![0.0; border.len()],
             tangent: Tangent {
+                mass: vec![0.0; block.len()],
                 stiffness: vec![0.0; block.len()],
                 damping: vec![0.0; block.len()],
             },
@@ -255,7 +256,7 @@ impl Newton {
         scene.steady_tangent(state.t, scale, &state.x, &mut self.stiffness);
         if m > 0 {
             scene.constraint(ConstraintLevel::Position, state, violations);
-            scene.constraint_jacobian(state.t, &state.x, &mut self.jacobian);
+            scene.constraint_jacobian(state, &mut self.jacobian);
             self.constraint_pattern
                 .multiply_add(1.0, &self.jacobian, &state.lambda, forces);
             self.add_constraint_stiffness(scene, state);

@@ -52,15 +52,17 @@ impl System for Arm {
     fn constraint_pattern(&self) -> &Pattern {
         &self.constraint_pattern
     }
-    fn mass(&mut self, values: &mut [f64]) {
+    fn mass(&mut self, _state: &State, values: &mut [f64]) {
         values.copy_from_slice(&[1.0, 0.0, 0.0, 1.0]);
     }
-    fn residual(&mut self, t: f64, x: &[f64], v: &[f64], a: &[f64], out: &mut [f64]) {
+    fn residual(&mut self, state: &State, out: &mut [f64]) {
+        let (t, x, v, a) = (state.t, &state.x[..], &state.v[..], &state.a[..]);
         self.steady_residual(t, 1.0, x, out);
         out[0] += a[0] - 2.0 * self.spin * v[1];
         out[1] += a[1] + 2.0 * self.spin * v[0];
     }
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
+        self.mass(state, &mut out.mass);
         self.steady_tangent(state.t, 1.0, &state.x, &mut out.stiffness);
         let lambda = state.lambda.first().copied().unwrap_or(0.0);
         out.stiffness[0] += lambda;
@@ -79,8 +81,13 @@ impl System for Arm {
             };
         }
     }
-    fn constraint_jacobian(&mut self, _t: f64, x: &[f64], values: &mut [f64]) {
-        values.copy_from_slice(&x[..values.len()]);
+    fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
+        let count = values.len();
+        values.copy_from_slice(&state.x[..count]);
+    }
+    fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
+        let count = values.len();
+        values.copy_from_slice(&state.v[..count]);
     }
     fn sizes(&self) -> &[f64] {
         &[1.0, 1.0]

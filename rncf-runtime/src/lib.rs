@@ -10,7 +10,9 @@ pub mod integrate;
 pub mod linalg;
 pub mod mesh;
 pub mod model;
+pub mod rotation;
 pub mod system;
+pub mod vector;
 
 pub use equilibrium::{Equilibrium, steady};
 pub use error::{ModelError, SolveError};
@@ -18,4 +20,5 @@ pub use integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
 pub use model::{
     Ancf, Formulated, Formulation, Joints, Model, Output, Param, ParamKind, Rncf, RunDefaults, Scene, Start,
 };
+pub use rotation::Rotation;
 pub use system::{State, System};

@@ -1,5 +1,5 @@
 //! What an integrator sees of a model: residual, tangents and constraints of a second-order
-//! differential-algebraic system, THEORY 2 with prescribed frames:
+//! differential-algebraic system on a Lie group, THEORY 2:
 //!
 //! ```text
 //! M(t, x) a + f(t, x, v) + C_x(t, x)^T lambda = 0
@@ -7,33 +7,64 @@
 //! ```
 //!
 //! `x` are the free unknowns (conditions that are linear in the nodal vectors are eliminated).
+//! Most of them are numbers and `v` is their rate. A free orientation is three of them, see
+//! [`System::turns`]: there `v` is the angular velocity in body axes, and derivatives are taken
+//! with respect to right increments, `A <- A exp(dpi)`.
 
 use crate::linalg::Pattern;
+use crate::rotation::Rotation;
 
 /// Position, velocity, acceleration and multipliers of a system at one time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
     /// Time, s.
     pub t: f64,
-    /// Unknowns; m for positions, 1 for slopes.
+    /// Unknowns; m for positions, 1 for slopes, rad for angles. The three of an orientation are its
+    /// rotation vector theta since `turns`, in body axes: `A = turn exp(theta)`.
     pub x: Vec<f64>,
-    /// First time derivative of `x`.
+    /// Orientations at theta = 0, one for each of [`System::turns`]. Constant during a step; the
+    /// chart begins anew with every step, so that theta stays small.
+    pub turns: Vec<Rotation>,
+    /// First time derivative of `x`; angular velocity in body axes (rad/s) for an orientation.
     pub v: Vec<f64>,
-    /// Second time derivative of `x`.
+    /// Time derivative of `v`.
     pub a: Vec<f64>,
     /// Multipliers of the constraints.
     pub lambda: Vec<f64>,
 }
 
 impl State {
-    /// A state of zeros at time `t` with `n` unknowns and `m` multipliers.
+    /// A state of zeros at time `t` with `n` unknowns, none of them of an orientation, and `m`
+    /// multipliers.
     pub fn zeros(t: f64, n: usize, m: usize) -> Self {
         Self {
             t,
             x: vec![0.0; n],
+            turns: Vec::new(),
             v: vec![0.0; n],
             a: vec![0.0; n],
             lambda: vec![0.0; m],
+        }
+    }
+
+    /// A state of zeros at time `t` for `system`, orientations along the inertial axes.
+    pub fn of<S: System + ?Sized>(system: &S, t: f64) -> Self {
+        Self {
+            turns: vec![Rotation::IDENTITY; system.turns().len()],
+            ..Self::zeros(t, system.unknowns(), system.constraints())
+        }
+    }
+
+    /// Orientation `index` of [`System::turns`], whose first unknown is `unknown`.
+    pub fn orientation(&self, index: usize, unknown: usize) -> Rotation {
+        self.turns[index].turned([self.x[unknown], self.x[unknown + 1], self.x[unknown + 2]])
+    }
+
+    /// Begins the charts of the orientations with the given first unknowns anew: theta = 0.
+    pub fn rebase(&mut self, turns: &[usize]) {
+        for (index, &unknown) in turns.iter().enumerate() {
+            self.turns[index] = self.orientation(index, unknown);
+            self.x[unknown..unknown + 3].fill(0.0);
         }
     }
 }
@@ -41,7 +72,9 @@ impl State {
 /// Derivatives of the residual on the pattern of [`System::pattern`].
 #[derive(Clone, Debug, Default)]
 pub struct Tangent {
-    /// d(M a + f + C_x^T lambda)/dx.
+    /// M(t, x).
+    pub mass: Vec<f64>,
+    /// d(M a + f + C_x^T lambda)/dx, right increments for orientations.
     pub stiffness: Vec<f64>,
     /// df/dv: damping and gyroscopic terms.
     pub damping: Vec<f64>,
@@ -72,6 +105,18 @@ pub trait System {
     /// Number of constraints m that are kept with multipliers.
     fn constraints(&self) -> usize;
 
+    /// First of the three unknowns of every free orientation, ascending; none of them are ordinary
+    /// numbers.
+    fn turns(&self) -> &[usize] {
+        &[]
+    }
+
+    /// Number of unknowns at the end (poses of free frames and rigid bodies) whose rows and columns
+    /// may be full: linear algebra borders them. What is in front of them has a regular mass matrix.
+    fn border(&self) -> usize {
+        0
+    }
+
     /// Fixed sparsity pattern, n x n, common to mass, damping and stiffness; structurally
     /// symmetric, with the whole diagonal.
     fn pattern(&self) -> &Pattern;
@@ -79,22 +124,29 @@ pub trait System {
     /// Fixed sparsity pattern of `C_x^T`, n rows x m columns: one column for each constraint.
     fn constraint_pattern(&self) -> &Pattern;
 
-    /// Mass matrix on [`System::pattern`]. Constant in time and state (prescribed frames).
-    fn mass(&mut self, values: &mut [f64]);
+    /// Mass matrix at the state's time and position, on [`System::pattern`]. It may be singular where
+    /// `[[M, C_x^T], [C_x, 0]]` is not.
+    fn mass(&mut self, state: &State, values: &mut [f64]);
 
     /// `out = M a + f(t, x, v)`, without constraint forces; n entries.
-    fn residual(&mut self, t: f64, x: &[f64], v: &[f64], a: &[f64], out: &mut [f64]);
+    fn residual(&mut self, state: &State, out: &mut [f64]);
 
-    /// Derivatives of `M a + f + C_x^T lambda` on [`System::pattern`]; every entry is overwritten.
+    /// Mass and derivatives of `M a + f + C_x^T lambda` on [`System::pattern`]; every entry is
+    /// overwritten.
     fn tangent(&mut self, state: &State, out: &mut Tangent);
 
     /// Constraint values of the given level; m entries. `state.lambda` is not used.
     fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]);
 
-    /// `C_x^T` on [`System::constraint_pattern`].
-    fn constraint_jacobian(&mut self, t: f64, x: &[f64], values: &mut [f64]);
+    /// `C_x^T` at the state's time and position, on [`System::constraint_pattern`].
+    fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]);
 
-    /// Size of the kind of every unknown: body length for positions (m), 1 for slopes; n entries.
+    /// `(d(C_x v + C_t)/dx)^T` on [`System::constraint_pattern`], for the stabilised index 2
+    /// (THEORY 7.4).
+    fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]);
+
+    /// Size of the kind of every unknown: body length for positions (m), 1 for slopes and angles; n
+    /// entries.
     /// The weight of an unknown in every error norm is `rtol` times this.
     fn sizes(&self) -> &[f64];
 

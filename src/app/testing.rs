@@ -195,11 +195,12 @@ impl System for RotorScene {
         &self.none
     }
 
-    fn mass(&mut self, values: &mut [f64]) {
+    fn mass(&mut self, _: &State, values: &mut [f64]) {
         values.copy_from_slice(&[1.0, 0.0, 0.0, 1.0]);
     }
 
-    fn residual(&mut self, t: f64, x: &[f64], v: &[f64], a: &[f64], out: &mut [f64]) {
+    fn residual(&mut self, state: &State, out: &mut [f64]) {
+        let (t, x, v, a) = (state.t, &state.x[..], &state.v[..], &state.a[..]);
         let w = self.omega;
         if t > self.fail_at {
             out.fill(f64::NAN);
@@ -214,8 +215,10 @@ impl System for RotorScene {
         }
     }
 
-    fn tangent(&mut self, _: &State, out: &mut Tangent) {
+    fn tangent(&mut self, state: &State, out: &mut Tangent) {
         let (k, c, w) = (self.stiffness, self.damping, self.omega);
+        out.mass.resize(4, 0.0);
+        self.mass(state, &mut out.mass);
         out.stiffness.clear();
         out.damping.clear();
         if self.absolute {
@@ -229,7 +232,9 @@ impl System for RotorScene {
 
     fn constraint(&mut self, _: ConstraintLevel, _: &State, _: &mut [f64]) {}
 
-    fn constraint_jacobian(&mut self, _: f64, _: &[f64], _: &mut [f64]) {}
+    fn constraint_jacobian(&mut self, _: &State, _: &mut [f64]) {}
+
+    fn constraint_rate_tangent(&mut self, _: &State, _: &mut [f64]) {}
 
     fn sizes(&self) -> &[f64] {
         &[LENGTH, LENGTH]

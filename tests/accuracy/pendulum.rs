@@ -46,14 +46,16 @@ impl System for Cartesian {
     fn constraint_pattern(&self) -> &Pattern {
         &self.constraint_pattern
     }
-    fn mass(&mut self, values: &mut [f64]) {
+    fn mass(&mut self, _state: &State, values: &mut [f64]) {
         values.fill(DATA[0]);
     }
-    fn residual(&mut self, _t: f64, _x: &[f64], _v: &[f64], a: &[f64], out: &mut [f64]) {
+    fn residual(&mut self, state: &State, out: &mut [f64]) {
+        let a = &state.a[..];
         out[0] = DATA[0] * a[0];
         out[1] = DATA[0] * (a[1] + DATA[2]);
     }
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
+        self.mass(state, &mut out.mass);
         out.stiffness.fill(state.lambda[0]);
         out.damping.fill(0.0);
     }
@@ -66,8 +68,11 @@ impl System for Cartesian {
             ConstraintLevel::Jerk => 3.0 * dot(&state.v, &state.a),
         };
     }
-    fn constraint_jacobian(&mut self, _t: f64, x: &[f64], values: &mut [f64]) {
-        values.copy_from_slice(x);
+    fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
+        values.copy_from_slice(&state.x);
+    }
+    fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
+        values.copy_from_slice(&state.v);
     }
     fn sizes(&self) -> &[f64] {
         &self.sizes
@@ -96,6 +101,7 @@ fn exact(gravity: f64) -> Vec<State> {
         let motion = pendulum.cartesian(y);
         State {
             t,
+            turns: vec![],
             x: motion.position.to_vec(),
             v: motion.velocity.to_vec(),
             a: motion.acceleration.to_vec(),

@@ -16,6 +16,8 @@ index!(/** Index into [`Model::motions`]. */ MotionId);
 index!(/** Index into [`Model::frames`]; 0 is the inertial frame. */ FrameId);
 index!(/** Index into [`Model::bodies`]. */ BodyId);
 index!(/** Index into [`Model::joints`]. */ JointId);
+index!(/** Index into [`Model::markers`]. */ MarkerId);
+index!(/** Index into [`Model::constraints`]. */ ConstraintId);
 index!(/** Index into the element library's elements. */ ElementId);
 
 /// The inertial frame, always first.
@@ -42,7 +44,15 @@ pub struct Model {
     pub bodies: Vec<Body>,
     /// Joints in the order of the declaration.
     pub joints: Vec<Joint>,
-    /// Loads in the order of the declaration.
+    /// Vectors that constraints, forces and outputs are functions of; equal ones are one.
+    pub markers: Vec<Marker>,
+    /// Constraints with multipliers: joints between moving parts, and declared ones.
+    pub constraints: Vec<Constraint>,
+    /// Forces on markers: springs, user-written laws, loads on what moves freely.
+    pub forces: Vec<Force>,
+    /// Fixtures of flexible bodies.
+    pub fixtures: Vec<Fixture>,
+    /// Loads in the order of the declaration: gravity, and dead loads in prescribed frames.
     pub loads: Vec<Load>,
     /// Outputs in the order of the declaration.
     pub outputs: Vec<Output>,
@@ -103,7 +113,7 @@ pub enum Expr {
     Call(Function, Vec<Expr>),
     /// `if left < right { then } else { otherwise }`.
     If(Comparison, Box<Expr>, Box<Expr>, Box<Expr>, Box<Expr>),
-    /// Something of the simulated system; in outputs only.
+    /// Something of the simulated system; in outputs, constraints and forces.
     Observed(Observable),
 }
 
@@ -187,9 +197,36 @@ impl Function {
     }
 }
 
-/// A component of something observed, in outputs.
+/// A component of something observed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Observable {
+    /// Component of a marker or of its time derivatives, inertial axes. Constraints use derivative 0
+    /// only, forces 0 and 1.
+    Marker {
+        /// Which marker.
+        marker: MarkerId,
+        /// 0 value, 1 velocity, 2 acceleration.
+        derivative: usize,
+        /// 0, 1, 2 for x, y, z.
+        component: usize,
+    },
+    /// Component of what a constraint exerts on its first party, inertial axes; in outputs. The
+    /// moment is about the first point among its markers.
+    ConstraintReaction {
+        /// Which constraint.
+        constraint: ConstraintId,
+        /// Moment (N m) instead of force (N).
+        moment: bool,
+        /// 0, 1, 2 for x, y, z.
+        component: usize,
+    },
+    /// Multiplier of one row of a constraint; in outputs.
+    Multiplier {
+        /// Which constraint.
+        constraint: ConstraintId,
+        /// Row.
+        row: usize,
+    },
     /// Component of a body's point: position, velocity (relative to the body's frame) or slope
     /// dp/dx, in the axes of the body's declared frame.
     Point {
@@ -245,10 +282,176 @@ pub struct Frame {
     pub doc: String,
     /// The frame it moves in.
     pub parent: FrameId,
-    /// Position of its origin in the parent, m, parent axes.
+    /// Position of its origin in the parent, m, parent axes; of a free frame at t = 0.
     pub origin: [Expr; 3],
-    /// Rotation about an axis fixed in both frames.
+    /// Rotation about an axis fixed in both frames; of a free frame at t = 0.
     pub rotation: Option<Rotation>,
+    /// Whether it moves freely; else in the prescribed way.
+    pub free: Option<Free>,
+}
+
+/// A frame whose pose is unknown (THEORY 2, 3.1).
+#[derive(Clone, Debug)]
+pub struct Free {
+    /// Which motions are unknown.
+    pub motions: Motions,
+    /// Velocity of the origin relative to the parent at t = 0, m/s, parent axes.
+    pub velocity: [Expr; 3],
+    /// Angular velocity relative to the parent at t = 0, rad/s, frame axes.
+    pub spin: [Expr; 3],
+    /// Rigid parts that it carries.
+    pub parts: Vec<RigidPart>,
+    /// Whether it was declared as a rigid body.
+    pub is_body: bool,
+}
+
+/// Which motions of a free frame are unknown. See `rncf::mesh::Motions`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Motions {
+    /// Along and about all axes.
+    Spatial,
+    /// In the plane normal to an axis.
+    Planar {
+        /// 0, 1, 2: inertial axis, and axis of the frame.
+        normal: usize,
+    },
+    /// About the origin, which is that of the parent.
+    Turning,
+    /// About an axis through the origin, which is that of the parent.
+    Hinged {
+        /// Unit vector, axes of the parent and of the frame alike.
+        axis: [f64; 3],
+    },
+    /// Along all axes, without turning: a point mass.
+    Shifting,
+    /// Along the axes of a plane, without turning.
+    ShiftingPlanar {
+        /// 0, 1, 2: inertial axis normal to the plane.
+        normal: usize,
+    },
+}
+
+/// A rigid part in a free frame: ten numbers.
+#[derive(Clone, Debug)]
+pub struct RigidPart {
+    /// Name in the declaration.
+    pub name: String,
+    /// Mass, kg.
+    pub mass: Expr,
+    /// Centre of mass, m, frame axes.
+    pub center: [Expr; 3],
+    /// Inertia about the centre of mass, kg m^2, frame axes: xx, yy, zz, xy, xz, yz (matrix entries).
+    pub inertia: [Expr; 6],
+}
+
+/// A vector in inertial axes that moves with the system. See `rncf::mesh::MarkerSpec`.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Marker {
+    /// A point fixed in a frame, m, frame axes.
+    Point {
+        /// Frame, prescribed or free.
+        frame: FrameId,
+        /// Where.
+        at: [Expr; 3],
+    },
+    /// A direction fixed in a frame, frame axes.
+    Direction {
+        /// Frame.
+        frame: FrameId,
+        /// Direction.
+        along: [Expr; 3],
+    },
+    /// A place on a flexible body.
+    BodyPoint {
+        /// Body.
+        body: BodyId,
+        /// Where.
+        at: Location,
+    },
+    /// The slope of a flexible body, not normalised.
+    BodySlope {
+        /// Body.
+        body: BodyId,
+        /// Where.
+        at: Location,
+    },
+    /// The turning of a frame: no value, its rate is the angular velocity (rad/s, inertial axes).
+    Turn {
+        /// Frame.
+        frame: FrameId,
+    },
+    /// The angle of a planar or hinged frame and two zeros, rad.
+    Angle {
+        /// Frame.
+        frame: FrameId,
+    },
+    /// Fixed in a frame, equal to another marker at t = 0.
+    Matching {
+        /// Frame.
+        frame: FrameId,
+        /// The other marker.
+        marker: MarkerId,
+    },
+    /// A unit vector fixed in a frame, normal to another direction at t = 0.
+    Normal {
+        /// Frame.
+        frame: FrameId,
+        /// The other marker.
+        marker: MarkerId,
+        /// 0 or 1: (direction, first, second) is a right-handed triad.
+        which: usize,
+    },
+}
+
+/// Constraints C(z, t) = 0 of one joint or one declaration, as expressions of markers and time.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// Name.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// Kind for messages, e.g. `revolute`, `constraint`.
+    pub kind: String,
+    /// Markers, in the order of the emitted function's arguments.
+    pub markers: Vec<MarkerId>,
+    /// The first so many markers belong to the first party.
+    pub first_party: usize,
+    /// What each row fixes, e.g. `position x`, and its expression.
+    pub rows: Vec<(String, Expr)>,
+    /// `Some(body)`: only where that body's nodal vectors are in the inertial frame; it stands there
+    /// for a joint that is eliminated in the body's own free frame.
+    pub absolute: Option<BodyId>,
+}
+
+/// A force on markers, as expressions of markers, their velocities and time.
+#[derive(Clone, Debug)]
+pub struct Force {
+    /// Name.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// Markers that it depends on or acts on, in the order of the emitted function's arguments.
+    pub markers: Vec<MarkerId>,
+    /// Force on each marker in inertial axes, in the same order: N on points, N m on turns and
+    /// angles (first component), generalised on slopes; zeros where it only depends on it.
+    pub components: Vec<[Expr; 3]>,
+    /// Potential, J, where it has one and nothing damps.
+    pub energy: Option<Expr>,
+}
+
+/// A rigid fixture at a place of a flexible body (THEORY 5.4).
+#[derive(Clone, Debug)]
+pub struct Fixture {
+    /// Name.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// Body.
+    pub body: BodyId,
+    /// Where.
+    pub at: Location,
+    /// Mass (kg), first moment along the slope (kg m), second moment along it (kg m^2).
+    pub constants: [Expr; 3],
 }
 
 /// A prescribed rotation about a fixed axis.
@@ -321,6 +524,24 @@ pub struct Body {
     pub quadrature: Quadrature,
     /// How the elastic kernels are emitted.
     pub evaluation: Evaluation,
+    /// How finely its deformation is described.
+    pub fidelity: Fidelity,
+    /// Whether its free frame follows the mean axes instead of joints.
+    pub mean_axes: bool,
+}
+
+/// How finely the deformation of a body is described (THEORY 3).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Fidelity {
+    /// All nodal vectors.
+    #[default]
+    Full,
+    /// This number (a count) of lowest modes in the body's frame, Eqs. (15)-(17).
+    Modal(Expr),
+    /// The same for small deformations, Eqs. (18)-(20).
+    Small(Expr),
+    /// No deformation.
+    Rigid,
 }
 
 /// The stress-free axis of a body.
@@ -368,7 +589,8 @@ pub enum Evaluation {
     Loop,
 }
 
-/// A joint between a body's end and a prescribed frame.
+/// A joint between a body's end and a prescribed frame or the body's own frame: its conditions are
+/// linear in the nodal vectors.
 #[derive(Clone, Debug)]
 pub struct Joint {
     /// Name.
@@ -396,6 +618,14 @@ pub enum JointKind {
     ClampFull,
     /// Position.
     Pin,
+    /// One component of the position (order 0) or slope (order 1) in the body's own frame, at its
+    /// undeformed value.
+    Hold {
+        /// 0 position, 1 slope.
+        order: usize,
+        /// Frame axis 0, 1, 2.
+        axis: usize,
+    },
 }
 
 /// A load.

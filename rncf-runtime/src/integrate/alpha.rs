@@ -166,12 +166,12 @@ impl Alpha {
             later.x[i] = self.now.x[i] + dt * (self.now.v[i] + 0.5 * dt * self.now.a[i]);
             later.v[i] = self.now.v[i] + dt * self.now.a[i];
         }
-        self.bordered.move_to(system, later.t, &later.x);
+        self.bordered.move_to(system, later);
         self.bordered.accelerations(system, later, statistics)?;
         for i in 0..self.now.x.len() {
             self.first_jerk[i] = (later.a[i] - self.now.a[i]) / dt;
         }
-        self.bordered.move_to(system, self.now.t, &self.now.x);
+        self.bordered.move_to(system, &self.now);
         let (jerk, change) = (&mut self.first_jerk, &mut self.work);
         self.bordered
             .constrain_jerk(system, &self.now, jerk, change, statistics)
@@ -270,10 +270,10 @@ impl Alpha {
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
         let Iterate { state, algorithmic } = &mut self.trial;
-        self.bordered.move_to(system, state.t, &state.x);
+        self.bordered.move_to(system, state);
         let change = &mut self.work;
         if let Err(singular) = self.bordered.velocity_change(system, state, change, statistics) {
-            self.bordered.move_to(system, self.now.t, &self.now.x);
+            self.bordered.move_to(system, &self.now);
             return Err(singular);
         }
         self.left.v.copy_from_slice(&state.v);

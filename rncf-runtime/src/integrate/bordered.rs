@@ -45,7 +45,7 @@ impl Bordered {
         let constraint_pattern = system.constraint_pattern().clone();
         let (n, m) = (system.unknowns(), system.constraints());
         let mut mass = vec![0.0; pattern.entries()];
-        system.mass(&mut mass);
+        system.mass(&State::of(system, 0.0), &mut mass);
         Self {
             saddle: Saddle::new(&pattern, &constraint_pattern),
             sizes: system.sizes().to_vec(),
@@ -65,10 +65,10 @@ impl Bordered {
         &self.mass
     }
 
-    /// Moves the border to time `t` and position `x`.
-    pub(super) fn move_to<S: System + ?Sized>(&mut self, system: &mut S, t: f64, x: &[f64]) {
+    /// Moves the border to the state's time and position.
+    pub(super) fn move_to<S: System + ?Sized>(&mut self, system: &mut S, state: &State) {
         if self.constraint_pattern.columns() > 0 {
-            system.constraint_jacobian(t, x, &mut self.jacobian);
+            system.constraint_jacobian(state, &mut self.jacobian);
             if self.state_of_factors == Factors::Present {
                 self.state_of_factors = Factors::Old;
             }
@@ -87,8 +87,7 @@ impl Bordered {
             self.state_of_factors = Factors::None; // to full accuracy, and rarely asked for
         }
         state.a.fill(0.0);
-        let State { t, x, v, a, .. } = &*state;
-        system.residual(*t, x, v, a, &mut self.given.0);
+        system.residual(state, &mut self.given.0);
         statistics.residual_evaluations += 1;
         system.constraint(ConstraintLevel::Acceleration, state, &mut self.given.1);
         negate(&mut self.given.0);

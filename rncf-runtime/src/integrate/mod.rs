@@ -185,7 +185,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
     /// Begins at positions and velocities: consistent accelerations, a first step, the method.
     fn begin(&mut self, mut state: State) -> Result<(), SolveError> {
         let t = state.t;
-        self.bordered.move_to(self.system, t, &state.x);
+        self.bordered.move_to(self.system, &state);
         self.bordered
             .accelerations(self.system, &mut state, &mut self.statistics)
             .map_err(|singular| self.singular(t, singular))?;
@@ -229,7 +229,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
     fn restart(&mut self) -> Result<(), SolveError> {
         let mut state = self.state().clone();
         state.t = self.segments.behind_kink();
-        self.bordered.move_to(self.system, state.t, &state.x);
+        self.bordered.move_to(self.system, &state);
         let mut change = vec![0.0; state.v.len()];
         self.bordered
             .velocity_change(self.system, &state, &mut change, &mut self.statistics)

@@ -140,6 +140,7 @@ impl Newton {
             rtol,
             saddle: Saddle::new(pattern, &constraint_pattern),
             tangent: Tangent {
+                mass: vec![0.0; entries],
                 stiffness: vec![0.0; entries],
                 damping: vec![0.0; entries],
             },
@@ -287,7 +288,7 @@ impl Newton {
             return Err(Failure::Failed(Cause::NotFinite));
         }
         if !self.dlambda.is_empty() {
-            system.constraint_jacobian(state.t, &state.x, &mut self.jacobian);
+            system.constraint_jacobian(state, &mut self.jacobian);
         }
         self.factored_for = None;
         statistics.factorizations += 1;
@@ -310,12 +311,12 @@ impl Newton {
         state: &State,
         statistics: &mut Statistics,
     ) -> f64 {
-        let State { t, x, v, a, lambda } = state;
-        system.residual(*t, x, v, a, &mut self.dx);
+        let lambda = &state.lambda;
+        system.residual(state, &mut self.dx);
         statistics.residual_evaluations += 1;
         statistics.newton_iterations += 1;
         if !lambda.is_empty() {
-            system.constraint_jacobian(*t, x, &mut self.jacobian);
+            system.constraint_jacobian(state, &mut self.jacobian);
             self.constraint_pattern
                 .multiply_add(1.0, &self.jacobian, lambda, &mut self.dx);
             system.constraint(ConstraintLevel::Position, state, &mut self.dlambda);

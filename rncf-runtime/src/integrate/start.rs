@@ -54,7 +54,7 @@ pub(super) fn violation<S: System + ?Sized>(system: &mut S, state: &State, span:
     let (mut position, mut velocity) = (vec![0.0; m], vec![0.0; m]);
     system.constraint(ConstraintLevel::Position, state, &mut position);
     system.constraint(ConstraintLevel::Velocity, state, &mut velocity);
-    system.constraint_jacobian(state.t, &state.x, &mut jacobian);
+    system.constraint_jacobian(state, &mut jacobian);
     let (pattern, sizes) = (system.constraint_pattern(), system.sizes());
     let mut worst: Option<(f64, usize)> = None;
     for column in 0..m {
@@ -104,9 +104,9 @@ pub(super) fn first_step<S: System + ?Sized>(
         later.x[i] += trial * (state.v[i] + 0.5 * trial * state.a[i]);
         later.v[i] += trial * state.a[i];
     }
-    bordered.move_to(system, later.t, &later.x);
+    bordered.move_to(system, &later);
     bordered.accelerations(system, &mut later, statistics)?;
-    bordered.move_to(system, state.t, &state.x);
+    bordered.move_to(system, state);
     for i in 0..later.a.len() {
         later.a[i] = (later.a[i] - state.a[i]) / trial;
     }

@@ -1,9 +1,10 @@
 //! Joints: which of their conditions are eliminated and which keep multipliers.
 
-use super::frame::{FrameMotion, cross, norm};
+use super::frame::FrameMotion;
 use super::layout::VectorKind;
 use super::parts::{BodySpec, JointData, JointKind, JointSpec};
 use crate::model::Joints;
+use crate::vector::{cross, perpendicular};
 
 /// A joint on its node.
 #[derive(Clone, Debug)]
@@ -34,6 +35,7 @@ pub fn row_count(kind: JointKind, dimension: usize) -> usize {
         JointKind::Pin => dimension,
         JointKind::Clamp => 2 * dimension - 1,
         JointKind::ClampFull => 2 * dimension,
+        JointKind::Hold { .. } => 1,
     }
 }
 
@@ -61,16 +63,6 @@ pub fn joint_data(joint: &JointSpec, body: &BodySpec, frames: &[FrameMotion]) ->
         tangent,
         normals: [first, cross(tangent, first)],
     }
-}
-
-/// A unit vector normal to `t`.
-fn perpendicular(t: [f64; 3]) -> [f64; 3] {
-    let smallest = (0..3).min_by(|&i, &j| t[i].abs().total_cmp(&t[j].abs())).unwrap_or(0);
-    let mut axis = [0.0; 3];
-    axis[smallest] = 1.0;
-    let normal = cross(t, axis);
-    let size = norm(normal);
-    normal.map(|x| x / size)
 }
 
 /// What a joint does to its node: eliminated where the direction does not turn in the body's frame.
@@ -101,6 +93,7 @@ pub fn condition(
     let (position_eliminated, slope_kind, rows) = match (joints, joint.kind) {
         (Joints::Multipliers, _) => (false, VectorKind::Free, (0..all).collect()),
         (Joints::Eliminated, JointKind::Pin) => (true, VectorKind::Free, Vec::new()),
+        (Joints::Eliminated, JointKind::Hold { .. }) => (false, VectorKind::Free, Vec::new()),
         (Joints::Eliminated, JointKind::ClampFull) => (true, VectorKind::Prescribed, Vec::new()),
         (Joints::Eliminated, JointKind::Clamp) if turns => (true, VectorKind::Free, (dimension..all).collect()),
         (Joints::Eliminated, JointKind::Clamp) => {

@@ -2,10 +2,10 @@
 
 use super::assembly::evaluate;
 use super::conditions::Condition;
-use super::frame::add;
 use super::layout::VectorKind;
 use super::parts::{LoadKind, Parts, Prescribed};
 use super::scene::{Buffers, MeshBody, MeshScene, Regime};
+use crate::vector::add;
 
 /// Degrees of freedom of the largest element.
 pub(super) const MAX_SIZE: usize = 32;

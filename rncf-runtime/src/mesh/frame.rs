@@ -1,4 +1,6 @@
-//! Prescribed frames: what they do at one time.
+//! Frames: what they do at one time.
+
+use crate::vector::{add, cross, subtract};
 
 /// Motion of a prescribed frame at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,33 +103,4 @@ impl FrameMotion {
             ..*self
         }
     }
-}
-
-/// `a + b`
-pub(crate) fn add(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] + b[i])
-}
-
-/// `a - b`
-pub(crate) fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
-/// `a x b`
-pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-/// `a . b`
-pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// `|a|`
-pub(crate) fn norm(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
 }

@@ -1,6 +1,6 @@
 //! Stress-free axes of bodies.
 
-use super::frame::{add, cross, norm, subtract};
+use crate::vector::{add, cross, norm, subtract};
 
 /// Stress-free axis of a body, in its declared frame.
 #[derive(Clone, Copy, Debug, PartialEq)]

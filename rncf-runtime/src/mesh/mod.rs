@@ -8,8 +8,10 @@ mod checks;
 mod conditions;
 mod evaluate;
 mod frame;
+mod free;
 mod layout;
 mod line;
+mod markers;
 mod outputs;
 mod parts;
 mod scene;
@@ -20,10 +22,12 @@ mod view;
 
 pub use checks::{array, array_mut, check_params, non_negative, poisson, positive};
 pub use frame::{FrameAction, FrameMotion};
+pub use free::{FreeSpec, Motions, RigidSpec};
 pub use layout::{Layout, VectorKind};
 pub use line::Line;
+pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
 pub use parts::{
-    BodySpec, JointData, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, PointQuantity,
-    Prescribed,
+    BodySpec, Carried, CarriedTangent, Fidelity, JointData, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec,
+    Parts, Place, PointQuantity, Prescribed,
 };
 pub use scene::MeshScene;

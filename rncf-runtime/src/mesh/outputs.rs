@@ -1,11 +1,11 @@
 //! What is read off a scene: outputs, reactions, energy.
 
 use super::evaluate::{MAX_SIZE, weighted};
-use super::frame::{cross, subtract};
 use super::parts::{LoadKind, ObservedSpec, Parts, PointQuantity};
 use super::scene::{MeshBody, MeshScene, Regime};
 use crate::model::Scene;
 use crate::system::State;
+use crate::vector::{cross, subtract};
 
 impl<P: Parts> MeshScene<P> {
     /// Energy of a conservative model: kinetic, strain, and potential of gravity and dead forces.
@@ -106,6 +106,9 @@ impl<P: Parts> MeshScene<P> {
                 let components = body.connectivity.element(point.element);
                 let at = |full: &[f64]| self.spread(body, weighted(full, components, body.spec.dimension(), weights));
                 self.in_declared(body, what, [at(&self.buffers.q), at(&self.buffers.v)])[component]
+            }
+            ObservedSpec::Marker { .. } | ObservedSpec::ConstraintReaction { .. } | ObservedSpec::Multiplier { .. } => {
+                f64::NAN
             }
             ObservedSpec::Reaction {
                 joint,

@@ -1,9 +1,12 @@
 //! What the generator emits for one model, as the runtime sees it.
 
 use super::frame::{FrameAction, FrameMotion};
+use super::free::{FreeSpec, RigidSpec};
 use super::line::Line;
+use super::markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec};
 use crate::error::ModelError;
 use crate::system::ConstraintLevel;
+use crate::vector::Vector;
 
 /// A meshed body.
 #[derive(Clone, Debug)]
@@ -26,6 +29,24 @@ pub struct BodySpec {
     pub connectivity: &'static [usize],
     /// Number of vectors of a node.
     pub vectors_per_node: usize,
+    /// How finely its deformation is described.
+    pub fidelity: Fidelity,
+    /// Whether its free frame follows the mean axes (THEORY 6, Buckens) instead of joints.
+    pub mean_axes: bool,
+}
+
+/// How finely the deformation of a body is described (THEORY 3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Fidelity {
+    /// All nodal vectors.
+    #[default]
+    Full,
+    /// Modal coordinates of this number of lowest modes in the body's frame, Eqs. (15)-(17).
+    Modal(usize),
+    /// The same for small deformations, with constant mass matrix, Eqs. (18)-(20).
+    Small(usize),
+    /// No deformation.
+    Rigid,
 }
 
 impl BodySpec {
@@ -72,6 +93,14 @@ pub enum JointKind {
     ClampFull,
     /// Position.
     Pin,
+    /// One component of the position (order 0) or slope (order 1) in the body's own frame, at its
+    /// undeformed value.
+    Hold {
+        /// 0 position, 1 slope.
+        order: usize,
+        /// Frame axis 0, 1, 2.
+        axis: usize,
+    },
 }
 
 /// A joint between a body's end and a frame.
@@ -168,6 +197,32 @@ pub enum ObservedSpec {
         /// Frame axis 0, 1, 2.
         component: usize,
     },
+    /// Component of a marker or of its time derivatives, inertial axes.
+    Marker {
+        /// Marker.
+        marker: usize,
+        /// 0 value, 1 velocity, 2 acceleration.
+        derivative: usize,
+        /// 0, 1, 2.
+        component: usize,
+    },
+    /// Component of what a constraint exerts on its first party, inertial axes; the moment is about
+    /// the first point among its markers.
+    ConstraintReaction {
+        /// Constraint.
+        constraint: usize,
+        /// Moment instead of force.
+        moment: bool,
+        /// 0, 1, 2.
+        component: usize,
+    },
+    /// Multiplier of one row of a constraint.
+    Multiplier {
+        /// Constraint.
+        constraint: usize,
+        /// Row.
+        row: usize,
+    },
     /// Component of what a joint exerts on its body, in the joint's frame, about its point.
     Reaction {
         /// Joint.
@@ -177,6 +232,41 @@ pub enum ObservedSpec {
         /// Frame axis 0, 1, 2.
         component: usize,
     },
+}
+
+/// Something with inertia in a free frame.
+#[derive(Clone, Copy, Debug)]
+pub enum Carried<'a> {
+    /// An element of a body: its nodal vectors are q.
+    Element {
+        /// Body.
+        body: usize,
+    },
+    /// A fixture of a body: position and slope of its place are q.
+    Fixture {
+        /// Components of a vector: 2 or 3.
+        dimension: usize,
+        /// As in [`FixtureSpec::constants`].
+        constants: [f64; 3],
+    },
+    /// Rigid parts of the frame itself; no q, three components.
+    Rigid(&'a RigidSpec),
+}
+
+/// Derivatives of what is carried, all in frame axes, rows first. A vector has d = 2 or 3 components,
+/// an angular velocity s = 1 or 3; b = d + s are the rows of force and moment on the frame, and q has
+/// n components. e is the origin's acceleration minus gravity.
+#[derive(Clone, Debug, Default)]
+pub struct CarriedTangent {
+    /// d(force, moment)/d(e, w', q''): b x (b + n); its last n columns are also, transposed, the
+    /// derivatives of the q rows with respect to e and w'.
+    pub mass: Vec<f64>,
+    /// d(force, moment)/d(w, q'): b x (s + n).
+    pub damping: Vec<f64>,
+    /// d(q rows)/dw: n x s.
+    pub spin: Vec<f64>,
+    /// d(force, moment)/dq: b x n.
+    pub stiffness: Vec<f64>,
 }
 
 /// One model, as emitted: specifications and kernels. Indices follow the order of the declaration;
@@ -274,4 +364,117 @@ pub trait Parts: Clone + Send + Sync + 'static {
 
     /// Values of the output columns from what they observe.
     fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]);
+
+    /// Free frames, ascending.
+    fn free(&self) -> Vec<FreeSpec> {
+        Vec::new()
+    }
+    /// Markers.
+    fn markers(&self) -> Vec<MarkerSpec> {
+        Vec::new()
+    }
+    /// Constraints with multipliers.
+    fn constraints(&self) -> Vec<ConstraintSpec> {
+        Vec::new()
+    }
+    /// Forces on markers.
+    fn forces(&self) -> Vec<ForceSpec> {
+        Vec::new()
+    }
+    /// Fixtures of flexible bodies.
+    fn fixtures(&self) -> Vec<FixtureSpec> {
+        Vec::new()
+    }
+
+    /// Adds force and moment about the origin (frame axes; b numbers) that the inertia of something
+    /// carried needs, Eqs. (11), (12): `F = sum c_a R_a`, `T = sum q_a x R_a` for the inertia part.
+    fn carried(&self, _of: Carried, _frame: &FrameAction, _q: &[f64], _v: &[f64], _a: &[f64], _out: &mut [f64]) {}
+    /// Writes its derivatives (THEORY 2.1); every entry is overwritten, after resizing.
+    fn carried_tangent(
+        &self,
+        _of: Carried,
+        _frame: &FrameAction,
+        _q: &[f64],
+        _v: &[f64],
+        _a: &[f64],
+        _out: &mut CarriedTangent,
+    ) {
+    }
+    /// Adds the inertia force of a fixture on position and slope of its place.
+    #[allow(clippy::too_many_arguments)]
+    fn fixture_force(
+        &self,
+        _dimension: usize,
+        _constants: [f64; 3],
+        _absolute: bool,
+        _frame: &FrameAction,
+        _q: &[f64],
+        _v: &[f64],
+        _a: &[f64],
+        _force: &mut [f64],
+    ) {
+    }
+    /// Adds its derivatives with respect to q and q', rows first.
+    fn fixture_tangent(
+        &self,
+        _dimension: usize,
+        _constants: [f64; 3],
+        _absolute: bool,
+        _frame: &FrameAction,
+        _stiffness: &mut [f64],
+        _damping: &mut [f64],
+    ) {
+    }
+
+    /// Values of a constraint's rows, or of their total time derivatives (velocity, acceleration,
+    /// jerk), from its markers' values and derivatives of that order and below.
+    fn marker_constraint(
+        &self,
+        _constraint: usize,
+        _level: ConstraintLevel,
+        _t: f64,
+        _z: &[[Vector; 4]],
+        _rows: &mut [f64],
+    ) {
+    }
+    /// dC/dz: rows x 3 k for k markers, rows first.
+    fn marker_constraint_gradient(&self, _constraint: usize, _t: f64, _z: &[Vector], _gradient: &mut [f64]) {}
+    /// d(dC/dt)/dz at constant z': rows x 3 k.
+    fn marker_constraint_rate_gradient(
+        &self,
+        _constraint: usize,
+        _t: f64,
+        _z: &[Vector],
+        _velocity: &[Vector],
+        _gradient: &mut [f64],
+    ) {
+    }
+    /// sum_i lambda_i d^2 C_i/dz dz: 3 k x 3 k.
+    fn marker_constraint_hessian(
+        &self,
+        _constraint: usize,
+        _t: f64,
+        _z: &[Vector],
+        _lambda: &[f64],
+        _hessian: &mut [f64],
+    ) {
+    }
+
+    /// Forces on the markers of a force: 3 k numbers, inertial axes; positive ones act along z.
+    fn marker_force(&self, _force: usize, _t: f64, _z: &[Vector], _velocity: &[Vector], _out: &mut [f64]) {}
+    /// Their derivatives with respect to z and z': 3 k x 3 k each.
+    fn marker_force_tangent(
+        &self,
+        _force: usize,
+        _t: f64,
+        _z: &[Vector],
+        _velocity: &[Vector],
+        _by_value: &mut [f64],
+        _by_velocity: &mut [f64],
+    ) {
+    }
+    /// Potential of a conservative force, J.
+    fn marker_energy(&self, _force: usize, _t: f64, _z: &[Vector]) -> f64 {
+        0.0
+    }
 }

@@ -241,7 +241,7 @@ impl<P: Parts> MeshScene<P> {
     fn observed_point(&self, observed: &ObservedSpec) -> Result<Option<MeshPoint>, ModelError> {
         match *observed {
             ObservedSpec::Point { body, at, .. } => self.point(body, at, "an output").map(Some),
-            ObservedSpec::Reaction { .. } => Ok(None),
+            _ => Ok(None),
         }
     }
 

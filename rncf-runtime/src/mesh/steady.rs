@@ -1,9 +1,10 @@
 //! Whether a relative equilibrium can exist: everything that acts on a body must be at rest in its
 //! frame (THEORY 8.1).
 
-use super::frame::{FrameMotion, add, cross, norm, subtract};
+use super::frame::FrameMotion;
 use super::parts::{JointKind, LoadKind, Parts};
 use super::scene::MeshScene;
+use crate::vector::{add, cross, norm, subtract};
 
 /// Relative size below which a change of a motion, or a load's component across the spin, counts as
 /// zero.

@@ -27,18 +27,19 @@ impl<P: Parts> System for MeshScene<P> {
         &self.constraint_pattern
     }
 
-    fn mass(&mut self, values: &mut [f64]) {
+    fn mass(&mut self, _state: &State, values: &mut [f64]) {
         values.copy_from_slice(&self.mass);
     }
 
-    fn residual(&mut self, t: f64, x: &[f64], v: &[f64], a: &[f64], out: &mut [f64]) {
-        self.load_state(t, x, v, a, Regime::Moving);
-        self.full_force(t, 1.0);
+    fn residual(&mut self, state: &State, out: &mut [f64]) {
+        self.load_state(state.t, &state.x, &state.v, &state.a, Regime::Moving);
+        self.full_force(state.t, 1.0);
         self.layout.project(&self.buffers.force, out);
     }
 
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
         self.load_state(state.t, &state.x, &state.v, &state.a, Regime::Moving);
+        out.mass.clone_from(&self.mass);
         out.stiffness.resize(self.pattern.entries(), 0.0);
         out.damping.resize(self.pattern.entries(), 0.0);
         // The conditions are linear in the unknowns: C_x^T lambda has no derivative.
@@ -75,7 +76,7 @@ impl<P: Parts> System for MeshScene<P> {
         }
     }
 
-    fn constraint_jacobian(&mut self, t: f64, _x: &[f64], values: &mut [f64]) {
+    fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
         values.fill(0.0);
         let mut column = 0;
         for condition in self.conditions.iter().filter(|condition| !condition.rows.is_empty()) {
@@ -85,7 +86,7 @@ impl<P: Parts> System for MeshScene<P> {
             let mut jacobian = [0.0; 36];
             let entries = &mut jacobian[..count * width];
             self.parts
-                .condition_jacobian(condition.joint, condition.absolute, t, &condition.data, entries);
+                .condition_jacobian(condition.joint, condition.absolute, state.t, &condition.data, entries);
             for &row in &condition.rows {
                 for (place, &component) in condition.components.iter().enumerate() {
                     if let Some((unknown, factor)) = self.layout.unknown(component)
@@ -97,6 +98,11 @@ impl<P: Parts> System for MeshScene<P> {
                 column += 1;
             }
         }
+    }
+
+    fn constraint_rate_tangent(&mut self, _state: &State, values: &mut [f64]) {
+        // The conditions are linear in the unknowns.
+        values.fill(0.0);
     }
 
     fn sizes(&self) -> &[f64] {

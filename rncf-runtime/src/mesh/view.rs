@@ -1,10 +1,10 @@
 //! A scene as the application sees it.
 
-use super::frame::norm;
 use super::parts::{ObservedSpec, Parts};
 use super::scene::{MeshScene, Regime, undeformed};
 use crate::model::{FrameState, Scene};
 use crate::system::State;
+use crate::vector::norm;
 
 impl<P: Parts> Scene for MeshScene<P> {
     fn output_columns(&self) -> usize {

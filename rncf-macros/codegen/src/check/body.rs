@@ -8,7 +8,9 @@ use super::quantity::{Vector, Wanted};
 use super::{Check, fold, say};
 use crate::elements::Element;
 use crate::errors::Area;
-use crate::model::{Body, BodyId, ElementId, Evaluation, Expr as Value, FrameId, INERTIAL, Line, Quadrature, Space};
+use crate::model::{
+    Body, BodyId, ElementId, Evaluation, Expr as Value, Fidelity, FrameId, INERTIAL, Line, Quadrature, Space,
+};
 use crate::parse::tree::{Argument, Call, Expr, ExprKind, Fields, Item, ItemKind, Keyword, Name, Statement};
 use crate::suggest;
 use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
@@ -108,6 +110,8 @@ impl<'a> Check<'a> {
                 properties: mesh.properties,
                 quadrature: mesh.quadrature,
                 evaluation: mesh.evaluation,
+                fidelity: Fidelity::Full,
+                mean_axes: false,
             });
         }
     }

@@ -126,6 +126,7 @@ impl<'a> Check<'a> {
                 parent,
                 origin,
                 rotation,
+                free: None,
             });
             id
         });

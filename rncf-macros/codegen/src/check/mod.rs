@@ -278,5 +278,6 @@ fn inertial() -> Frame {
         parent: crate::model::INERTIAL,
         origin: [zero(), zero(), zero()],
         rotation: None,
+        free: None,
     }
 }

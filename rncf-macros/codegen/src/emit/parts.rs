@@ -127,11 +127,12 @@ impl Parts<'_> {
             };
             let _ = writeln!(
                 text,
-                "::rncf::mesh::BodySpec {{ name: {:?}, frame: {}, axes: &{:?}, line: {}, count: {count}, meanings: &{meanings:?}, orders: &{orders:?}, connectivity: &{connectivity:?}, vectors_per_node: {vectors_per_node} }},",
+                "::rncf::mesh::BodySpec {{ name: {:?}, frame: {}, axes: &{:?}, line: {}, count: {count}, meanings: &{meanings:?}, orders: &{orders:?}, connectivity: &{connectivity:?}, vectors_per_node: {vectors_per_node}, fidelity: ::rncf::mesh::Fidelity::Full, mean_axes: {} }},",
                 body.name,
                 body.frame.0,
                 body.space.axes(),
                 self.line(body),
+                body.mean_axes,
             );
         }
         text + "])\n}\n"
@@ -141,9 +142,10 @@ impl Parts<'_> {
         let mut text = "fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
         for joint in &self.model.joints {
             let kind = match joint.kind {
-                JointKind::Clamp => "Clamp",
-                JointKind::ClampFull => "ClampFull",
-                JointKind::Pin => "Pin",
+                JointKind::Clamp => "Clamp".to_string(),
+                JointKind::ClampFull => "ClampFull".to_string(),
+                JointKind::Pin => "Pin".to_string(),
+                JointKind::Hold { order, axis } => format!("Hold {{ order: {order}, axis: {axis} }}"),
             };
             let point = match &joint.point {
                 Some(point) => format!("Some({})", self.vector(point)),
@@ -203,6 +205,29 @@ impl Parts<'_> {
                         body.0,
                         self.place(at)
                     )
+                }
+                Observable::Marker {
+                    marker,
+                    derivative,
+                    component,
+                } => {
+                    format!(
+                        "Marker {{ marker: {}, derivative: {derivative}, component: {component} }}",
+                        marker.0
+                    )
+                }
+                Observable::ConstraintReaction {
+                    constraint,
+                    moment,
+                    component,
+                } => {
+                    format!(
+                        "ConstraintReaction {{ constraint: {}, moment: {moment}, component: {component} }}",
+                        constraint.0
+                    )
+                }
+                Observable::Multiplier { constraint, row } => {
+                    format!("Multiplier {{ constraint: {}, row: {row} }}", constraint.0)
                 }
                 Observable::Reaction {
                     joint,

@@ -60,6 +60,11 @@ impl<'m> Conditions<'m> {
         let mut rows = time.graph.subtract_vectors(&q[0][..dimension], &position);
         match joint.kind {
             JointKind::Pin => {}
+            JointKind::Hold { order, axis } => {
+                let held = axes.iter().position(|&other| other == axis).unwrap_or(0);
+                let target = if order == 0 { position[held] } else { slope[held] };
+                rows = vec![time.graph.subtract(q[0][order * dimension + held], target)];
+            }
             JointKind::ClampFull => rows.extend(time.graph.subtract_vectors(&q[0][dimension..], &slope)),
             JointKind::Clamp => {
                 for normal in &normals[..dimension - 1] {

@@ -86,11 +86,12 @@ impl Estimate {
             self.work[i] = -(a * (stages.v[0][i] - v) + b * (stages.v[1][i] - v) + c * (stages.v[2][i] - v));
         }
         // M a + f at a = -(e . (V - v_n)) / h is -F2.
+        self.state.a.copy_from_slice(&self.work);
         let state = &self.state;
-        system.residual(state.t, &state.x, &state.v, &self.work, &mut self.x);
+        system.residual(state, &mut self.x);
         statistics.residual_evaluations += 1;
         if !state.lambda.is_empty() {
-            system.constraint_jacobian(state.t, &state.x, &mut matrices.stage_jacobian);
+            system.constraint_jacobian(state, &mut matrices.stage_jacobian);
             let values = &matrices.stage_jacobian;
             matrices
                 .constraint_pattern

@@ -32,10 +32,11 @@ impl Matrices {
         let (pattern, constraint_pattern) = (system.pattern().clone(), system.constraint_pattern().clone());
         let (n, m, entries) = (pattern.rows(), constraint_pattern.columns(), pattern.entries());
         let mut mass = vec![0.0; entries];
-        system.mass(&mut mass);
+        system.mass(&State::of(system, 0.0), &mut mass);
         Self {
             mass,
             tangent: Tangent {
+                mass: vec![0.0; entries],
                 stiffness: vec![0.0; entries],
                 damping: vec![0.0; entries],
             },
@@ -58,7 +59,7 @@ impl Matrices {
     /// Evaluates tangent and constraint Jacobian at `state`.
     pub(super) fn linearize<S: System + ?Sized>(&mut self, system: &mut S, state: &State, statistics: &mut Statistics) {
         system.tangent(state, &mut self.tangent);
-        system.constraint_jacobian(state.t, &state.x, &mut self.jacobian);
+        system.constraint_jacobian(state, &mut self.jacobian);
         statistics.jacobian_evaluations += 1;
         self.factored = None;
     }

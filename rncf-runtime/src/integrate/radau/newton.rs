@@ -148,10 +148,10 @@ impl Newton {
         for s in 0..3 {
             let (state, out) = (&mut self.stage, &mut self.dynamics[s]);
             stages.stage(coefficients, s, start, state);
-            system.residual(state.t, &state.x, &state.v, &state.a, out);
+            system.residual(state, out);
             if m > 0 {
                 let values = &mut matrices.stage_jacobian;
-                system.constraint_jacobian(state.t, &state.x, values);
+                system.constraint_jacobian(state, values);
                 matrices
                     .constraint_pattern
                     .multiply_add(1.0, values, &state.lambda, out);

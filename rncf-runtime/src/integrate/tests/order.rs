@@ -149,6 +149,7 @@ fn random_steps_stay_stable_and_accurate() {
 fn oscillation(t: f64) -> State {
     State {
         t,
+        turns: vec![],
         x: vec![(2.0 * t).cos() + t * t.sin()],
         v: vec![-2.0 * (2.0 * t).sin() + t.sin() + t * t.cos()],
         a: vec![-4.0 * (2.0 * t).cos() + 2.0 * t.cos() - t * t.sin()],

@@ -35,19 +35,22 @@ impl System for Single {
     fn constraint_pattern(&self) -> &Pattern {
         &self.constraint_pattern
     }
-    fn mass(&mut self, values: &mut [f64]) {
+    fn mass(&mut self, _state: &State, values: &mut [f64]) {
         values[0] = 1.0;
     }
-    fn residual(&mut self, t: f64, x: &[f64], v: &[f64], a: &[f64], out: &mut [f64]) {
+    fn residual(&mut self, state: &State, out: &mut [f64]) {
+        let (t, x, v, a) = (state.t, &state.x[..], &state.v[..], &state.a[..]);
         out[0] = a[0] + (self.force)(t, x[0], v[0])[0];
     }
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
+        self.mass(state, &mut out.mass);
         let [_, stiffness, damping] = (self.force)(state.t, state.x[0], state.v[0]);
         out.stiffness[0] = stiffness;
         out.damping[0] = damping;
     }
     fn constraint(&mut self, _level: ConstraintLevel, _state: &State, _out: &mut [f64]) {}
-    fn constraint_jacobian(&mut self, _t: f64, _x: &[f64], _values: &mut [f64]) {}
+    fn constraint_jacobian(&mut self, _state: &State, _values: &mut [f64]) {}
+    fn constraint_rate_tangent(&mut self, _state: &State, _values: &mut [f64]) {}
     fn sizes(&self) -> &[f64] {
         &[1.0]
     }

@@ -40,6 +40,7 @@ impl Pendulum {
         let alpha = -G * c + ddp * s;
         State {
             t,
+            turns: vec![],
             x: vec![p + c, s],
             v: vec![dp - omega * s, omega * c],
             a: vec![ddp - alpha * s - omega * omega * c, alpha * c - omega * omega * s],
@@ -82,14 +83,16 @@ impl System for Pendulum {
     fn constraint_pattern(&self) -> &Pattern {
         &self.constraint_pattern
     }
-    fn mass(&mut self, values: &mut [f64]) {
+    fn mass(&mut self, _state: &State, values: &mut [f64]) {
         values.copy_from_slice(&[1.0, 0.0, 0.0, 1.0]);
     }
-    fn residual(&mut self, _t: f64, _x: &[f64], _v: &[f64], a: &[f64], out: &mut [f64]) {
+    fn residual(&mut self, state: &State, out: &mut [f64]) {
+        let a = &state.a[..];
         out[0] = a[0];
         out[1] = a[1] + G;
     }
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
+        self.mass(state, &mut out.mass);
         let lambda = state.lambda[0];
         out.stiffness.copy_from_slice(&[lambda, 0.0, 0.0, lambda]);
         out.damping.fill(0.0);
@@ -105,9 +108,13 @@ impl System for Pendulum {
             ConstraintLevel::Jerk => 3.0 * (w[0] * (state.a[0] - ddp) + w[1] * state.a[1]) - r[0] * dddp,
         };
     }
-    fn constraint_jacobian(&mut self, t: f64, x: &[f64], values: &mut [f64]) {
-        values[0] = x[0] - (self.motion)(t)[0];
-        values[1] = x[1];
+    fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
+        values[0] = state.x[0] - (self.motion)(state.t)[0];
+        values[1] = state.x[1];
+    }
+    fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
+        values[0] = state.v[0] - (self.motion)(state.t)[1];
+        values[1] = state.v[1];
     }
     fn sizes(&self) -> &[f64] {
         &[1.0, 1.0]
@@ -162,18 +169,21 @@ impl System for Oscillator {
     fn constraint_pattern(&self) -> &Pattern {
         &self.constraint_pattern
     }
-    fn mass(&mut self, values: &mut [f64]) {
+    fn mass(&mut self, _state: &State, values: &mut [f64]) {
         values[0] = 1.0;
     }
-    fn residual(&mut self, t: f64, x: &[f64], v: &[f64], a: &[f64], out: &mut [f64]) {
+    fn residual(&mut self, state: &State, out: &mut [f64]) {
+        let (t, x, v, a) = (state.t, &state.x[..], &state.v[..], &state.a[..]);
         out[0] = a[0] + self.damping * v[0] + self.stiffness * x[0] - (self.force)(t);
     }
-    fn tangent(&mut self, _state: &State, out: &mut Tangent) {
+    fn tangent(&mut self, state: &State, out: &mut Tangent) {
+        self.mass(state, &mut out.mass);
         out.stiffness[0] = self.stiffness;
         out.damping[0] = self.damping;
     }
     fn constraint(&mut self, _level: ConstraintLevel, _state: &State, _out: &mut [f64]) {}
-    fn constraint_jacobian(&mut self, _t: f64, _x: &[f64], _values: &mut [f64]) {}
+    fn constraint_jacobian(&mut self, _state: &State, _values: &mut [f64]) {}
+    fn constraint_rate_tangent(&mut self, _state: &State, _values: &mut [f64]) {}
     fn sizes(&self) -> &[f64] {
         &[1.0]
     }

@@ -1,0 +1,79 @@
+//! Vectors and matrices of space.
+
+/// Three components.
+pub type Vector = [f64; 3];
+/// Three rows.
+pub type Matrix = [[f64; 3]; 3];
+
+/// `a + b`
+pub fn add(a: Vector, b: Vector) -> Vector {
+    std::array::from_fn(|i| a[i] + b[i])
+}
+
+/// `a - b`
+pub fn subtract(a: Vector, b: Vector) -> Vector {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
+/// `s a`
+pub fn scale(s: f64, a: Vector) -> Vector {
+    a.map(|component| s * component)
+}
+
+/// `a x b`
+pub fn cross(a: Vector, b: Vector) -> Vector {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+/// `a . b`
+pub fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// `|a|`
+pub fn norm(a: Vector) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// The matrix of `u x`, THEORY 0.
+pub fn skew([x, y, z]: Vector) -> Matrix {
+    [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]
+}
+
+/// The unit matrix.
+pub fn identity() -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }))
+}
+
+/// `A u`
+pub fn apply(a: &Matrix, u: Vector) -> Vector {
+    a.map(|row| dot(row, u))
+}
+
+/// `A^T u`
+pub fn apply_transposed(a: &Matrix, u: Vector) -> Vector {
+    std::array::from_fn(|i| a[0][i] * u[0] + a[1][i] * u[1] + a[2][i] * u[2])
+}
+
+/// `A B`
+pub fn multiply(a: &Matrix, b: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j]))
+}
+
+/// `A^T`
+pub fn transpose(a: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
+}
+
+/// A unit vector normal to the unit vector `t`.
+pub fn perpendicular(t: Vector) -> Vector {
+    let smallest = (0..3).min_by(|&i, &j| t[i].abs().total_cmp(&t[j].abs())).unwrap_or(0);
+    let mut axis = [0.0; 3];
+    axis[smallest] = 1.0;
+    let normal = cross(t, axis);
+    scale(1.0 / norm(normal), normal)
+}
