@@ -1,0 +1,100 @@
+//! Expressions of markers: what constraints and forces are functions of, counted in the order of
+//! their own lists, so that joints of one kind share their functions.
+
+use super::motions::Time;
+use crate::model::{Expr, MarkerId, Model, Observable};
+use crate::symbolic::Id;
+
+/// An expression with its markers counted in a constraint's or force's own list.
+pub fn localise(expr: &Expr, markers: &[MarkerId]) -> Expr {
+    let walk = |expr: &Expr| Box::new(localise(expr, markers));
+    match expr {
+        Expr::Number(_) | Expr::Param(_) | Expr::Time => expr.clone(),
+        Expr::Motion(motion, argument) => Expr::Motion(*motion, walk(argument)),
+        Expr::Negate(a) => Expr::Negate(walk(a)),
+        Expr::Binary(operator, a, b) => Expr::Binary(*operator, walk(a), walk(b)),
+        Expr::Power(a, b) => Expr::Power(walk(a), walk(b)),
+        Expr::Call(function, arguments) => Expr::Call(
+            *function,
+            arguments.iter().map(|argument| localise(argument, markers)).collect(),
+        ),
+        Expr::If(comparison, a, b, c, d) => Expr::If(*comparison, walk(a), walk(b), walk(c), walk(d)),
+        Expr::Observed(Observable::Marker {
+            marker,
+            derivative,
+            component,
+        }) => {
+            let place = markers.iter().position(|other| other == marker);
+            let place = place.unwrap_or_else(|| panic!("marker {} is missing in the list of an expression", marker.0));
+            Expr::Observed(Observable::Marker {
+                marker: MarkerId(place),
+                derivative: *derivative,
+                component: *component,
+            })
+        }
+        Expr::Observed(_) => expr.clone(),
+    }
+}
+
+/// A graph with the symbols of local markers and their derivatives.
+pub struct Marked<'m> {
+    /// Graph, time and parameters.
+    pub time: Time<'m>,
+    /// Symbols by derivative, three for each marker.
+    pub symbols: Vec<Vec<Id>>,
+}
+
+impl<'m> Marked<'m> {
+    /// Symbols of `count` markers; `texts` gives the text of each derivative's symbol by marker and
+    /// component.
+    pub fn new(model: &'m Model, count: usize, texts: &[&dyn Fn(usize, usize) -> String]) -> Self {
+        let mut time = Time::new(model);
+        let mut symbols = Vec::new();
+        for (derivative, text) in texts.iter().enumerate() {
+            let mut ids = Vec::new();
+            for marker in 0..count {
+                for component in 0..3 {
+                    let symbol = time.graph.symbol(text(marker, component));
+                    let observable = Observable::Marker {
+                        marker: MarkerId(marker),
+                        derivative,
+                        component,
+                    };
+                    time.observed.push((observable, symbol));
+                    ids.push(symbol);
+                }
+            }
+            symbols.push(ids);
+        }
+        Self { time, symbols }
+    }
+
+    /// Values as `z`, rates as `velocity`.
+    pub fn values_and_rates(model: &'m Model, count: usize) -> Self {
+        let value = |marker: usize, component: usize| format!("z[{marker}][{component}]");
+        let rate = |marker: usize, component: usize| format!("velocity[{marker}][{component}]");
+        Self::new(model, count, &[&value, &rate])
+    }
+}
+
+/// A name for a function, of letters, digits and underscores, that none of the others has.
+pub fn function_name(prefix: &str, name: &str, taken: &[String]) -> String {
+    let word: String = name
+        .chars()
+        .map(|letter| if letter.is_alphanumeric() { letter } else { '_' })
+        .collect();
+    let wanted = format!("{prefix}_{word}");
+    let mut free = wanted.clone();
+    let mut count = 2;
+    while taken.contains(&free) {
+        free = format!("{wanted}_{count}");
+        count += 1;
+    }
+    free
+}
+
+/// Names in backquotes, separated by commas.
+pub fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+    let names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
+    names.join(", ")
+}
