@@ -18,6 +18,9 @@ pub mod quadratic;
 mod signature;
 pub mod variant;
 
+#[cfg(test)]
+mod tests;
+
 pub use choose::{ElasticKernels, elastic_kernels};
 pub use kernel::{Kernel, PointLoop};
 pub use signature::camel_case;
