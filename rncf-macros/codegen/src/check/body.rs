@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::expr::Scope;
-use super::plane::{is_zero, normal};
+use super::plane::{PLANES, is_zero, normal};
 use super::quantity::{Vector, Wanted};
 use super::{Check, fold, say};
 use crate::elements::Element;
@@ -47,7 +47,6 @@ const DIRECTION: Wanted = Wanted {
     dimension: [0; 6],
     unit: "1",
 };
-const PLANES: &[&str] = &["yz", "zx", "xy"];
 
 /// What a mesh statement says.
 struct Mesh {

@@ -37,6 +37,17 @@ pub const NOTHING_OBSERVED: &str =
     "this observes nothing: write e.g. `beam.end.x`, `beam.at(4 m).velocity.y` or `root.moment.z`";
 pub const NO_OUTPUT: &str = "the model has no output: add e.g. `output u = beam.end.x;`";
 
+pub const LONE_AXIS: &str = "an axis does nothing without an angle about it: add `angle = 30 deg`";
+pub const LONE_ANGLE: &str = "an angle needs its axis: add `axis = z`, or `plane = xy` where all moves in a plane";
+pub const LONE_SPEED: &str = "`speed` is that of the angle in a plane or about a hinge: add `plane = xy`, or write `angular_velocity = [..] rad/s`";
+pub const PLANE_SPIN: &str = "in a plane the angular velocity is one number: write e.g. `speed = 2 rad/s`";
+pub const PLANE_EXPECTED: &str = "a plane is expected here: `xy`, `yz` or `zx`";
+pub const PLANAR_INERTIA: &str = "in a plane the inertia is one number, about the normal: write e.g. `0.1 kg*m^2`";
+pub const SPATIAL_INERTIA: &str = "in space an inertia has three components `[xx, yy, zz]` or six, `[xx, yy, zz, xy, xz, yz]`; one number is that of a body with `plane xy;`";
+pub const NOT_DEFINITE: &str = "no body has this inertia: all principal moments must be greater than zero";
+pub const NEGATIVE_INERTIA: &str = "no body has this inertia: no principal moment may be negative";
+pub const TRIANGLE: &str = "no body has this inertia: no principal moment is greater than the sum of the other two";
+
 messages! {
     reserved(name) = "`{name}` has a meaning of its own: choose another name";
     duplicate(name, kind, line) = "`{name}` is already declared as `{kind}` in line {line}";
@@ -79,6 +90,16 @@ messages! {
     choices(option, values) = "`{option}` is {values}";
     too_few_points(points, least) = "{points} Gauss point(s) leave deformations without energy (a spurious zero mode): use at least `gauss({least})`";
     missing_property(kind, name, property, element, need) = "{kind} `{name}` has no `{property}`, which `{element}` needs ({need})";
+    plane_axis(plane, axis) = "what moves in the {plane} plane turns about {axis}: leave out `axis`";
+    leaves_own_plane(what, plane, axis) = "{what} leaves the {plane} plane: its {axis} component must be 0";
+    point_mass(name, word) = "`{name}` is a point mass, which does not turn: leave out `{word}`, or give it `inertia`";
+    nested_free(name, parent) = "`{parent}` moves freely, and nothing moves freely in it: declare `{name}` in `inertial`, and join the two";
+    prescribed_in_free(parent) = "`{parent}` moves freely, and nothing is prescribed in it: use places such as `{parent}.at([0, 0, 0] m)`, or join a rigid body with a `drive`";
+    turning_parent(kind, parent, turning) = "`{kind}` needs axes that do not turn, but `{turning}`, which carries it, does: declare it in `inertial` or in a `moving` frame";
+    spatial_frame(frame, plane) = "`{frame}` moves in space and takes the body out of the {plane} plane: move it in the plane, `plane = {plane}`, or make the body `spatial`";
+    other_plane(frame, own, plane) = "`{frame}` moves in the {own} plane, but the body lies in the {plane} plane: they must be the same";
+    hinge_leaves_plane(frame, plane, axis) = "`{frame}` turns out of the {plane} plane of the body: its hinge must have the axis `{axis}`, or the body be `spatial`";
+    lacks_field(kind, name, field, example) = "{kind} `{name}` has no `{field}`: write e.g. `{example}`";
     rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body `spatial`";
     origin_leaves_plane(frame, plane, axis) = "frame `{frame}` leaves the {plane} plane of the body: the {axis} component of its origin must be 0, or the body `spatial`";
     out_of_plane(what, plane, axis) = "{what} leaves the {plane} plane of the body: its {axis} component must be 0, or the body `spatial`";
