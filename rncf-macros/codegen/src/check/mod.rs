@@ -4,6 +4,7 @@
 mod body;
 mod eigen;
 mod expr;
+mod fidelity;
 mod fixture;
 mod fold;
 mod frame;
@@ -17,6 +18,8 @@ mod param;
 mod plane;
 mod quantity;
 mod rigid;
+mod start;
+mod ties;
 mod unit;
 
 #[cfg(test)]
@@ -69,6 +72,9 @@ pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Mode
     check.loads();
     check.outputs();
     check.run();
+    if tree.complete && check.errors.len() == before {
+        check.ties();
+    }
     let model = std::mem::take(&mut check.model);
     (tree.complete && errors.len() == before).then_some(model)
 }

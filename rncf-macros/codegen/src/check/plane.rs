@@ -4,6 +4,7 @@ use super::quantity::Vector;
 use super::{Check, fold, say};
 use crate::errors::Area;
 use crate::model::{Expr as Value, Frame, FrameId, INERTIAL, Motions, Space};
+use crate::parse::tree::Name;
 
 /// Cosine of the angle between two axes that count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
@@ -103,6 +104,14 @@ impl Check<'_> {
                 vector.areas[normal],
                 say::out_of_plane(what, plane(normal), AXES[normal]),
             );
+        }
+    }
+
+    /// Refuses a body in the frame of a point mass, which has no axes.
+    pub(super) fn has_axes(&mut self, frame: FrameId, word: &Name) {
+        let motions = self.model.frames[frame.0].free.as_ref().map(|free| free.motions);
+        if let Some(Motions::Shifting | Motions::ShiftingPlanar { .. }) = motions {
+            self.errors.at(word.span, say::body_in_point_mass(&word.text));
         }
     }
 
