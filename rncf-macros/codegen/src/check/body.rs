@@ -3,14 +3,12 @@
 use std::collections::BTreeMap;
 
 use super::expr::Scope;
-use super::plane::{is_zero, normal};
+use super::plane::{PLANES, is_zero, normal};
 use super::quantity::{Vector, Wanted};
 use super::{Check, fold, say};
 use crate::elements::Element;
 use crate::errors::Area;
-use crate::model::{
-    Body, BodyId, ElementId, Evaluation, Expr as Value, Fidelity, FrameId, INERTIAL, Line, Quadrature, Space,
-};
+use crate::model::{Body, BodyId, ElementId, Evaluation, Expr as Value, FrameId, INERTIAL, Line, Quadrature, Space};
 use crate::parse::tree::{Argument, Call, Expr, ExprKind, Fields, Item, ItemKind, Keyword, Name, Statement};
 use crate::suggest;
 use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
@@ -47,7 +45,6 @@ const DIRECTION: Wanted = Wanted {
     dimension: [0; 6],
     unit: "1",
 };
-const PLANES: &[&str] = &["yz", "zx", "xy"];
 
 /// What a mesh statement says.
 struct Mesh {
@@ -94,8 +91,15 @@ impl<'a> Check<'a> {
         }
         let line = self.line(item, statements, *complete, &mut known);
         let mesh = self.mesh(item, statements, *complete, known.space);
+        let fidelity = self.fidelity(statements);
+        let mean_axes = self.mean_axes(statements, known.frame, known.space);
+        if let (Some(frame_id), Some(word)) = (known.frame, frame) {
+            self.has_axes(frame_id, word);
+        }
         self.bodies.insert(item.name.text.as_str(), known);
-        if let (Some(frame), Some(space), Some(line), Some(mesh)) = (known.frame, known.space, line, mesh) {
+        if let (Some(frame), Some(space), Some(line), Some(mesh), Some(fidelity)) =
+            (known.frame, known.space, line, mesh, fidelity)
+        {
             self.model.bodies.push(Body {
                 name: item.name.text.clone(),
                 doc: item.doc.clone(),
@@ -110,8 +114,8 @@ impl<'a> Check<'a> {
                 properties: mesh.properties,
                 quadrature: mesh.quadrature,
                 evaluation: mesh.evaluation,
-                fidelity: Fidelity::Full,
-                mean_axes: false,
+                fidelity,
+                mean_axes,
             });
         }
     }

@@ -1,12 +1,28 @@
 //! Constant values, and dependence on time.
 
-use crate::model::{Binary, Comparison, Expr, Function};
+use crate::model::{Binary, Comparison, Expr, Function, Model};
 
 /// Value of an expression of numbers only.
 pub fn constant(expr: &Expr) -> Option<f64> {
+    value(expr, &|_| None)
+}
+
+/// Value at a time with the parameters' defaults; nothing is observed.
+pub fn with_defaults(model: &Model, expr: &Expr, t: f64) -> Option<f64> {
+    value(expr, &|leaf| match leaf {
+        Expr::Param(id) => model.params.get(id.0).map(|param| param.default),
+        Expr::Time => Some(t),
+        Expr::Motion(id, at) => with_defaults(model, &model.motions[id.0].value, with_defaults(model, at, t)?),
+        _ => None,
+    })
+}
+
+/// Value of an expression, what is no number being asked for.
+fn value(expr: &Expr, leaf: &dyn Fn(&Expr) -> Option<f64>) -> Option<f64> {
+    let constant = |expr| value(expr, leaf);
     Some(match expr {
         Expr::Number(value) => *value,
-        Expr::Param(_) | Expr::Time | Expr::Motion(..) | Expr::Observed(_) => return None,
+        Expr::Param(_) | Expr::Time | Expr::Motion(..) | Expr::Observed(_) => return leaf(expr),
         Expr::Negate(inner) => -constant(inner)?,
         Expr::Binary(operator, left, right) => {
             let (left, right) = (constant(left)?, constant(right)?);
@@ -19,7 +35,7 @@ pub fn constant(expr: &Expr) -> Option<f64> {
         }
         Expr::Power(base, exponent) => power(constant(base)?, constant(exponent)?),
         Expr::Call(function, arguments) => {
-            let values = arguments.iter().map(constant).collect::<Option<Vec<_>>>()?;
+            let values = arguments.iter().map(&constant).collect::<Option<Vec<_>>>()?;
             call(*function, &values)?
         }
         Expr::If(comparison, left, right, then, otherwise) => {

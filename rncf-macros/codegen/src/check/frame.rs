@@ -70,9 +70,18 @@ impl<'a> Check<'a> {
         for item in self.items(Keyword::Frame) {
             self.frame_item(item, item.name.span.into());
         }
+        for item in self.items(Keyword::Rigid) {
+            self.rigid_item(item, item.name.span.into());
+        }
     }
 
-    /// The frame with this name.
+    /// Whether a name is that of a frame or a rigid body, `inertial` included.
+    pub(super) fn is_frame(&self, name: &str) -> bool {
+        let is_declared = |item: &&Item| matches!(item.keyword, Keyword::Frame | Keyword::Rigid);
+        name == "inertial" || self.names.get(name).is_some_and(is_declared)
+    }
+
+    /// The frame or rigid body with this name.
     pub(super) fn frame(&mut self, name: &Name) -> Option<FrameId> {
         if name.text == "inertial" {
             return Some(INERTIAL);
@@ -80,13 +89,18 @@ impl<'a> Check<'a> {
         if !self.names.contains_key(name.text.as_str()) {
             if self.is_news(&name.text) {
                 let known = self
-                    .known(&[Keyword::Frame])
+                    .known(&[Keyword::Frame, Keyword::Rigid])
                     .into_iter()
                     .chain(["inertial"])
                     .collect::<Vec<_>>();
                 self.errors.at(name.span, suggest::unknown("frame", &name.text, known));
             }
             return None;
+        }
+        if let Some(item) = self.names.get(name.text.as_str()).copied()
+            && item.keyword == Keyword::Rigid
+        {
+            return self.rigid_item(item, name.span.into());
         }
         let item = self.item(name, Keyword::Frame)?;
         self.frame_item(item, name.span.into())
@@ -114,38 +128,52 @@ impl<'a> Check<'a> {
         if !self.enter(name, used) {
             return None;
         }
-        let parent = parent.as_ref().map_or(Some(INERTIAL), |parent| self.frame(parent));
-        let motion = self.frame_motion(call);
+        let carrier = parent.as_ref().map_or(Some(INERTIAL), |parent| self.frame(parent));
+        let frame = self.frame_in(name, parent.as_ref(), carrier, call);
         self.leave();
-        let id = parent.zip(motion).map(|(parent, (origin, rotation))| {
+        let id = frame.map(|frame| {
             let id = FrameId(self.model.frames.len());
             let (name, doc) = (name.to_string(), item.doc.clone());
-            self.model.frames.push(Frame {
-                name,
-                doc,
-                parent,
-                origin,
-                rotation,
-                free: None,
-            });
+            self.model.frames.push(Frame { name, doc, ..frame });
             id
         });
         self.frames.insert(name, id);
         id
     }
 
-    fn frame_motion(&mut self, call: &'a Call) -> Option<([Value; 3], Option<Rotation>)> {
+    /// A frame in its parent, without name and documentation.
+    fn frame_in(&mut self, name: &str, word: Option<&Name>, parent: Option<FrameId>, call: &'a Call) -> Option<Frame> {
         let is_rotating = match call.name.text.as_str() {
             "rotating" => true,
             "moving" => false,
+            "free" | "turning" | "hinged" => {
+                let moves = self.free_frame(call);
+                let parent = self.carrier(name, word, parent, moves.as_ref())?;
+                return moves.map(|moves| moves.frame(parent));
+            }
             other => {
-                self.errors.at(
-                    call.name.span,
-                    suggest::unknown("motion of a frame", other, ["rotating", "moving"]),
-                );
+                let known = ["rotating", "moving", "free", "turning", "hinged"];
+                self.errors
+                    .at(call.name.span, suggest::unknown("motion of a frame", other, known));
                 return None;
             }
         };
+        let motion = self.frame_motion(call, is_rotating);
+        let parent = parent?;
+        if let Some(word) = word.filter(|_| self.model.frames[parent.0].free.is_some()) {
+            self.errors.at(word.span, say::prescribed_in_free(&word.text));
+            return None;
+        }
+        let (origin, rotation) = motion?;
+        Some(Frame {
+            parent,
+            origin,
+            rotation,
+            ..inertial()
+        })
+    }
+
+    fn frame_motion(&mut self, call: &'a Call, is_rotating: bool) -> Option<([Value; 3], Option<Rotation>)> {
         let arguments = self.arguments(call, if is_rotating { &ROTATING } else { &MOVING })?;
         let origin = match arguments.named.get("origin") {
             Some(origin) => self
@@ -168,7 +196,7 @@ impl<'a> Check<'a> {
     }
 
     /// `x`, `y`, `z` or a constant vector; normalised.
-    fn axis(&mut self, expr: &'a Expr) -> Option<[f64; 3]> {
+    pub(super) fn axis(&mut self, expr: &'a Expr) -> Option<[f64; 3]> {
         if let ExprKind::Name(name) = &expr.kind {
             let axis = match name.text.as_str() {
                 "x" => [1.0, 0.0, 0.0],

@@ -63,11 +63,8 @@ impl<'a> Check<'a> {
         };
         let arguments = self.arguments(call, &shape)?;
         let vector = self.vector(arguments.positional[0], Scope::Prescribed, GRAVITY)?;
-        // One message for each plane that it leaves, however many bodies move in it.
-        let mut normals: Vec<usize> = self.bodies.values().filter_map(|body| normal(body.space?)).collect();
-        normals.sort_unstable();
-        normals.dedup();
-        for normal in normals {
+        // One message for each plane that it leaves, however many bodies and frames move in it.
+        for normal in self.plane_normals() {
             self.in_plane(&vector, Space::Planar { normal }, "gravity", false);
         }
         Some(LoadKind::Gravity(vector.values))

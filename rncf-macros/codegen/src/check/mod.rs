@@ -2,9 +2,13 @@
 //! mistakes are reported at once; what depends on something already reported stays silent.
 
 mod body;
+mod eigen;
 mod expr;
+mod fidelity;
+mod fixture;
 mod fold;
 mod frame;
+mod free;
 mod joint;
 mod load;
 mod messages;
@@ -13,6 +17,9 @@ mod output;
 mod param;
 mod plane;
 mod quantity;
+mod rigid;
+mod start;
+mod ties;
 mod unit;
 
 #[cfg(test)]
@@ -60,10 +67,14 @@ pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Mode
     check.motions();
     check.frames();
     check.bodies();
+    check.fixtures();
     check.joints();
     check.loads();
     check.outputs();
     check.run();
+    if tree.complete && check.errors.len() == before {
+        check.ties();
+    }
     let model = std::mem::take(&mut check.model);
     (tree.complete && errors.len() == before).then_some(model)
 }
@@ -177,13 +188,13 @@ impl<'a> Check<'a> {
         match self.names.get(name.text.as_str()) {
             Some(item) if item.keyword == keyword => Some(item),
             Some(item) => {
-                let message = say::wrong_kind(&name.text, item.keyword.word(), keyword.word());
+                let message = say::wrong_kind(&name.text, item.keyword.noun(), keyword.noun());
                 self.errors.at(name.span, message);
                 None
             }
             None => {
                 if self.is_news(&name.text) {
-                    let message = suggest::unknown(keyword.word(), &name.text, self.known(&[keyword]));
+                    let message = suggest::unknown(keyword.noun(), &name.text, self.known(&[keyword]));
                     self.errors.at(name.span, message);
                 }
                 None
@@ -249,6 +260,11 @@ impl<'a> Check<'a> {
             self.errors.at(call.area, say::usage(&call.name.text, shape.usage));
         }
         (self.errors.len() == before).then_some(found)
+    }
+
+    /// Value at t = 0 with the defaults of the parameters.
+    fn default(&self, value: &crate::model::Expr) -> f64 {
+        fold::with_defaults(&self.model, value, 0.0).unwrap_or(f64::NAN)
     }
 
     fn is_broken(item: &Item) -> bool {

@@ -3,7 +3,8 @@
 use super::quantity::Vector;
 use super::{Check, fold, say};
 use crate::errors::Area;
-use crate::model::{Expr as Value, FrameId, INERTIAL, Space};
+use crate::model::{Expr as Value, Frame, FrameId, INERTIAL, Motions, Space};
+use crate::parse::tree::Name;
 
 /// Cosine of the angle between two axes that count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
@@ -11,9 +12,12 @@ const PARALLEL: f64 = 1.0 - 1e-12;
 /// Names of the axes.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 
+/// Names of the planes by their normals.
+pub const PLANES: [&str; 3] = ["yz", "zx", "xy"];
+
 /// Name of the plane with this normal.
 pub fn plane(normal: usize) -> &'static str {
-    ["yz", "zx", "xy"][normal]
+    PLANES[normal]
 }
 
 /// Normal of a planar body.
@@ -31,6 +35,21 @@ impl Check<'_> {
         while at != INERTIAL {
             let frame = &self.model.frames[at.0];
             let name = frame.name.clone();
+            match frame.free.as_ref().map(|free| free_keeps(&free.motions, &name, normal)) {
+                // Its own declaration has put it into the plane.
+                Some(Ok(true)) => return true,
+                Some(Ok(false)) => {
+                    at = frame.parent;
+                    continue;
+                }
+                Some(Err(message)) => {
+                    if self.out_of_plane.insert((at, normal)) {
+                        self.errors.at(area, message);
+                    }
+                    return false;
+                }
+                None => {}
+            }
             let leaves = frame
                 .rotation
                 .as_ref()
@@ -54,6 +73,23 @@ impl Check<'_> {
         true
     }
 
+    /// Normals of the planes in which bodies and frames move.
+    pub(super) fn plane_normals(&self) -> Vec<usize> {
+        let bodies = self.bodies.values().filter_map(|body| normal(body.space?));
+        let frames = self
+            .model
+            .frames
+            .iter()
+            .filter_map(|frame| match frame.free.as_ref()?.motions {
+                Motions::Planar { normal } | Motions::ShiftingPlanar { normal } => Some(normal),
+                _ => None,
+            });
+        let mut normals: Vec<usize> = bodies.chain(frames).collect();
+        normals.sort_unstable();
+        normals.dedup();
+        normals
+    }
+
     /// Reports a component along the normal that is not zero (`strict`), or known not to be.
     pub(super) fn in_plane(&mut self, vector: &Vector, space: Space, what: &str, strict: bool) {
         let Some(normal) = normal(space) else {
@@ -71,11 +107,20 @@ impl Check<'_> {
         }
     }
 
-    /// The next frame, from this one towards the inertial one, that rotates in its parent: frames
-    /// with the same one have parallel axes at all times.
+    /// Refuses a body in the frame of a point mass, which has no axes.
+    pub(super) fn has_axes(&mut self, frame: FrameId, word: &Name) {
+        let motions = self.model.frames[frame.0].free.as_ref().map(|free| free.motions);
+        if let Some(Motions::Shifting | Motions::ShiftingPlanar { .. }) = motions {
+            self.errors.at(word.span, say::body_in_point_mass(&word.text));
+        }
+    }
+
+    /// The next frame, from this one towards the inertial one, that rotates in its parent or is
+    /// free: frames with the same one have parallel axes at all times.
     fn rotating_ancestor(&self, frame: FrameId) -> FrameId {
         let mut at = frame;
-        while at != INERTIAL && self.model.frames[at.0].rotation.is_none() {
+        let keeps_axes = |frame: &Frame| frame.rotation.is_none() && frame.free.is_none();
+        while at != INERTIAL && keeps_axes(&self.model.frames[at.0]) {
             at = self.model.frames[at.0].parent;
         }
         at
@@ -84,6 +129,19 @@ impl Check<'_> {
     /// Whether two frames have the same axes at all times.
     pub(super) fn have_same_axes(&self, a: FrameId, b: FrameId) -> bool {
         self.rotating_ancestor(a) == self.rotating_ancestor(b)
+    }
+}
+
+/// Whether a free frame keeps a plane: by itself, or (`false`) where its parent does.
+fn free_keeps(motions: &Motions, name: &str, normal: usize) -> Result<bool, String> {
+    match motions {
+        Motions::Planar { normal: own } | Motions::ShiftingPlanar { normal: own } if *own == normal => Ok(true),
+        Motions::Planar { normal: own } | Motions::ShiftingPlanar { normal: own } => {
+            Err(say::other_plane(name, plane(*own), plane(normal)))
+        }
+        Motions::Hinged { axis } if axis[normal].abs() >= PARALLEL => Ok(false),
+        Motions::Hinged { .. } => Err(say::hinge_leaves_plane(name, plane(normal), AXES[normal])),
+        Motions::Spatial | Motions::Turning | Motions::Shifting => Err(say::spatial_frame(name, plane(normal))),
     }
 }
 

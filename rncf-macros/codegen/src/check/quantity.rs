@@ -113,6 +113,11 @@ pub fn behind_number(unit: &str) -> String {
     if is_single { unit.into() } else { format!("[{unit}]") }
 }
 
+/// Whether a unit counts cycles.
+fn is_hertz(unit: &crate::parse::tree::UnitText) -> bool {
+    unit.factors.iter().any(|(name, _)| name.text.ends_with("Hz"))
+}
+
 fn is_bare_zero(expr: &Expr) -> bool {
     bare_literal(expr).is_some_and(|text| text.parse::<f64>().is_ok_and(|value| value == 0.0))
 }
@@ -173,6 +178,21 @@ impl<'a> Check<'a> {
 
     /// A vector of the dimension that a field asks for.
     pub(super) fn vector(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<Vector> {
+        let (values, areas) = self.components(expr, scope, wanted)?;
+        Some(Vector {
+            values: values.try_into().ok()?,
+            areas: areas.try_into().ok()?,
+            area: expr.area,
+        })
+    }
+
+    /// The components of a vector of any length, and their places.
+    pub(super) fn components(
+        &mut self,
+        expr: &'a Expr,
+        scope: Scope,
+        wanted: Wanted,
+    ) -> Option<(Vec<model::Expr>, Vec<Area>)> {
         let ExprKind::Vector { components, unit } = &expr.kind else {
             self.errors.at(expr.area, say::not_a_vector(wanted.what, wanted.unit));
             return None;
@@ -197,13 +217,42 @@ impl<'a> Check<'a> {
                     .collect()
             }
         };
-        let areas: Vec<Area> = components.iter().map(|component| component.area).collect();
-        let values: Vec<model::Expr> = values.into_iter().collect::<Option<_>>()?;
-        Some(Vector {
-            values: values.try_into().ok()?,
-            areas: areas.try_into().ok()?,
-            area: expr.area,
-        })
+        let areas = components.iter().map(|component| component.area).collect();
+        Some((values.into_iter().collect::<Option<_>>()?, areas))
+    }
+
+    /// An angular velocity: hertz is refused.
+    pub(super) fn rate(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<model::Expr> {
+        let value = self.quantity(expr, scope, wanted)?;
+        self.is_no_frequency(expr, scope).then_some(value)
+    }
+
+    /// A vector of angular velocities: hertz is refused.
+    pub(super) fn rates(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<Vector> {
+        let vector = self.vector(expr, scope, wanted)?;
+        let ExprKind::Vector { components, unit } = &expr.kind else {
+            return None;
+        };
+        if let Some(unit) = unit.as_ref().filter(|unit| is_hertz(unit)) {
+            self.errors.at(unit.area, say::HERTZ);
+            return None;
+        }
+        let mut is_rate = true;
+        if unit.is_none() {
+            for component in components {
+                is_rate &= self.is_no_frequency(component, scope);
+            }
+        }
+        is_rate.then_some(vector)
+    }
+
+    /// Whether hertz is no factor of an expression that has been resolved before.
+    fn is_no_frequency(&mut self, expr: &'a Expr, scope: Scope) -> bool {
+        let is_hertz = self.expr(expr, scope).is_some_and(|typed| typed.nature.hertz);
+        if is_hertz {
+            self.errors.at(expr.area, say::HERTZ);
+        }
+        !is_hertz
     }
 
     /// A component with its own unit; zero needs none.

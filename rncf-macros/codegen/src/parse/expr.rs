@@ -29,6 +29,10 @@ const STOP: &[&str] = &[
     "mesh",
     "planar",
     "spatial",
+    "plane",
+    "mean_axes",
+    "modal",
+    "small",
     "run",
     "pub",
 ];
@@ -278,7 +282,20 @@ fn number(literal: &Literal) -> Parsed<String> {
     Ok(text)
 }
 
+/// The three or six numbers of an inertia.
+pub fn inertia(cursor: &mut Cursor) -> Parsed<Expr> {
+    match cursor.eat_group(Delimiter::Bracket) {
+        Some(group) => components(cursor, &group, 0, &[3, 6]),
+        None => right_side(cursor),
+    }
+}
+
 fn vector(cursor: &mut Cursor, group: &proc_macro2::Group, depth: usize) -> Parsed<Expr> {
+    components(cursor, group, depth, &[3])
+}
+
+/// Components of one of these numbers, and their unit.
+fn components(cursor: &mut Cursor, group: &proc_macro2::Group, depth: usize, counts: &[usize]) -> Parsed<Expr> {
     let mut inner = Cursor::of(group);
     let mut components = Vec::new();
     while !inner.is_empty() {
@@ -287,8 +304,13 @@ fn vector(cursor: &mut Cursor, group: &proc_macro2::Group, depth: usize) -> Pars
             return Err(inner.expected("`,` between components"));
         }
     }
-    if components.len() != 3 {
-        return Err(Mistake::new(group.span(), say::three_components(components.len())));
+    if !counts.contains(&components.len()) {
+        let message = if counts.contains(&6) {
+            say::inertia_components(components.len())
+        } else {
+            say::three_components(components.len())
+        };
+        return Err(Mistake::new(group.span(), message));
     }
     let unit = if let Some(unit) = cursor.eat_group(Delimiter::Bracket) {
         Some(unit::bracketed(&unit)?)

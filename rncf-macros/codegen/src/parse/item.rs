@@ -145,8 +145,18 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
             let parent = in_frame(cursor)?;
             ItemKind::Frame {
                 parent,
-                call: assigned_call(cursor, "`rotating(..)` or `moving(..)`")?,
+                call: assigned_call(cursor, "a motion such as `rotating(..)` or `free(..)`")?,
             }
+        }
+        Keyword::Rigid => ItemKind::Rigid {
+            parent: in_frame(cursor)?,
+            fields: fields(cursor, area, errors)?,
+        },
+        Keyword::Fixture => {
+            cursor.expect_word("on")?;
+            let place = expr::expression(cursor)?;
+            let fields = fields(cursor, area, errors)?;
+            ItemKind::Fixture { place, fields }
         }
         Keyword::Body => {
             let frame = in_frame(cursor)?;
@@ -203,11 +213,7 @@ fn fields(cursor: &mut Cursor, area: Area, errors: &mut Errors) -> Parsed<Fields
         if inner.is_empty() {
             break;
         }
-        let field = inner.expect_name("the name of a field").and_then(|name| {
-            let value = assignment(&mut inner)?;
-            Ok(Field { name, value })
-        });
-        match field {
+        match field(&mut inner) {
             Ok(field) => fields.push(field),
             Err(mistake) => {
                 complete = false;
@@ -217,6 +223,25 @@ fn fields(cursor: &mut Cursor, area: Area, errors: &mut Errors) -> Parsed<Fields
         }
     }
     Ok(Fields { area, fields, complete })
+}
+
+/// `name = value;`, or `plane xy;` as the statements of a body have it.
+fn field(cursor: &mut Cursor) -> Parsed<Field> {
+    let is_plane = cursor.is_word("plane") && cursor.is_two_words();
+    let name = cursor.expect_name("the name of a field")?;
+    let value = if is_plane {
+        let value = expr::expression(cursor)?;
+        cursor.expect_end()?;
+        value
+    } else if name.text == "inertia" {
+        cursor.expect_punct('=')?;
+        let value = expr::inertia(cursor)?;
+        cursor.expect_end()?;
+        value
+    } else {
+        assignment(cursor)?
+    };
+    Ok(Field { name, value })
 }
 
 fn run(cursor: &mut Cursor, tree: &mut Tree, errors: &mut Errors) {
@@ -231,7 +256,17 @@ fn run(cursor: &mut Cursor, tree: &mut Tree, errors: &mut Errors) {
 }
 
 /// Statements of a body.
-const STATEMENTS: &[&str] = &["planar", "spatial", "line", "arc", "mesh"];
+const STATEMENTS: &[&str] = &[
+    "planar",
+    "spatial",
+    "line",
+    "arc",
+    "mesh",
+    "mean_axes",
+    "modal",
+    "small",
+    "rigid",
+];
 
 fn statements(cursor: &mut Cursor, errors: &mut Errors) -> Vec<Statement> {
     let mut statements = Vec::new();
@@ -263,6 +298,17 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
             }
         }
         "spatial" => Statement::Space { area, plane: None },
+        "mean_axes" => Statement::MeanAxes { area },
+        "rigid" => Statement::Fidelity { word, count: None },
+        "modal" | "small" => {
+            let call = expr::call(cursor, word.clone(), 0)?;
+            let mut arguments = call.arguments;
+            let count = match (arguments.pop(), arguments.is_empty()) {
+                (Some(only), true) if only.name.is_none() => Some(only.value),
+                _ => return Err(Mistake::new(call.area, say::mode_count(&word.text))),
+            };
+            Statement::Fidelity { word, count }
+        }
         "line" => {
             cursor.expect_word("from")?;
             let from = expr::expression(cursor)?;

@@ -19,10 +19,16 @@ messages! {
     missing_name(keyword) = "`{keyword}` needs a name: `{keyword} name ..`";
     after_model(found) = "one `model!` declares one model: nothing may follow its braces, found {found}";
     missing_space(number, unit) = "a space is missing between number and unit: `{number} {unit}`";
+    mode_count(word) = "`{word}` takes the number of modes: `{word}(4);`";
     unit_power(number, unit) = "after a number in an expression one unit symbol is read: write the power in brackets, `{number} [{unit}^2]`, or mean `({number} {unit})^2`";
     unit_after_slash(found) = "is {found} above or below the line? write `*`, or parentheses as in `W/(m K)`";
     raw_name(plain) = "raw names are not allowed: choose another name than `{plain}`, which is a keyword of Rust";
     rust_keyword(text) = "`{text}` is a keyword of Rust and cannot be a name: try `{text}_`";
+}
+
+/// An inertia with another number of components.
+pub fn inertia_components(count: usize) -> String {
+    format!("an inertia has three components `[xx, yy, zz]` or six, `[xx, yy, zz, xy, xz, yz]`, this one has {count}")
 }
 
 /// `[..]` with another number of components.

@@ -3,8 +3,8 @@
 //!
 //! ```text
 //! declaration = { doc } [ visibility ] "model" NAME "{" { item } "}"
-//! item        = { doc } ( param | const | material | section | motion | frame | body | joint
-//!                       | load | output | run )
+//! item        = { doc } ( param | const | material | section | motion | frame | rigid | body
+//!                       | fixture | joint | load | output | run )
 //! param       = "param" NAME [ ":" "count" ] "=" right ";"
 //! const       = "const" NAME "=" right ";"
 //! material    = "material" NAME fields          // density young poisson damping
@@ -13,12 +13,22 @@
 //! frame       = "frame" NAME [ "in" FRAME ] "=" call ";"
 //!                   // rotating(axis = x|y|z|vector, angle = expr [, origin = vector])
 //!                   // moving(origin = vector)
+//!                   // free([origin = vector, axis = .., angle = .., velocity = vector, angular_velocity = vector])
+//!                   // free(plane = xy|yz|zx [, origin = .., angle = .., velocity = .., speed = expr])
+//!                   // turning([axis = .., angle = .., angular_velocity = vector])
+//!                   // hinged(axis = .. [, angle = expr, speed = expr])
+//! rigid       = "rigid" NAME [ "in" FRAME ] fields
+//!                   // mass inertia center plane, and those of free(..); `plane xy;` needs no "="
 //! body        = "body" NAME [ "in" FRAME ] "{" { statement } "}"
 //! statement   = "planar" ( "xy" | "yz" | "zx" ) ";"
 //!             | "spatial" ";"
 //!             | "line" "from" vector "to" vector ";"
 //!             | "arc" "from" vector "direction" vector "radius" expr "angle" expr ";"
+//!             | "mean_axes" ";"
+//!             | ( "modal" | "small" ) "(" expr ")" ";" | "rigid" ";"
 //!             | "mesh" primary "*" call ";"     // element(section, material [, option = value])
+//! fixture     = "fixture" NAME "on" PLACE fields
+//!                   // FRAME[.at(vector)]: mass inertia; BODY.end|..: mass offset gyration
 //! joint       = "joint" NAME "=" call ";"       // clamp|clamp_full|pin(BODY.end, FRAME [, at = vector])
 //! load        = "load" NAME "=" call ";"        // gravity(vector)
 //!                   // force|moment(BODY.end|BODY.at(expr), vector [, in = FRAME])

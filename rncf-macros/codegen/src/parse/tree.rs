@@ -54,7 +54,9 @@ pub enum Keyword {
     Section,
     Motion,
     Frame,
+    Rigid,
     Body,
+    Fixture,
     Joint,
     Load,
     Output,
@@ -62,14 +64,16 @@ pub enum Keyword {
 
 impl Keyword {
     /// All of them, in the order a user needs them.
-    pub const ALL: [Keyword; 10] = [
+    pub const ALL: [Keyword; 12] = [
         Keyword::Param,
         Keyword::Const,
         Keyword::Material,
         Keyword::Section,
         Keyword::Motion,
         Keyword::Frame,
+        Keyword::Rigid,
         Keyword::Body,
+        Keyword::Fixture,
         Keyword::Joint,
         Keyword::Load,
         Keyword::Output,
@@ -84,10 +88,20 @@ impl Keyword {
             Keyword::Section => "section",
             Keyword::Motion => "motion",
             Keyword::Frame => "frame",
+            Keyword::Rigid => "rigid",
             Keyword::Body => "body",
+            Keyword::Fixture => "fixture",
             Keyword::Joint => "joint",
             Keyword::Load => "load",
             Keyword::Output => "output",
+        }
+    }
+
+    /// What it declares, in a sentence.
+    pub fn noun(self) -> &'static str {
+        match self {
+            Keyword::Rigid => "rigid body",
+            other => other.word(),
         }
     }
 
@@ -132,7 +146,7 @@ pub enum ItemKind {
     Frame {
         /// `in parent`
         parent: Option<Name>,
-        /// `rotating(..)` or `moving(..)`
+        /// How it moves: `rotating(..)`, `free(..)`, ..
         call: Call,
     },
     /// `body name [in frame] { statements }`
@@ -143,6 +157,20 @@ pub enum ItemKind {
         statements: Vec<Statement>,
         /// Whether all statements could be read.
         complete: bool,
+    },
+    /// `rigid name [in parent] { field = value; .. }`
+    Rigid {
+        /// `in parent`
+        parent: Option<Name>,
+        /// What stands in the braces; `plane xy;` is a field, too.
+        fields: Fields,
+    },
+    /// `fixture name on place { field = value; .. }`
+    Fixture {
+        /// Where it sits.
+        place: Expr,
+        /// What stands in the braces.
+        fields: Fields,
     },
     /// `joint name = call;`
     Joint(Call),
@@ -205,6 +233,18 @@ pub enum Statement {
         radius: Box<Expr>,
         /// Subtended angle.
         angle: Box<Expr>,
+    },
+    /// `modal(n);`, `small(n);` or `rigid;`
+    Fidelity {
+        /// The word.
+        word: Name,
+        /// Number of modes; none of a rigid body.
+        count: Option<Expr>,
+    },
+    /// `mean_axes;`
+    MeanAxes {
+        /// The word.
+        area: Area,
     },
     /// `mesh count * element(..);`
     Mesh {
