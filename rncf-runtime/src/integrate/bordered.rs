@@ -47,7 +47,7 @@ impl Bordered {
         let mut mass = vec![0.0; pattern.entries()];
         system.mass(&State::of(system, 0.0), &mut mass);
         Self {
-            saddle: Saddle::new(&pattern, &constraint_pattern),
+            saddle: Saddle::new(&pattern, system.border(), &constraint_pattern),
             sizes: system.sizes().to_vec(),
             jacobian: vec![0.0; constraint_pattern.entries()],
             mass,
@@ -175,7 +175,7 @@ impl Bordered {
         if self.state_of_factors != Factors::Present {
             self.state_of_factors = Factors::None;
             statistics.factorizations += 1;
-            self.saddle.factor(&self.mass, &self.jacobian)?;
+            self.saddle.factor_symmetric(&self.mass, &self.jacobian)?;
             self.state_of_factors = Factors::Present;
         }
         dynamics.copy_from_slice(&self.given.0);

@@ -138,7 +138,7 @@ impl Newton {
                 CONVERGED_CONSTRAINED
             },
             rtol,
-            saddle: Saddle::new(pattern, &constraint_pattern),
+            saddle: Saddle::new(pattern, system.border(), &constraint_pattern),
             tangent: Tangent {
                 mass: vec![0.0; entries],
                 stiffness: vec![0.0; entries],
@@ -292,11 +292,13 @@ impl Newton {
         }
         self.factored_for = None;
         statistics.factorizations += 1;
-        self.saddle.factor(&self.block, &self.jacobian).map_err(|singular| {
-            Failure::Failed(Cause::Singular {
-                worst: row(singular, self.dx.len()),
-            })
-        })?;
+        self.saddle
+            .factor_symmetric(&self.block, &self.jacobian)
+            .map_err(|singular| {
+                Failure::Failed(Cause::Singular {
+                    worst: row(singular, self.dx.len()),
+                })
+            })?;
         self.factored_for = Some(h);
         self.experience = Experience::default();
         Ok(())

@@ -37,6 +37,9 @@ pub struct Options {
     pub max_step: f64,
     /// First step, s; `None` lets the method choose.
     pub first_step: Option<f64>,
+    /// Positions and velocities both on the constraints (index 2 after Gear, Gupta and Leimkuhler,
+    /// THEORY 7.4); otherwise positions alone (index 3).
+    pub stabilised: bool,
 }
 
 impl Default for Options {
@@ -46,6 +49,7 @@ impl Default for Options {
             step: StepSize::Adaptive,
             max_step: f64::INFINITY,
             first_step: None,
+            stabilised: false,
         }
     }
 }

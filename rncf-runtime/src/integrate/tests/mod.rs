@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod axis;
+mod heavy_top;
 mod order;
 mod radau;
 mod systems;

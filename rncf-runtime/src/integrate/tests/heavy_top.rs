@@ -1,0 +1,285 @@
+//! Heavy top of BENCHMARKS 3 and the free top: a free frame of six unknowns, centre of mass r and
+//! orientation A, written by hand.
+
+use crate::linalg::Pattern;
+use crate::rotation::Rotation;
+use crate::system::{ConstraintLevel, State, System, Tangent};
+use crate::vector::{Matrix, Vector, add, apply, apply_transposed, cross, dot, multiply, norm, scale, skew, subtract};
+
+/// Gravity, m/s^2.
+const GRAVITY: Vector = [0.0, 0.0, -9.81];
+/// Fixed point to centre of mass, body axes, m.
+const ARM: Vector = [0.0, 1.0, 0.0];
+
+/// A rigid body whose point `r - A ARM` is held at the origin, or one that flies freely.
+pub(super) struct Top {
+    mass: f64,
+    /// Principal moments of inertia about the centre of mass, kg m^2.
+    inertia: Vector,
+    gravity: Vector,
+    pattern: Pattern,
+    constraint_pattern: Pattern,
+}
+
+impl Top {
+    /// The heavy top: C = r - A X, three constraints.
+    pub(super) fn heavy() -> Self {
+        let arm_rows = (0..3).flat_map(|j| (0..3).map(move |i| (3 + i, j)));
+        Self::new(
+            [0.234375, 0.46875, 0.234375],
+            GRAVITY,
+            3,
+            (0..3).map(|j| (j, j)).chain(arm_rows),
+        )
+    }
+
+    /// A free asymmetric top without loads.
+    pub(super) fn free() -> Self {
+        Self::new([1.0, 2.0, 3.0], [0.0; 3], 0, [])
+    }
+
+    fn new(
+        inertia: Vector,
+        gravity: Vector,
+        constraints: usize,
+        entries: impl IntoIterator<Item = (usize, usize)>,
+    ) -> Self {
+        Self {
+            mass: 15.0,
+            inertia,
+            gravity,
+            pattern: Pattern::new(6, 6, (0..36).map(|place| (place / 6, place % 6))),
+            constraint_pattern: Pattern::new(6, constraints, entries),
+        }
+    }
+
+    /// State of the heavy top at t = 0.
+    pub(super) fn start(&self) -> State {
+        let mut state = State::of(self, 0.0);
+        state.x[..3].copy_from_slice(&ARM);
+        state.v.copy_from_slice(&[4.61538, 0.0, 0.0, 0.0, 150.0, -4.61538]);
+        state
+    }
+
+    /// Angular momentum about the centre of mass, inertial axes, N m s.
+    pub(super) fn spin(&self, state: &State) -> Vector {
+        apply(&attitude(state), self.times_inertia(angular(&state.v)))
+    }
+
+    fn times_inertia(&self, w: Vector) -> Vector {
+        std::array::from_fn(|i| self.inertia[i] * w[i])
+    }
+
+    fn place(&self, i: usize, j: usize) -> usize {
+        6 * j + i
+    }
+
+    fn set_rotation_block(&self, values: &mut [f64], block: &Matrix) {
+        for (i, row) in block.iter().enumerate() {
+            for (j, &value) in row.iter().enumerate() {
+                values[self.place(3 + i, 3 + j)] = value;
+            }
+        }
+    }
+
+    /// Writes `(1, rotation)` as the rows of the constraints.
+    fn write_border(&self, identity: f64, rotation: &Matrix, values: &mut [f64]) {
+        for (j, row) in rotation.iter().enumerate() {
+            values[4 * j] = identity;
+            values[4 * j + 1..4 * j + 4].copy_from_slice(row);
+        }
+    }
+}
+
+/// Orientation matrix of the top.
+pub(super) fn attitude(state: &State) -> Matrix {
+    state.orientation(0, 3).matrix()
+}
+
+/// The angular part of a vector of unknowns.
+pub(super) fn angular(y: &[f64]) -> Vector {
+    [y[3], y[4], y[5]]
+}
+
+/// Reference of the heavy top at 0.5 s and 1.0 s: time, centre of mass, angular velocity, multipliers.
+pub(super) const REFERENCE: [(f64, Vector, Vector, Vector); 2] = [
+    (
+        0.5,
+        [-0.70246829706, -0.02116518470, -0.71140025765],
+        [-0.4710531017, 150.0, 5.9010830483],
+        [-523.281244, -404.206178, -357.336176],
+    ),
+    (
+        1.0,
+        [0.17334396410, 0.64008859207, -0.74849079113],
+        [-0.8220781017, 150.0, -5.9232913481],
+        [517.600739, 396.843101, -404.574925],
+    ),
+];
+
+/// Errors of position (m), angular velocity (rad/s) and multipliers (N) against a reference.
+pub(super) fn errors(state: &State, reference: &(f64, Vector, Vector, Vector)) -> [f64; 3] {
+    let &(t, r, w, lambda) = reference;
+    assert!((state.t - t).abs() < 1e-9, "{} {t}", state.t);
+    let far = |y: &[f64], exact: Vector| norm(subtract([y[0], y[1], y[2]], exact));
+    [far(&state.x, r), far(&state.v[3..], w), far(&state.lambda, lambda)]
+}
+
+impl System for Top {
+    fn unknowns(&self) -> usize {
+        6
+    }
+    fn constraints(&self) -> usize {
+        self.constraint_pattern.columns()
+    }
+    fn turns(&self) -> &[usize] {
+        &[3]
+    }
+    fn border(&self) -> usize {
+        6
+    }
+    fn pattern(&self) -> &Pattern {
+        &self.pattern
+    }
+    fn constraint_pattern(&self) -> &Pattern {
+        &self.constraint_pattern
+    }
+    fn mass(&mut self, _state: &State, values: &mut [f64]) {
+        values.fill(0.0);
+        for i in 0..3 {
+            values[self.place(i, i)] = self.mass;
+            values[self.place(3 + i, 3 + i)] = self.inertia[i];
+        }
+    }
+    fn residual(&mut self, state: &State, out: &mut [f64]) {
+        let w = angular(&state.v);
+        let gyroscopic = cross(w, self.times_inertia(w));
+        let moment = add(self.times_inertia(angular(&state.a)), gyroscopic);
+        for i in 0..3 {
+            out[i] = self.mass * (state.a[i] - self.gravity[i]);
+            out[3 + i] = moment[i];
+        }
+    }
+    fn tangent(&mut self, state: &State, out: &mut Tangent) {
+        self.mass(state, &mut out.mass);
+        out.stiffness.fill(0.0);
+        out.damping.fill(0.0);
+        let w = angular(&state.v);
+        let (turn, momentum) = (skew(w), skew(self.times_inertia(w)));
+        let damping: Matrix =
+            std::array::from_fn(|i| std::array::from_fn(|j| turn[i][j] * self.inertia[j] - momentum[i][j]));
+        self.set_rotation_block(&mut out.damping, &damping);
+        if let &[x, y, z] = &state.lambda[..] {
+            let force = skew(apply_transposed(&attitude(state), [x, y, z]));
+            self.set_rotation_block(&mut out.stiffness, &multiply(&skew(scale(-1.0, ARM)), &force));
+        }
+    }
+    fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]) {
+        if out.is_empty() {
+            return;
+        }
+        let (w, dw) = (angular(&state.v), angular(&state.a));
+        let wx = cross(w, ARM);
+        let arm = match level {
+            ConstraintLevel::Position => ARM,
+            ConstraintLevel::Velocity => [0.0; 3],
+            ConstraintLevel::Acceleration => cross(w, wx),
+            ConstraintLevel::Jerk => add(
+                add(scale(2.0, cross(w, cross(dw, ARM))), cross(dw, wx)),
+                cross(w, cross(w, wx)),
+            ),
+        };
+        let arm = apply(&attitude(state), arm);
+        for i in 0..3 {
+            let position = if level == ConstraintLevel::Position {
+                state.x[i]
+            } else {
+                0.0
+            };
+            out[i] = position - arm[i];
+        }
+    }
+    fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
+        if !values.is_empty() {
+            // d(A X) = A (dpi x X)
+            self.write_border(1.0, &multiply(&attitude(state), &skew(ARM)), values);
+        }
+    }
+    fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
+        if !values.is_empty() {
+            // d(-A (w x X)) = -A (dpi x (w x X))
+            let velocity = cross(angular(&state.v), ARM);
+            self.write_border(0.0, &multiply(&attitude(state), &skew(velocity)), values);
+        }
+    }
+    fn sizes(&self) -> &[f64] {
+        &[1.0; 6]
+    }
+    fn describe_unknown(&self, index: usize) -> String {
+        format!(
+            "top, {} {}",
+            ["centre", "orientation"][index / 3],
+            ["x", "y", "z"][index % 3]
+        )
+    }
+    fn describe_constraint(&self, index: usize) -> String {
+        format!("joint point, {}", ["x", "y", "z"][index])
+    }
+    fn kinks(&self) -> Vec<f64> {
+        vec![]
+    }
+    fn energy(&mut self, state: &State) -> Option<f64> {
+        let (w, v) = (angular(&state.v), [state.v[0], state.v[1], state.v[2]]);
+        let r = [state.x[0], state.x[1], state.x[2]];
+        let kinetic = 0.5 * (self.mass * dot(v, v) + dot(w, self.times_inertia(w)));
+        Some(kinetic - self.mass * dot(self.gravity, r))
+    }
+}
+
+#[test]
+fn hand_written_derivatives_are_those_of_the_functions() {
+    use ConstraintLevel::{Acceleration, Jerk, Position, Velocity};
+    let mut top = Top::heavy();
+    let mut state = top.start();
+    state.turns[0] = Rotation::exp([0.3, -0.4, 0.9]);
+    state.v.copy_from_slice(&[0.1, -0.7, 0.4, 1.3, -0.8, 0.6]);
+    state.a.copy_from_slice(&[0.2, 0.9, -0.4, 0.3, 1.8, -0.6]);
+    state.lambda.copy_from_slice(&[3.0, -2.0, 5.0]);
+    // Along the motion with constant acceleration every level is the derivative of the one before.
+    let along = |top: &mut Top, t: f64, level: ConstraintLevel| {
+        let mut moved = state.clone();
+        for i in 0..6 {
+            moved.x[i] += t * (state.v[i] + 0.5 * t * state.a[i]);
+            moved.v[i] += t * state.a[i];
+        }
+        // theta' = T^-1(theta) w has no part along w x w' below t^3.
+        let mut out = vec![0.0; 3];
+        top.constraint(level, &moved, &mut out);
+        let mut border = vec![0.0; top.constraint_pattern().entries()];
+        top.constraint_jacobian(&moved, &mut border);
+        match level {
+            Position => {}
+            Velocity => top
+                .constraint_pattern
+                .transpose_multiply_add(1.0, &border, &moved.v, &mut out),
+            _ => top
+                .constraint_pattern
+                .transpose_multiply_add(1.0, &border, &moved.a, &mut out),
+        }
+        out
+    };
+    let mut jerk = vec![0.0; 3];
+    top.constraint(Jerk, &state, &mut jerk);
+    let step = 1e-5;
+    for (level, next) in [(Position, Velocity), (Velocity, Acceleration), (Acceleration, Jerk)] {
+        let (up, down) = (along(&mut top, step, level), along(&mut top, -step, level));
+        let exact = if next == Jerk {
+            jerk.clone()
+        } else {
+            along(&mut top, 0.0, next)
+        };
+        for i in 0..3 {
+            assert!(((up[i] - down[i]) / (2.0 * step) - exact[i]).abs() < 1e-8, "{next:?}");
+        }
+    }
+}
