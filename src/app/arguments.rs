@@ -98,6 +98,9 @@ fn refuse_with_steady(matches: &ArgMatches) -> Result<(), String> {
             "`--{flag}` belongs to `run`: `steady` does not advance in time"
         ));
     }
+    if matches.get_flag("stabilised") {
+        return Err("`--stabilised` belongs to `run`: `steady` does not advance in time".into());
+    }
     if matches.get_flag("no-elimination") {
         return Err("`--no-elimination` belongs to `run`: `steady` eliminates all joints that it can".into());
     }
@@ -147,6 +150,7 @@ fn settings(matches: &ArgMatches) -> Result<RunSettings, String> {
             rtol,
             step: step.map_or(StepSize::Adaptive, StepSize::Fixed),
             max_step: max_step.unwrap_or(f64::INFINITY),
+            stabilised: matches.get_flag("stabilised"),
             ..Options::default()
         },
         t_end: flag_time("t-end", "20 s")?,
@@ -265,6 +269,10 @@ fn command_line<M: Model>(program: &str) -> clap::Command {
             "Dissipation of generalized-alpha, 0 to 1 (default 0.8)",
         ))
         .arg(flag(
+            "stabilised",
+            "Keep velocities on the constraints, too (index 2 after Gear, Gupta and Leimkuhler)",
+        ))
+        .arg(flag(
             "no-elimination",
             "Keep all joints as constraints with multipliers",
         ))
@@ -368,7 +376,7 @@ mod tests {
     #[test]
     fn all_flags_are_read() {
         let line = "run omega=4rad/s --formulation ancf --integrator hht --alpha -0.3 --rtol 1e-7 --max-step 0.01s \
-            --no-elimination --start steady --t-end 2s --every 0.5s --out here --quiet coils=3";
+            --no-elimination --stabilised --start steady --t-end 2s --every 0.5s --out here --quiet coils=3";
         let arguments = read(&line.split_whitespace().collect::<Vec<_>>()).unwrap();
         assert_eq!((arguments.model.omega, arguments.model.coils), (4.0, 3));
         let expected = RunSettings {
@@ -379,6 +387,7 @@ mod tests {
             options: Options {
                 rtol: 1e-7,
                 max_step: 0.01,
+                stabilised: true,
                 ..Options::default()
             },
             t_end: Some(2.0),

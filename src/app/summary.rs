@@ -132,6 +132,7 @@ fn settings(summary: &mut Summary, settings: &RunSettings) {
             put(summary, "rho_inf", json!(rho_inf));
         }
     }
+    put(summary, "stabilised", json!(settings.options.stabilised));
     put(summary, "rtol", json!(settings.options.rtol));
     let step = match settings.options.step {
         StepSize::Adaptive => json!("adaptive"),
