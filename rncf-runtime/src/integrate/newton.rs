@@ -2,8 +2,21 @@
 //!
 //! The matrix is scaled by `beta h^2`, so that its entries stay of order one as h goes to 0, and
 //! its factorization is kept across steps while the iteration contracts well.
+//!
+//! Orientations: the matrix is that of right increments dpi, `(b'M + g'C) T^-1 + K`, bordered by `C_x`;
+//! dtheta = T^-1 dpi. This is the matrix of THEORY 7.2 with the columns divided by T, and the border
+//! stays symmetric.
+//!
+//! Stabilised index 2 (THEORY 7.4): the large matrix is solved block by block. First d and dlambda
+//! with the *velocity* constraints in the second row, where `C_x d + (beta h/gamma) (C_x v)_x d` is
+//! taken as `C_x d`; then dmu brings the positions onto the constraints. What is left out is of the
+//! order of the rotation within a step, so that the iteration contracts by about that, and what it
+//! converges to satisfies all equations. The weight of mu is `-h W C_x(x_n)^T` with W the squared sizes
+//! of the unknowns, in place of W = 1, so that nothing depends on the units.
 
 use super::Statistics;
+use super::bordered::Bordered;
+use super::charts::Charts;
 use super::scheme::Cause;
 use crate::linalg::{Pattern, Saddle, Singular};
 use crate::system::{ConstraintLevel, State, System, Tangent};
@@ -52,6 +65,9 @@ pub(super) struct Iterate {
 /// Newton's iteration with a kept factorization.
 pub(super) struct Newton {
     constraint_pattern: Pattern,
+    charts: Charts,
+    /// Corrections of positions along `W C_x(x_n)^T`; index 3 has none.
+    stabiliser: Option<Stabiliser>,
     factors: Factors,
     /// 1 / (weight of the unknown in the norm of the increments).
     inverse_weights: Vec<f64>,
@@ -69,6 +85,15 @@ pub(super) struct Newton {
     /// Step for which the matrix was factored; `None`: refresh before the next iteration.
     factored_for: Option<f64>,
     experience: Experience,
+}
+
+/// What the stabilised index 2 adds to an iteration.
+struct Stabiliser {
+    bordered: Bordered,
+    /// Position constraints.
+    value: Vec<f64>,
+    /// Increment of `-h W C_x(x_n)^T mu`, in the charts of the step.
+    shift: Vec<f64>,
 }
 
 /// Contraction seen with one factorization. As the solution moves away from where the matrix was
@@ -125,10 +150,17 @@ pub(super) enum Failure {
 impl Newton {
     /// An iteration for `system`; `rtol` relative to the sizes of the unknowns is the error
     /// tolerance of a step.
-    pub(super) fn new<S: System + ?Sized>(system: &S, factors: Factors, rtol: f64) -> Self {
+    pub(super) fn new<S: System + ?Sized>(system: &S, factors: Factors, rtol: f64, stabilised: bool) -> Self {
         let (pattern, constraint_pattern) = (system.pattern(), system.constraint_pattern().clone());
         let entries = pattern.entries();
+        let stabiliser = (stabilised && system.constraints() > 0).then(|| Stabiliser {
+            bordered: Bordered::by_sizes(system),
+            value: vec![0.0; system.constraints()],
+            shift: vec![0.0; system.unknowns()],
+        });
         Self {
+            charts: Charts::new(system.turns(), pattern),
+            stabiliser,
             factors,
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
             inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
@@ -159,31 +191,37 @@ impl Newton {
         self.factored_for = None;
     }
 
-    /// Iterates from the predictor in `iterate` until the step of size `h` has converged.
+    /// Iterates from the predictor in `iterate` until the step of size `h` from `start` has converged.
     pub(super) fn solve<S: System + ?Sized>(
         &mut self,
         system: &mut S,
-        mass: &[f64],
+        start: &State,
         h: f64,
         iterate: &mut Iterate,
         statistics: &mut Statistics,
     ) -> Result<(), Failure> {
         // Increments with the matrix since it was made; `None` if it is of an earlier step.
         let mut uses = None;
+        if let Some(stabiliser) = &mut self.stabiliser {
+            stabiliser.bordered.move_to(system, start);
+        }
         if !self.is_made_for(h) {
-            self.refresh(system, mass, h, &iterate.state, statistics)?;
+            self.refresh(system, h, &iterate.state, statistics)?;
             uses = Some(0);
         }
         let mut before: Option<f64> = None;
         let mut seen: Option<f64> = None;
         for _ in 0..ITERATIONS {
             uses = uses.map(|uses| uses + 1);
-            let relaxation = self.increment(system, h, &iterate.state, statistics);
-            let size = norm(&self.dx, &self.inverse_weights);
+            let relaxation = self.increment(system, h, &iterate.state, statistics)?;
+            let size = norm(&self.dx, &self.inverse_weights) + self.shifted();
             if !size.is_finite() || !self.dlambda.iter().all(|d| d.is_finite()) {
                 return Err(self.failure(uses, Cause::NotFinite));
             }
             self.apply(h, iterate);
+            if let worst @ Some(_) = self.charts.overturned(&iterate.state) {
+                return Err(self.failure(uses, Cause::Newton { worst }));
+            }
             let floor = ROUND_OFF / self.rtol * (1.0 + norm(&iterate.state.x, &self.inverse_sizes));
             // Seen now, else expected from earlier steps; never better than a changed step allows.
             let contraction = match before {
@@ -208,7 +246,7 @@ impl Newton {
                 if (count == 1 && contraction > DIVERGING) || contraction > 2.0 {
                     return Err(self.diverged());
                 }
-                self.refresh(system, mass, h, &iterate.state, statistics)?;
+                self.refresh(system, h, &iterate.state, statistics)?;
                 uses = Some(0);
             }
             before = Some(size);
@@ -224,14 +262,14 @@ impl Newton {
     pub(super) fn filter<S: System + ?Sized>(
         &mut self,
         system: &mut S,
-        mass: &[f64],
         h: f64,
         state: &State,
         y: &mut [f64],
         statistics: &mut Statistics,
     ) -> Result<(), Failure> {
-        self.refresh(system, mass, h, state, statistics)?;
+        self.refresh(system, h, state, statistics)?;
         self.dx.fill(0.0);
+        let mass = &self.tangent.mass;
         system.pattern().multiply_add(self.factors.mass, mass, y, &mut self.dx);
         self.dlambda.fill(0.0);
         self.constraint_pattern
@@ -268,21 +306,24 @@ impl Newton {
         }
     }
 
-    /// Evaluates and factors `[[mass M + gamma h D + beta h^2 K, C_x^T], [C_x, 0]]` at `state`.
+    /// Evaluates and factors `[[(mass M + gamma h D) T^-1 + beta h^2 K, C_x^T], [C_x, 0]]` at `state`.
     fn refresh<S: System + ?Sized>(
         &mut self,
         system: &mut S,
-        mass: &[f64],
         h: f64,
         state: &State,
         statistics: &mut Statistics,
     ) -> Result<(), Failure> {
-        system.tangent(state, &mut self.tangent);
+        let tangent = &mut self.tangent;
+        system.tangent(state, tangent);
         statistics.jacobian_evaluations += 1;
         let (damping, stiffness) = (self.factors.gamma * h, self.factors.beta * h * h);
         for i in 0..self.block.len() {
-            self.block[i] =
-                self.factors.mass * mass[i] + damping * self.tangent.damping[i] + stiffness * self.tangent.stiffness[i];
+            self.block[i] = self.factors.mass * tangent.mass[i] + damping * tangent.damping[i];
+        }
+        self.charts.to_increments(state, &mut self.block);
+        for i in 0..self.block.len() {
+            self.block[i] += stiffness * tangent.stiffness[i];
         }
         if !self.block.iter().all(|value| value.is_finite()) {
             return Err(Failure::Failed(Cause::NotFinite));
@@ -310,7 +351,7 @@ impl Newton {
         h: f64,
         state: &State,
         statistics: &mut Statistics,
-    ) -> f64 {
+    ) -> Result<f64, Failure> {
         let lambda = &state.lambda;
         system.residual(state, &mut self.dx);
         statistics.residual_evaluations += 1;
@@ -319,8 +360,7 @@ impl Newton {
             system.constraint_jacobian(state, &mut self.jacobian);
             self.constraint_pattern
                 .multiply_add(1.0, &self.jacobian, lambda, &mut self.dx);
-            system.constraint(ConstraintLevel::Position, state, &mut self.dlambda);
-            self.dlambda.iter_mut().for_each(|c| *c = -*c);
+            self.constraint_rows(system, h, state);
         }
         // Stiffness enters by h^2, mass by 1: the mean of the two errors is the best single factor.
         let ratio = self.factored_for.map_or(1.0, |made| h / made);
@@ -329,7 +369,40 @@ impl Newton {
         self.dx.iter_mut().for_each(|r| *r *= scale);
         self.saddle.solve(&mut self.dx, &mut self.dlambda);
         statistics.solves += 1;
-        relaxation
+        if let Some(stabiliser) = &mut self.stabiliser {
+            let Stabiliser { bordered, value, shift } = stabiliser;
+            self.constraint_pattern
+                .transpose_multiply_add(1.0, &self.jacobian, &self.dx, value);
+            bordered.least_change(value, shift, statistics).map_err(|singular| {
+                Failure::Failed(Cause::Singular {
+                    worst: row(singular, self.dx.len()),
+                })
+            })?;
+        }
+        self.charts.to_chart(state, &mut self.dx);
+        Ok(relaxation)
+    }
+
+    /// Right sides of the constraint rows: positions, or velocities if positions are corrected by mu.
+    fn constraint_rows<S: System + ?Sized>(&mut self, system: &mut S, h: f64, state: &State) {
+        let mut scale = -1.0;
+        if let Some(stabiliser) = &mut self.stabiliser {
+            system.constraint(ConstraintLevel::Position, state, &mut stabiliser.value);
+            system.constraint(ConstraintLevel::Velocity, state, &mut self.dlambda);
+            self.constraint_pattern
+                .transpose_multiply_add(1.0, &self.jacobian, &state.v, &mut self.dlambda);
+            scale = -self.factors.beta * h / self.factors.gamma;
+        } else {
+            system.constraint(ConstraintLevel::Position, state, &mut self.dlambda);
+        }
+        self.dlambda.iter_mut().for_each(|c| *c *= scale);
+    }
+
+    /// Weighted norm of the last correction of positions by mu.
+    fn shifted(&self) -> f64 {
+        self.stabiliser
+            .as_ref()
+            .map_or(0.0, |stabiliser| norm(&stabiliser.shift, &self.inverse_weights))
     }
 
     fn apply(&self, h: f64, iterate: &mut Iterate) {
@@ -342,6 +415,9 @@ impl Newton {
             state.v[i] += velocity * dx;
             algorithmic[i] += acceleration * dx;
             state.a[i] += self.factors.mass * acceleration * dx;
+        }
+        if let Some(stabiliser) = &self.stabiliser {
+            super::bordered::add(&mut state.x, &stabiliser.shift);
         }
         for (lambda, d) in state.lambda.iter_mut().zip(&self.dlambda) {
             *lambda += acceleration * d;
