@@ -72,7 +72,7 @@ impl Bordered {
         let constraint_pattern = system.constraint_pattern().clone();
         let (n, m) = (system.unknowns(), system.constraints());
         Self {
-            saddle: Saddle::new(&pattern, &constraint_pattern),
+            saddle: Saddle::new(&pattern, system.border(), &constraint_pattern),
             weight,
             sizes: system.sizes().to_vec(),
             jacobian: vec![0.0; constraint_pattern.entries()],
@@ -216,7 +216,7 @@ impl Bordered {
         if self.state_of_factors != Factors::Present {
             self.state_of_factors = Factors::None;
             statistics.factorizations += 1;
-            self.saddle.factor(&self.mass, &self.jacobian)?;
+            self.saddle.factor_symmetric(&self.mass, &self.jacobian)?;
             self.state_of_factors = Factors::Present;
         }
         dynamics.copy_from_slice(&self.given.0);

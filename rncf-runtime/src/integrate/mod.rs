@@ -14,6 +14,7 @@ mod options;
 mod radau;
 mod scheme;
 mod segments;
+mod stabiliser;
 mod start;
 mod statistics;
 

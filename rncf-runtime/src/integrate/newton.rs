@@ -7,17 +7,13 @@
 //! dtheta = T^-1 dpi. This is the matrix of THEORY 7.2 with the columns divided by T, and the border
 //! stays symmetric.
 //!
-//! Stabilised index 2 (THEORY 7.4): the large matrix is solved block by block. First d and dlambda
-//! with the *velocity* constraints in the second row, where `C_x d + (beta h/gamma) (C_x v)_x d` is
-//! taken as `C_x d`; then dmu brings the positions onto the constraints. What is left out is of the
-//! order of the rotation within a step, so that the iteration contracts by about that, and what it
-//! converges to satisfies all equations. The weight of mu is `-h W C_x(x_n)^T` with W the squared sizes
-//! of the unknowns, in place of W = 1, so that nothing depends on the units.
+//! The stabilised index 2 (THEORY 7.4) completes every solution by its multipliers mu, see
+//! `stabiliser`.
 
 use super::Statistics;
-use super::bordered::Bordered;
 use super::charts::Charts;
 use super::scheme::Cause;
+use super::stabiliser::{Scales, Stabiliser};
 use crate::linalg::{Pattern, Saddle, Singular};
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
@@ -28,6 +24,8 @@ const CONVERGED: f64 = 0.05;
 const CONVERGED_CONSTRAINED: f64 = 1e-4;
 /// Contraction above which the matrix is refreshed within the iteration.
 const POOR: f64 = 0.5;
+/// Most iterations that a matrix of an earlier step may still need, by the contraction seen.
+const PATIENCE: f64 = 4.0;
 /// Contraction above which full Newton counts as diverging.
 const DIVERGING: f64 = 0.9;
 /// Contraction above which the next step starts with a new matrix.
@@ -87,15 +85,6 @@ pub(super) struct Newton {
     experience: Experience,
 }
 
-/// What the stabilised index 2 adds to an iteration.
-struct Stabiliser {
-    bordered: Bordered,
-    /// Position constraints.
-    value: Vec<f64>,
-    /// Increment of `-h W C_x(x_n)^T mu`, in the charts of the step.
-    shift: Vec<f64>,
-}
-
 /// Contraction seen with one factorization. As the solution moves away from where the matrix was
 /// made the contraction gets worse: what is expected grows by twice what was seen to come.
 struct Experience {
@@ -153,14 +142,9 @@ impl Newton {
     pub(super) fn new<S: System + ?Sized>(system: &S, factors: Factors, rtol: f64, stabilised: bool) -> Self {
         let (pattern, constraint_pattern) = (system.pattern(), system.constraint_pattern().clone());
         let entries = pattern.entries();
-        let stabiliser = (stabilised && system.constraints() > 0).then(|| Stabiliser {
-            bordered: Bordered::by_sizes(system),
-            value: vec![0.0; system.constraints()],
-            shift: vec![0.0; system.unknowns()],
-        });
         Self {
             charts: Charts::new(system.turns(), pattern),
-            stabiliser,
+            stabiliser: (stabilised && system.constraints() > 0).then(|| Stabiliser::new(system)),
             factors,
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
             inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
@@ -170,7 +154,7 @@ impl Newton {
                 CONVERGED_CONSTRAINED
             },
             rtol,
-            saddle: Saddle::new(pattern, &constraint_pattern),
+            saddle: Saddle::new(pattern, system.border(), &constraint_pattern),
             tangent: Tangent {
                 mass: vec![0.0; entries],
                 stiffness: vec![0.0; entries],
@@ -203,7 +187,7 @@ impl Newton {
         // Increments with the matrix since it was made; `None` if it is of an earlier step.
         let mut uses = None;
         if let Some(stabiliser) = &mut self.stabiliser {
-            stabiliser.bordered.move_to(system, start);
+            stabiliser.begin(system, start);
         }
         if !self.is_made_for(h) {
             self.refresh(system, h, &iterate.state, statistics)?;
@@ -213,7 +197,7 @@ impl Newton {
         let mut seen: Option<f64> = None;
         for _ in 0..ITERATIONS {
             uses = uses.map(|uses| uses + 1);
-            let relaxation = self.increment(system, h, &iterate.state, statistics)?;
+            let relaxation = self.increment(system, h, &iterate.state, statistics);
             let size = norm(&self.dx, &self.inverse_weights) + self.shifted();
             if !size.is_finite() || !self.dlambda.iter().all(|d| d.is_finite()) {
                 return Err(self.failure(uses, Cause::NotFinite));
@@ -249,6 +233,12 @@ impl Newton {
                 self.refresh(system, h, &iterate.state, statistics)?;
                 uses = Some(0);
             }
+            // A new matrix costs less than many more iterations with that of an earlier step.
+            let missing = (self.converged / size).min(1.0).ln() / contraction.ln();
+            if before.is_some() && uses.is_none() && missing > PATIENCE {
+                self.refresh(system, h, &iterate.state, statistics)?;
+                uses = Some(0);
+            }
             before = Some(size);
         }
         match uses {
@@ -267,6 +257,9 @@ impl Newton {
         y: &mut [f64],
         statistics: &mut Statistics,
     ) -> Result<(), Failure> {
+        if let Some(stabiliser) = &mut self.stabiliser {
+            stabiliser.begin(system, state);
+        }
         self.refresh(system, h, state, statistics)?;
         self.dx.fill(0.0);
         let mass = &self.tangent.mass;
@@ -333,11 +326,23 @@ impl Newton {
         }
         self.factored_for = None;
         statistics.factorizations += 1;
-        self.saddle.factor(&self.block, &self.jacobian).map_err(|singular| {
+        let singular = |singular| {
             Failure::Failed(Cause::Singular {
-                worst: row(singular, self.dx.len()),
+                worst: row(singular, state.x.len()),
             })
-        })?;
+        };
+        self.saddle
+            .factor_symmetric(&self.block, &self.jacobian)
+            .map_err(singular)?;
+        if let Some(stabiliser) = &mut self.stabiliser {
+            let (tools, values) = (
+                (&mut self.saddle, &self.charts),
+                (&tangent.stiffness[..], &self.jacobian[..]),
+            );
+            stabiliser
+                .refresh(system, state, scales(self.factors, h), tools, values, statistics)
+                .map_err(singular)?;
+        }
         self.factored_for = Some(h);
         self.experience = Experience::default();
         Ok(())
@@ -351,7 +356,7 @@ impl Newton {
         h: f64,
         state: &State,
         statistics: &mut Statistics,
-    ) -> Result<f64, Failure> {
+    ) -> f64 {
         let lambda = &state.lambda;
         system.residual(state, &mut self.dx);
         statistics.residual_evaluations += 1;
@@ -360,7 +365,8 @@ impl Newton {
             system.constraint_jacobian(state, &mut self.jacobian);
             self.constraint_pattern
                 .multiply_add(1.0, &self.jacobian, lambda, &mut self.dx);
-            self.constraint_rows(system, h, state);
+            system.constraint(ConstraintLevel::Position, state, &mut self.dlambda);
+            self.dlambda.iter_mut().for_each(|c| *c = -*c);
         }
         // Stiffness enters by h^2, mass by 1: the mean of the two errors is the best single factor.
         let ratio = self.factored_for.map_or(1.0, |made| h / made);
@@ -370,39 +376,18 @@ impl Newton {
         self.saddle.solve(&mut self.dx, &mut self.dlambda);
         statistics.solves += 1;
         if let Some(stabiliser) = &mut self.stabiliser {
-            let Stabiliser { bordered, value, shift } = stabiliser;
-            self.constraint_pattern
-                .transpose_multiply_add(1.0, &self.jacobian, &self.dx, value);
-            bordered.least_change(value, shift, statistics).map_err(|singular| {
-                Failure::Failed(Cause::Singular {
-                    worst: row(singular, self.dx.len()),
-                })
-            })?;
+            let solution = (&mut self.dx[..], &mut self.dlambda[..]);
+            stabiliser.solve(system, state, scales(self.factors, h), &self.jacobian, solution);
         }
         self.charts.to_chart(state, &mut self.dx);
-        Ok(relaxation)
-    }
-
-    /// Right sides of the constraint rows: positions, or velocities if positions are corrected by mu.
-    fn constraint_rows<S: System + ?Sized>(&mut self, system: &mut S, h: f64, state: &State) {
-        let mut scale = -1.0;
-        if let Some(stabiliser) = &mut self.stabiliser {
-            system.constraint(ConstraintLevel::Position, state, &mut stabiliser.value);
-            system.constraint(ConstraintLevel::Velocity, state, &mut self.dlambda);
-            self.constraint_pattern
-                .transpose_multiply_add(1.0, &self.jacobian, &state.v, &mut self.dlambda);
-            scale = -self.factors.beta * h / self.factors.gamma;
-        } else {
-            system.constraint(ConstraintLevel::Position, state, &mut self.dlambda);
-        }
-        self.dlambda.iter_mut().for_each(|c| *c *= scale);
+        relaxation
     }
 
     /// Weighted norm of the last correction of positions by mu.
     fn shifted(&self) -> f64 {
         self.stabiliser
             .as_ref()
-            .map_or(0.0, |stabiliser| norm(&stabiliser.shift, &self.inverse_weights))
+            .map_or(0.0, |stabiliser| norm(stabiliser.shift(), &self.inverse_weights))
     }
 
     fn apply(&self, h: f64, iterate: &mut Iterate) {
@@ -417,11 +402,19 @@ impl Newton {
             state.a[i] += self.factors.mass * acceleration * dx;
         }
         if let Some(stabiliser) = &self.stabiliser {
-            super::bordered::add(&mut state.x, &stabiliser.shift);
+            super::bordered::add(&mut state.x, stabiliser.shift());
         }
         for (lambda, d) in state.lambda.iter_mut().zip(&self.dlambda) {
             *lambda += acceleration * d;
         }
+    }
+}
+
+/// Scales of the rows of a step of size `h`.
+fn scales(factors: Factors, h: f64) -> Scales {
+    Scales {
+        dynamics: factors.beta * h * h,
+        velocity: factors.beta * h / factors.gamma,
     }
 }
 

@@ -1,12 +1,10 @@
-//! Saddle-point systems `[[K, C^T], [C, 0]]`: LU of K, dense Schur complement of C.
+//! Saddle-point systems `[[K, B], [C, 0]]` with a border: LU of the leading block of K, dense Schur
+//! complement of its border and of the multipliers.
 
-use super::banded::Banded;
+use super::dense::Dense;
 use super::lu::Lu;
 use super::pattern::Pattern;
 use super::scalar::Scalar;
-
-/// Pivots of the scaled Schur complement up to here are round-off.
-const SMALLEST_PIVOT: f64 = 64.0 * f64::EPSILON;
 
 /// The matrix has no unique solution; the unknown or constraint at which it was noticed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,103 +17,212 @@ pub enum Singular {
     Somewhere,
 }
 
-/// Factorization of `[[K, C^T], [C, 0]]` with K sparse on a fixed pattern and nonsingular by
-/// itself, in the field `T` (`f64` or `c64`); the patterns are analysed once.
+/// Factorization of `[[K, B], [C, 0]]` in the field `T` (`f64` or `c64`); the patterns are analysed
+/// once.
+///
+/// K is sparse on a fixed pattern. Its leading part is regular by itself, its border (the last
+/// unknowns, free frames and rigid bodies) may be full and need not make K regular: then the
+/// constraints must. B (forces of the multipliers) and `C^T` (derivatives of the constraints) are
+/// real and have one pattern; they are equal where unknowns are varied as they are forced.
+///
+/// ```text
+/// S = [[K_bb, B_b], [C_b, 0]] - [K_bi; C_i] K_ii^-1 [K_ib, B_i],  i: leading unknowns, b: border
+/// ```
 #[derive(Debug)]
 pub struct Saddle<T> {
-    block: Lu<T>,
+    /// Number of leading unknowns.
+    inner: usize,
+    border: usize,
+    leading: Lu<T>,
+    /// Entries of K in the leading block, and memory for their values.
+    leading_entries: Vec<usize>,
+    leading_values: Vec<T>,
+    block: Pattern,
     constraints: Pattern,
-    /// `C^T` of the last factorization.
-    values: Vec<f64>,
-    /// `K^-1 C^T`, column after column.
-    responses: Vec<T>,
-    /// Factors of the scaled `C K^-1 C^T`.
-    schur: Banded<T>,
-    /// Its scale: row and column i are divided by `scale[i]`.
-    scale: Vec<f64>,
+    /// Columns of `[K_ib, B_i]` and rows of `[K_bi; C_i]`, which follow.
+    sides: Vec<Side<T>>,
+    schur: Dense<T>,
+    /// Right sides and solution of the Schur complement.
+    work: Vec<T>,
+}
+
+/// One border unknown or multiplier seen from the leading unknowns.
+#[derive(Debug)]
+struct Side<T> {
+    /// Leading unknowns and entries (of K, or of B) of its column.
+    column: Vec<(usize, usize)>,
+    /// Leading unknowns and entries (of K, or of `C^T`) of its row.
+    row: Vec<(usize, usize)>,
+    /// Values of the row.
+    values: Vec<T>,
+    /// `K_ii^-1` times its column; empty if that has no entries.
+    response: Vec<T>,
 }
 
 impl<T: Scalar> Saddle<T> {
-    /// Analyses the pattern of K (n x n) and that of `C^T` (n x m).
+    /// Analyses the pattern of K (n x n), whose last `border` unknowns form the border, and that of
+    /// B and `C^T` (n x m).
     ///
     /// # Panics
     /// If the shapes do not fit: a defect of the caller.
-    pub fn new(block: &Pattern, constraint_transposed: &Pattern) -> Self {
+    pub fn new(block: &Pattern, border: usize, constraint_transposed: &Pattern) -> Self {
         assert_eq!(block.rows(), constraint_transposed.rows(), "K and C^T have equal rows");
+        assert!(border <= block.rows(), "the border is a part of K");
         let (n, m) = (block.rows(), constraint_transposed.columns());
+        let inner = n - border;
+        let mut sides: Vec<Side<T>> = (0..border + m).map(|_| Side::default()).collect();
+        let (mut leading_entries, mut leading) = (Vec::new(), Vec::new());
+        for (entry, row, column) in entries(block) {
+            match (row < inner, column < inner) {
+                (true, true) => {
+                    leading_entries.push(entry);
+                    leading.push((row, column));
+                }
+                (true, false) => sides[column - inner].column.push((row, entry)),
+                (false, true) => sides[row - inner].row.push((column, entry)),
+                (false, false) => {}
+            }
+        }
+        for (entry, row, column) in entries(constraint_transposed) {
+            if row < inner {
+                sides[border + column].column.push((row, entry));
+                sides[border + column].row.push((row, entry));
+            }
+        }
+        for side in &mut sides {
+            side.values = vec![T::default(); side.row.len()];
+            side.response = vec![T::default(); if side.column.is_empty() { 0 } else { inner }];
+        }
         Self {
-            block: Lu::new(block),
+            inner,
+            border,
+            leading: Lu::new(&Pattern::new(inner, inner, leading)),
+            leading_values: vec![T::default(); leading_entries.len()],
+            leading_entries,
+            block: block.clone(),
             constraints: constraint_transposed.clone(),
-            values: vec![0.0; constraint_transposed.entries()],
-            responses: vec![T::default(); n * m],
-            schur: Banded::new(m, m.saturating_sub(1)),
-            scale: vec![1.0; m],
+            sides,
+            schur: Dense::new(border + m),
+            work: vec![T::default(); border + m],
         }
     }
 
-    /// Factors the values of K and `C^T` on their patterns.
+    /// Factors `[[K, C^T], [C, 0]]`: as [`Saddle::factor`] with B = `C^T`.
     ///
     /// # Errors
-    /// The unknown around which K is singular, or the constraint that is redundant or empty.
-    pub fn factor(&mut self, block: &[T], constraint_transposed: &[f64]) -> Result<(), Singular> {
-        self.block.factor(block).map_err(Singular::Unknown)?;
-        self.values.copy_from_slice(constraint_transposed);
-        let (n, m) = (self.constraints.rows(), self.constraints.columns());
-        let starts = self.constraints.starts();
-        for j in 0..m {
-            let response = &mut self.responses[j * n..(j + 1) * n];
-            response.fill(T::default());
-            let mut scale = 0.0;
-            for entry in starts[j]..starts[j + 1] {
-                response[self.constraints.indices()[entry]] = T::real(self.values[entry]);
+    /// As of [`Saddle::factor`].
+    pub fn factor_symmetric(&mut self, block: &[T], constraint_transposed: &[f64]) -> Result<(), Singular> {
+        self.factor(block, constraint_transposed, constraint_transposed)
+    }
+
+    /// Factors `[[K, B], [C, 0]]` by the values of K, B and `C^T` on their patterns.
+    ///
+    /// # Errors
+    /// The unknown around which K is singular (and not fixed by constraints), or the constraint that
+    /// is redundant or empty: the last one of those that are found to depend on each other.
+    pub fn factor(&mut self, block: &[T], forces: &[f64], constraint_transposed: &[f64]) -> Result<(), Singular> {
+        for (value, &entry) in self.leading_values.iter_mut().zip(&self.leading_entries) {
+            *value = block[entry];
+        }
+        self.leading.factor(&self.leading_values).map_err(Singular::Unknown)?;
+        for (index, side) in self.sides.iter_mut().enumerate() {
+            let of_k = index < self.border;
+            for (value, &(_, entry)) in side.values.iter_mut().zip(&side.row) {
+                *value = if of_k {
+                    block[entry]
+                } else {
+                    T::real(constraint_transposed[entry])
+                };
             }
-            self.block.solve(response);
-            for entry in starts[j]..starts[j + 1] {
-                scale += self.values[entry].abs() * response[self.constraints.indices()[entry]].size();
-            }
-            self.scale[j] = scale.sqrt();
-            if !(scale > 0.0 && scale.is_finite()) {
-                return Err(Singular::Constraint(j));
+            if !side.column.is_empty() {
+                side.response.fill(T::default());
+                for &(row, entry) in &side.column {
+                    side.response[row] = if of_k { block[entry] } else { T::real(forces[entry]) };
+                }
+                self.leading.solve(&mut side.response);
             }
         }
-        self.schur.values().fill(T::default());
-        for j in 0..m {
-            for i in 0..m {
-                let response = &self.responses[j * n..(j + 1) * n];
-                let value = row_times(&self.constraints, &self.values, i, response);
-                let place = self.schur.place(i, j);
-                self.schur.values()[place] = value.times(1.0 / (self.scale[i] * self.scale[j]));
+        self.fill_schur(block, forces, constraint_transposed);
+        self.schur.factor().map_err(|index| {
+            if index < self.border {
+                Singular::Unknown(self.inner + index)
+            } else {
+                Singular::Constraint(index - self.border)
+            }
+        })
+    }
+
+    fn fill_schur(&mut self, block: &[T], forces: &[f64], constraint_transposed: &[f64]) {
+        self.schur.clear();
+        let (inner, border) = (self.inner, self.border);
+        for (entry, row, column) in entries(&self.block).filter(|&(_, row, column)| row >= inner && column >= inner) {
+            let value = block[entry];
+            self.schur.add(row - inner, column - inner, value, value.size());
+        }
+        for (entry, row, column) in entries(&self.constraints).filter(|&(_, row, _)| row >= inner) {
+            let (force, derivative) = (forces[entry], constraint_transposed[entry]);
+            let (row, column) = (row - inner, border + column);
+            self.schur.add(row, column, T::real(force), force.abs());
+            self.schur.add(column, row, T::real(derivative), derivative.abs());
+        }
+        for (j, of) in self
+            .sides
+            .iter()
+            .enumerate()
+            .filter(|(_, side)| !side.column.is_empty())
+        {
+            for (i, side) in self.sides.iter().enumerate() {
+                let (mut sum, mut terms) = (T::default(), 0.0);
+                for (&(column, _), &value) in side.row.iter().zip(&side.values) {
+                    let term = value * of.response[column];
+                    sum += term;
+                    terms += term.size();
+                }
+                self.schur.add(i, j, -sum, terms);
             }
         }
-        self.schur.factor(SMALLEST_PIVOT).map_err(Singular::Constraint)
     }
 
     /// Solves in place: on entry the right sides of the dynamic and of the constraint rows, on
     /// return the unknowns and the multipliers.
     pub fn solve(&mut self, dynamics: &mut [T], constraints: &mut [T]) {
-        let (n, m) = (self.constraints.rows(), self.constraints.columns());
-        self.block.solve(dynamics);
-        for i in 0..m {
-            let free = row_times(&self.constraints, &self.values, i, dynamics);
-            constraints[i] = (free - constraints[i]).times(1.0 / self.scale[i]);
+        let (leading, border) = dynamics.split_at_mut(self.inner);
+        self.leading.solve(leading);
+        self.work[..self.border].copy_from_slice(border);
+        self.work[self.border..].copy_from_slice(constraints);
+        for (right, side) in self.work.iter_mut().zip(&self.sides) {
+            for (&(column, _), &value) in side.row.iter().zip(&side.values) {
+                *right -= value * leading[column];
+            }
         }
-        self.schur.solve(constraints);
-        for j in 0..m {
-            constraints[j] = constraints[j].times(1.0 / self.scale[j]);
-            for (value, &response) in dynamics.iter_mut().zip(&self.responses[j * n..(j + 1) * n]) {
-                *value -= response * constraints[j];
+        self.schur.solve(&mut self.work);
+        border.copy_from_slice(&self.work[..self.border]);
+        constraints.copy_from_slice(&self.work[self.border..]);
+        for (&known, side) in self.work.iter().zip(&self.sides) {
+            for (value, &response) in leading.iter_mut().zip(&side.response) {
+                *value -= response * known;
             }
         }
     }
 }
 
-/// Row i of C times x.
-fn row_times<T: Scalar>(pattern: &Pattern, values: &[f64], i: usize, x: &[T]) -> T {
-    let mut sum = T::default();
-    for entry in pattern.starts()[i]..pattern.starts()[i + 1] {
-        sum += x[pattern.indices()[entry]].times(values[entry]);
+impl<T> Default for Side<T> {
+    fn default() -> Self {
+        Self {
+            column: Vec::new(),
+            row: Vec::new(),
+            values: Vec::new(),
+            response: Vec::new(),
+        }
     }
-    sum
+}
+
+/// Entries of a pattern with their rows and columns.
+fn entries(pattern: &Pattern) -> impl Iterator<Item = (usize, usize, usize)> {
+    (0..pattern.columns()).flat_map(move |column| {
+        (pattern.starts()[column]..pattern.starts()[column + 1])
+            .map(move |entry| (entry, pattern.indices()[entry], column))
+    })
 }
 
 #[cfg(test)]

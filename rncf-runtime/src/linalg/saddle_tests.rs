@@ -2,6 +2,15 @@ use super::super::lu::tests::{chain, numbers};
 use super::super::scalar::c64;
 use super::*;
 
+/// A chain of nodes with a border that touches all of it and itself.
+fn bordered(nodes: usize, border: usize) -> Pattern {
+    let (chain, inner) = (chain(nodes), 4 * nodes);
+    let all = inner + border;
+    let full = (0..all).flat_map(|i| (inner..all).flat_map(move |j| [(i, j), (j, i)]));
+    let leading: Vec<_> = entries(&chain).map(|(_, row, column)| (row, column)).collect();
+    Pattern::new(all, all, leading.into_iter().chain(full))
+}
+
 /// Constraints that touch three unknowns each.
 fn constraints(rows: usize, count: usize) -> Pattern {
     Pattern::new(
@@ -11,45 +20,104 @@ fn constraints(rows: usize, count: usize) -> Pattern {
     )
 }
 
-/// Residual of a solution, relative to its right side of size 1.
-fn check<T: Scalar>(mut number: impl FnMut() -> T, mut real: impl FnMut() -> f64, nodes: usize, count: usize) {
-    let (block, transposed) = (chain(nodes), constraints(4 * nodes, count));
-    let mut saddle = Saddle::<T>::new(&block, &transposed);
-    let k: Vec<T> = (0..block.entries()).map(|_| number()).collect();
-    let ct: Vec<f64> = (0..transposed.entries()).map(|_| real()).collect();
-    let (b, c): (Vec<T>, Vec<T>) = (
-        (0..4 * nodes).map(|_| number()).collect(),
-        (0..count).map(|_| number()).collect(),
-    );
-    saddle.factor(&k, &ct).expect("random matrices are regular");
-    let (mut x, mut multipliers) = (b.clone(), c.clone());
-    saddle.solve(&mut x, &mut multipliers);
-    let mut residual: Vec<T> = b.iter().map(|&value| -value).collect();
-    for column in 0..4 * nodes {
-        for entry in block.starts()[column]..block.starts()[column + 1] {
-            residual[block.indices()[entry]] += k[entry] * x[column];
-        }
+/// `out -= A x` and the sizes of its terms, with A by entries.
+fn subtract<T: Scalar>(terms: impl Iterator<Item = (usize, usize, T)>, x: &[T], out: &mut [T], sizes: &mut [f64]) {
+    for (row, column, value) in terms {
+        out[row] -= value * x[column];
+        sizes[row] += (value * x[column]).size();
     }
-    for j in 0..count {
-        let mut violation = -c[j];
-        for entry in transposed.starts()[j]..transposed.starts()[j + 1] {
-            let row = transposed.indices()[entry];
-            residual[row] += multipliers[j].times(ct[entry]);
-            violation += x[row].times(ct[entry]);
-        }
-        assert!(violation.size() < 1e-9, "constraint {j}: {violation:?}");
-    }
-    for (row, value) in residual.iter().enumerate() {
-        assert!(value.size() < 1e-9, "row {row}: {value:?}");
+}
+
+/// Residual of a solution relative to its terms.
+fn residual<T: Scalar>(
+    (block, transposed): (&Pattern, &Pattern),
+    (k, forces, derivatives): (&[T], &[f64], &[f64]),
+    (b, c): (&[T], &[T]),
+    (x, multipliers): (&[T], &[T]),
+) -> f64 {
+    let (mut dynamics, mut violations) = (b.to_vec(), c.to_vec());
+    let size = |y: &[T]| y.iter().map(|value| value.size()).collect::<Vec<_>>();
+    let (mut of_dynamics, mut of_violations) = (size(b), size(c));
+    let terms = entries(block).map(|(entry, row, column)| (row, column, k[entry]));
+    subtract(terms, x, &mut dynamics, &mut of_dynamics);
+    let terms = entries(transposed).map(|(entry, row, column)| (row, column, T::real(forces[entry])));
+    subtract(terms, multipliers, &mut dynamics, &mut of_dynamics);
+    let terms = entries(transposed).map(|(entry, row, column)| (column, row, T::real(derivatives[entry])));
+    subtract(terms, x, &mut violations, &mut of_violations);
+    let largest = |rest: &[T], sizes: &[f64]| {
+        let scaled = rest.iter().zip(sizes).map(|(rest, size)| rest.size() / size);
+        scaled.fold(0.0, f64::max)
+    };
+    largest(&dynamics, &of_dynamics).max(largest(&violations, &of_violations))
+}
+
+/// What stands in the border of K.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Border {
+    Full,
+    /// K is singular: the constraints alone hold the border.
+    Zero,
+}
+
+fn check<T: Scalar>(
+    mut number: impl FnMut() -> T,
+    mut real: impl FnMut() -> f64,
+    (nodes, border, count): (usize, usize, usize),
+    kind: Border,
+    scale: f64,
+) {
+    let n = 4 * nodes + border;
+    let block = bordered(nodes, border);
+    let transposed = match kind {
+        Border::Full => constraints(n, count),
+        Border::Zero => Pattern::new(n, count, (0..n).flat_map(|i| (0..count).map(move |j| (i, j)))),
+    };
+    let mut saddle = Saddle::<T>::new(&block, border, &transposed);
+    let factor = |i: usize| if i % 3 == 1 { scale } else { 1.0 };
+    let k: Vec<T> = entries(&block)
+        .map(|(_, row, column)| {
+            let outside = kind == Border::Zero && (row >= 4 * nodes || column >= 4 * nodes);
+            number().times(if outside { 0.0 } else { factor(row) * factor(column) })
+        })
+        .collect();
+    let derivatives: Vec<f64> = entries(&transposed).map(|(_, row, _)| real() * factor(row)).collect();
+    let other: Vec<f64> = derivatives.iter().map(|value| value * (1.0 + 0.3 * real())).collect();
+    let b: Vec<T> = (0..n).map(|i| number().times(factor(i))).collect();
+    let c: Vec<T> = (0..count).map(|_| number()).collect();
+    for forces in [&derivatives, &other] {
+        saddle
+            .factor(&k, forces, &derivatives)
+            .expect("random matrices are regular");
+        let (mut x, mut multipliers) = (b.clone(), c.clone());
+        saddle.solve(&mut x, &mut multipliers);
+        let values = (&k[..], &forces[..], &derivatives[..]);
+        let rest = residual((&block, &transposed), values, (&b, &c), (&x, &multipliers));
+        assert!(rest < 1e-12, "{nodes} {border} {count} {kind:?} {scale}: {rest:e}");
     }
 }
 
 #[test]
-fn solution_satisfies_both_rows() {
-    for (nodes, count) in [(2, 0), (2, 1), (3, 2), (20, 6)] {
-        let (mut a, mut b) = (numbers(nodes as u64), numbers(99));
-        check::<f64>(&mut a, &mut b, nodes, count);
-        check::<c64>(|| c64::new(a(), a()), &mut b, nodes, count);
+fn solutions_satisfy_both_rows() {
+    for scale in [1.0, 1e8, 1e-8] {
+        for case in [
+            (2, 0, 0),
+            (2, 0, 1),
+            (20, 0, 6),
+            (0, 6, 0),
+            (0, 12, 5),
+            (3, 6, 2),
+            (20, 12, 6),
+            (10, 1, 0),
+        ] {
+            let (mut a, mut b) = (numbers(case.0 as u64 + 1), numbers(99));
+            check::<f64>(&mut a, &mut b, case, Border::Full, scale);
+            check::<c64>(|| c64::new(a(), a()), &mut b, case, Border::Full, scale);
+        }
+        for case in [(3, 2, 2), (20, 6, 6), (0, 4, 4), (5, 3, 7)] {
+            let (mut a, mut b) = (numbers(case.0 as u64 + 1), numbers(98));
+            check::<f64>(&mut a, &mut b, case, Border::Zero, scale);
+            check::<c64>(|| c64::new(a(), a()), &mut b, case, Border::Zero, scale);
+        }
     }
 }
 
@@ -57,15 +125,36 @@ fn solution_satisfies_both_rows() {
 fn redundant_and_empty_constraints_are_named() {
     let block = chain(4);
     let transposed = Pattern::new(16, 3, [(0, 0), (5, 0), (0, 1), (5, 1), (9, 2)]);
-    let mut saddle = Saddle::<f64>::new(&block, &transposed);
-    let mut number = numbers(4);
-    let k: Vec<f64> = (0..block.entries()).map(|_| number()).collect();
-    assert_eq!(saddle.factor(&k, &[1.0, 2.0, 3.0, 5.0, 1.0]), Ok(()));
-    assert_eq!(
-        saddle.factor(&k, &[1.0, 2.0, 1.0, 5.0, 0.0]),
-        Err(Singular::Constraint(2))
-    );
-    let redundant = saddle.factor(&k, &[1.0, 2.0, 1.5, 3.0, 1.0]);
-    assert_eq!(redundant, Err(Singular::Constraint(1)));
-    assert_eq!(saddle.factor(&vec![0.0; k.len()], &[1.0; 5]), Err(Singular::Unknown(0)));
+    for border in [0, 8, 16] {
+        let mut saddle = Saddle::<f64>::new(&block, border, &transposed);
+        let mut number = numbers(4);
+        let k: Vec<f64> = (0..block.entries()).map(|_| number()).collect();
+        assert_eq!(saddle.factor_symmetric(&k, &[1.0, 2.0, 3.0, 5.0, 1.0]), Ok(()));
+        assert_eq!(
+            saddle.factor_symmetric(&k, &[1.0, 2.0, 1.0, 5.0, 0.0]),
+            Err(Singular::Constraint(2))
+        );
+        let redundant = saddle.factor_symmetric(&k, &[1.0, 2.0, 1.5, 3.0, 1.0]);
+        assert_eq!(redundant, Err(Singular::Constraint(1)));
+        let empty = saddle.factor_symmetric(&vec![0.0; k.len()], &[1.0; 5]);
+        assert!(matches!(empty, Err(Singular::Unknown(_))), "{empty:?}");
+    }
+}
+
+#[test]
+fn border_that_nothing_holds_is_named() {
+    let (block, inner) = (bordered(3, 3), 12);
+    let transposed = Pattern::new(15, 1, [(0, 0), (13, 0)]);
+    let mut saddle = Saddle::<f64>::new(&block, 3, &transposed);
+    let mut number = numbers(8);
+    // The last border unknown is a copy of a leading one: K is singular, and no constraint helps.
+    let mut k: Vec<f64> = entries(&block).map(|_| number()).collect();
+    let place = |row: usize, column: usize| block.find(row, column).expect("an entry");
+    for column in 0..15 {
+        let source = block.find(2, column).map_or(0.0, |entry| k[entry]);
+        k[place(inner + 2, column)] = source;
+    }
+    assert_eq!(saddle.factor_symmetric(&k, &[1.0, 1.0]), Err(Singular::Unknown(14)));
+    k[place(13, 13)] = f64::NAN;
+    assert_eq!(saddle.factor_symmetric(&k, &[1.0, 1.0]), Err(Singular::Unknown(13)));
 }

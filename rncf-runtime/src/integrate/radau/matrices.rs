@@ -42,8 +42,8 @@ impl Matrices {
             },
             jacobian: vec![0.0; constraint_pattern.entries()],
             stage_jacobian: vec![0.0; constraint_pattern.entries()],
-            real: Saddle::new(&pattern, &constraint_pattern),
-            complex: Saddle::new(&pattern, &constraint_pattern),
+            real: Saddle::new(&pattern, system.border(), &constraint_pattern),
+            complex: Saddle::new(&pattern, system.border(), &constraint_pattern),
             real_block: vec![0.0; entries],
             complex_block: vec![c64::default(); entries],
             complex_dynamics: vec![c64::default(); n],
@@ -87,8 +87,8 @@ impl Matrices {
             self.complex_block[entry] = c64::new(square.re * m + z.re * d + k, square.im * m + z.im * d);
         }
         statistics.factorizations += 2;
-        self.real.factor(&self.real_block, &self.jacobian)?;
-        self.complex.factor(&self.complex_block, &self.jacobian)?;
+        self.real.factor_symmetric(&self.real_block, &self.jacobian)?;
+        self.complex.factor_symmetric(&self.complex_block, &self.jacobian)?;
         self.factored = Some(h);
         Ok(())
     }
