@@ -5,6 +5,7 @@
 
 mod alpha;
 mod bordered;
+mod charts;
 mod control;
 mod dense;
 mod history;
@@ -13,6 +14,7 @@ mod options;
 mod radau;
 mod scheme;
 mod segments;
+mod stabiliser;
 mod start;
 mod statistics;
 
@@ -93,7 +95,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         start::check_settings(t0, t_end, method, &options).map_err(|kind| fail(kind, None))?;
         let (n, m) = (system.unknowns(), system.constraints());
         let segments = Segments::new(t0, t_end, &system.kinks());
-        let state = sized(start, n, m, segments.start()).map_err(|kind| fail(kind, None))?;
+        let state = sized(system, start, segments.start()).map_err(|kind| fail(kind, None))?;
         if let Some((size, index)) = start::violation(system, &state, t_end - t0) {
             let worst = system.describe_constraint(index);
             return Err(fail(SolveErrorKind::Inconsistent(size), Some(worst)));
@@ -185,6 +187,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
     /// Begins at positions and velocities: consistent accelerations, a first step, the method.
     fn begin(&mut self, mut state: State) -> Result<(), SolveError> {
         let t = state.t;
+        state.rebase(self.system.turns());
         self.bordered.move_to(self.system, &state);
         self.bordered
             .accelerations(self.system, &mut state, &mut self.statistics)
@@ -314,21 +317,28 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
 }
 
 /// The initial state at time `t`, its lengths checked, accelerations and multipliers zero.
-fn sized(start: State, n: usize, m: usize, t: f64) -> Result<State, SolveErrorKind> {
-    for (name, length) in [("positions", start.x.len()), ("velocities", start.v.len())] {
-        if length != n {
+fn sized<S: System + ?Sized>(system: &S, start: State, t: f64) -> Result<State, SolveErrorKind> {
+    let (n, turns) = (system.unknowns(), system.turns().len());
+    for (name, length, needed, what) in [
+        ("positions", start.x.len(), n, "unknowns"),
+        ("velocities", start.v.len(), n, "unknowns"),
+        ("orientations", start.turns.len(), turns, "free orientations"),
+    ] {
+        if length != needed {
             return Err(SolveErrorKind::Setting(format!(
-                "the initial state has {length} {name}: the system has {n} unknowns"
+                "the initial state has {length} {name}: the system has {needed} {what}"
             )));
         }
     }
     if !start.x.iter().chain(&start.v).all(|value| value.is_finite()) {
         return Err(SolveErrorKind::NotFinite);
     }
-    let mut state = State::zeros(t, n, m);
-    state.x = start.x;
-    state.v = start.v;
-    Ok(state)
+    Ok(State {
+        x: start.x,
+        v: start.v,
+        turns: start.turns,
+        ..State::of(system, t)
+    })
 }
 
 impl Running {

@@ -3,6 +3,7 @@
 mod adaptive;
 mod axis;
 mod heavy_top;
+mod lie;
 mod order;
 mod radau;
 mod systems;
