@@ -6,4 +6,5 @@ mod heavy_top;
 mod lie;
 mod order;
 mod radau;
+mod radau_lie;
 mod systems;
