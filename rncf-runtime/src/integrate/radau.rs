@@ -79,7 +79,7 @@ impl Radau {
         let fixed = matches!(options.step, StepSize::Fixed(_));
         let stabilised = options.stabilised && m > 0;
         let tolerances = if fixed {
-            (FIXED_STEP_RTOL, 1.0)
+            (FIXED_STEP_RTOL, 0.02)
         } else {
             // Far below the error estimate, which is of lower order than the solution.
             (options.rtol, options.rtol.sqrt().min(0.03))

@@ -10,8 +10,8 @@
 //! chain rule, exactly: `dpi = T dxi`, and those of w and dw/dt below.
 
 use crate::linalg::Pattern;
-use crate::rotation::tangent_map;
-use crate::system::{State, System, Tangent};
+use crate::rotation::{Rotation, tangent_map};
+use crate::system::{State, Tangent};
 use crate::vector::{Matrix, Vector, add, apply, cross, dot, scale, transpose};
 
 /// Angles (rad) below this use series.
@@ -34,17 +34,17 @@ pub(super) struct Chart {
 }
 
 impl Chart {
-    pub(super) fn new<S: System + ?Sized>(system: &S) -> Self {
-        let turns = system.turns().to_vec();
+    /// The chart of a system by the first unknowns of its orientations, its pattern and that of `C^T`.
+    pub(super) fn new(turns: &[usize], block: &Pattern, constraints: &Pattern) -> Self {
         let mates = |index: usize| {
             let first = turns.iter().copied().find(|&first| (first..first + 3).contains(&index));
             first.map_or(index..index + 1, |first| first..first + 3)
         };
+        let (n, m) = (constraints.rows(), constraints.columns());
         let of = |pattern: &Pattern| entries(pattern).collect::<Vec<_>>();
-        let (block, constraints) = (of(system.pattern()), of(system.constraint_pattern()));
+        let (block, constraints) = (of(block), of(constraints));
         let wide = |&(row, column): &(usize, usize)| mates(column).map(move |column| (row, column));
         let tall = |&(row, column): &(usize, usize)| mates(row).map(move |row| (row, column));
-        let (n, m) = (system.unknowns(), system.constraints());
         let chart_block = Pattern::new(n, n, block.iter().flat_map(wide));
         let chart_constraints = Pattern::new(n, m, constraints.iter().flat_map(tall));
         let places = |pattern: &Pattern, of: &[(usize, usize)]| {
@@ -57,7 +57,7 @@ impl Chart {
             constraint_places: places(&chart_constraints, &constraints),
             block: chart_block,
             constraints: chart_constraints,
-            turns,
+            turns: turns.to_vec(),
         }
     }
 
@@ -76,7 +76,6 @@ impl Chart {
     /// Rotation vectors `increments`, since `start`, of an orientation on the chart that begins at
     /// `increment` since `start` instead.
     pub(super) fn transport(&self, increment: &[f64], increments: &mut [f64]) {
-        use crate::rotation::Rotation;
         for &first in &self.turns {
             let turn = Rotation::exp(at(increment, first)).inverse();
             let moved = turn.turned(at(increments, first)).log();

@@ -20,7 +20,7 @@ pub(super) struct Matrices {
     system_rate: Vec<f64>,
     /// `C_x^T` of the multipliers' forces on the chart's pattern.
     forces: Vec<f64>,
-    slopes: Slopes,
+    pub(super) slopes: Slopes,
     state: State,
     real: Saddle<f64>,
     complex: Saddle<c64>,
@@ -37,7 +37,7 @@ pub(super) struct Matrices {
 
 impl Matrices {
     pub(super) fn new<S: System + ?Sized>(system: &mut S, stabilised: bool) -> Self {
-        let chart = Chart::new(system);
+        let chart = Chart::new(system.turns(), system.pattern(), system.constraint_pattern());
         let (n, m) = (system.unknowns(), system.constraints());
         let tangent = |entries: usize| Tangent {
             mass: vec![0.0; entries],

@@ -56,6 +56,8 @@ pub(super) struct Newton {
     /// `C_x^T` of the stages, and one of them in the chart.
     jacobians: [Vec<f64>; 3],
     jacobian: Vec<f64>,
+    /// Change of a stage's drift.
+    drift: Vec<f64>,
     stage: State,
 }
 
@@ -81,6 +83,7 @@ impl Newton {
             rates: std::array::from_fn(|_| vec![0.0; rates]),
             jacobians: std::array::from_fn(|_| vec![0.0; matrices.constraint_pattern.entries()]),
             jacobian: vec![0.0; matrices.chart.constraints.entries()],
+            drift: vec![0.0; if stabilised { n } else { 0 }],
             stage: State::of(system, 0.0),
         }
     }
@@ -112,7 +115,7 @@ impl Newton {
             let sides = [&mut self.dynamics, &mut self.constraints, &mut self.rates];
             matrices.solve_stages(coefficients, stages.h, sides, statistics);
             statistics.newton_iterations += 1;
-            let size = self.apply(stages);
+            let size = self.apply(matrices, stages);
             if !size.is_finite() {
                 return Err(Failure::NotFinite);
             }
@@ -211,17 +214,22 @@ impl Newton {
         statistics.residual_evaluations += 3;
     }
 
-    /// Adds the increments; their weighted size.
-    fn apply(&self, stages: &mut Stages) -> f64 {
+    /// Adds the increments; their weighted size, h times the change of drift like one of position.
+    fn apply(&mut self, matrices: &Matrices, stages: &mut Stages) -> f64 {
         let mut sum = 0.0;
         for s in 0..3 {
             add(&mut stages.z[s], &self.dynamics[s]);
             add(&mut stages.lambda[s], &self.constraints[s]);
             add(&mut stages.mu[s], &self.rates[s]);
             sum += norm(&self.dynamics[s], &self.inverse_weights).powi(2) / 3.0;
+            if !self.rates[s].is_empty() {
+                self.drift.fill(0.0);
+                let (pattern, slopes) = (&matrices.chart.constraints, &matrices.slopes.jacobian);
+                pattern.multiply_add(stages.h, slopes, &self.rates[s], &mut self.drift);
+                sum += norm(&self.drift, &self.inverse_weights).powi(2) / 3.0;
+            }
             // Multipliers carry no weight, but must be finite.
-            let multipliers = self.constraints[s].iter().chain(&self.rates[s]);
-            sum += multipliers.map(|change| 0.0 * change).sum::<f64>();
+            sum += self.constraints[s].iter().map(|change| 0.0 * change).sum::<f64>();
         }
         sum.sqrt()
     }
