@@ -376,8 +376,11 @@ impl Newton {
         self.saddle.solve(&mut self.dx, &mut self.dlambda);
         statistics.solves += 1;
         if let Some(stabiliser) = &mut self.stabiliser {
-            let solution = (&mut self.dx[..], &mut self.dlambda[..]);
-            stabiliser.solve(system, state, scales(self.factors, h), &self.jacobian, solution);
+            let (tools, solution) = (
+                (&self.charts, &self.jacobian[..]),
+                (&mut self.dx[..], &mut self.dlambda[..]),
+            );
+            stabiliser.solve(system, state, scales(self.factors, h), tools, solution);
         }
         self.charts.to_chart(state, &mut self.dx);
         relaxation

@@ -5,9 +5,9 @@
 //! s = beta h / gamma:
 //!
 //! ```text
-//! [[ S,               C_x^T, b K P         ]    d          -b R
-//!  [ C_x,             0,     C_x P         ]    b dlambda = -C
-//!  [ C_x + s (C_x v)_x, 0,   s (C_x v)_x P ]]   dnu         -s (C_x v + C_t)
+//! [[ S,                      C_x^T, b K P         ]    d          -b R
+//!  [ C_x,                    0,     C_x P         ]    b dlambda = -C
+//!  [ C_x T^-1 + s (C_x v)_x, 0,     s (C_x v)_x P ]]   dnu         -s (C_x v + C_t)
 //! ```
 //!
 //! The first two unknowns are eliminated with the matrix of index 3; what is left for nu is full, of
@@ -33,6 +33,7 @@ pub(super) struct Stabiliser {
     schur: Dense<f64>,
     velocity: Vec<f64>,
     shift: Vec<f64>,
+    work: Vec<f64>,
 }
 
 /// Factors of the rows: `b` and `s`.
@@ -55,6 +56,7 @@ impl Stabiliser {
             schur: Dense::new(m),
             velocity: vec![0.0; m],
             shift: vec![0.0; n],
+            work: vec![0.0; n],
             pattern,
         }
     }
@@ -93,7 +95,12 @@ impl Stabiliser {
             self.velocity.fill(0.0);
             self.pattern
                 .transpose_multiply_add(1.0, &self.rate, &self.shift, &mut self.velocity);
-            Self::rows(&self.pattern, jacobian, &self.rate, d, &mut self.velocity);
+            self.pattern
+                .transpose_multiply_add(1.0, &self.rate, d, &mut self.velocity);
+            self.work.copy_from_slice(d);
+            charts.to_chart(state, &mut self.work);
+            self.pattern
+                .transpose_multiply_add(1.0, jacobian, &self.work, &mut self.velocity);
             for (i, &value) in self.velocity.iter().enumerate() {
                 self.schur.add(i, j, value, value.abs());
             }
@@ -108,15 +115,21 @@ impl Stabiliser {
         system: &mut S,
         state: &State,
         scales: Scales,
-        jacobian: &[f64],
+        (charts, jacobian): (&Charts, &[f64]),
         (d, lambda): (&mut [f64], &mut [f64]),
     ) {
-        // -s (C_x v + C_t) - (C_x + s (C_x v)_x) d
+        // -s (C_x v + C_t) - (C_x T^-1 + s (C_x v)_x) d
         system.constraint(ConstraintLevel::Velocity, state, &mut self.velocity);
-        self.pattern
-            .transpose_multiply_add(1.0, jacobian, &state.v, &mut self.velocity);
+        self.work.copy_from_slice(d);
+        charts.to_chart(state, &mut self.work);
+        for (work, v) in self.work.iter_mut().zip(&state.v) {
+            *work += scales.velocity * v;
+        }
         self.velocity.iter_mut().for_each(|value| *value *= scales.velocity);
-        Self::rows(&self.pattern, jacobian, &self.rate, d, &mut self.velocity);
+        self.pattern
+            .transpose_multiply_add(1.0, jacobian, &self.work, &mut self.velocity);
+        self.pattern
+            .transpose_multiply_add(1.0, &self.rate, d, &mut self.velocity);
         self.velocity.iter_mut().for_each(|value| *value = -*value);
         self.schur.solve(&mut self.velocity);
         for (&nu, (of_d, of_lambda)) in self.velocity.iter().zip(&self.responses) {
@@ -147,11 +160,5 @@ impl Stabiliser {
             let row = self.pattern.indices()[entry];
             self.shift[row] = self.weights[row] * self.start[entry];
         }
-    }
-
-    /// `out += (C_x + s (C_x v)_x) d`
-    fn rows(pattern: &Pattern, jacobian: &[f64], rate: &[f64], d: &[f64], out: &mut [f64]) {
-        pattern.transpose_multiply_add(1.0, jacobian, d, out);
-        pattern.transpose_multiply_add(1.0, rate, d, out);
     }
 }
