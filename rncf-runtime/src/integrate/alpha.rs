@@ -2,18 +2,24 @@
 //! and velocity (THEORY 10).
 //!
 //! HHT averages the forces F = f + C_x^T lambda of both ends of a step,
-//! `M a_1 = alpha F_0 - (1 + alpha) F_1`. The mass is constant and the true acceleration obeys
-//! `M qdd = -F`, so that this is `a_1 = (1 + alpha) qdd_1 - alpha qdd_0` with equilibrium
-//! `M qdd_1 + F_1 = 0` at the end of the step: generalized-alpha with alpha_m = 0,
-//! alpha_f = -alpha. Both run as such; the true accelerations need no further matrix.
+//! `M a_1 = alpha F_0 - (1 + alpha) F_1`. With the true acceleration, `M qdd = -F`, and a constant mass
+//! this is `a_1 = (1 + alpha) qdd_1 - alpha qdd_0` with equilibrium `M qdd_1 + F_1 = 0` at the end of
+//! the step: generalized-alpha with alpha_m = 0, alpha_f = -alpha. Both run as such, also where the
+//! mass depends on the state: averaged accelerations need no second mass matrix.
+//!
+//! Orientations: the update gives theta in the chart that begins with the step, `v` and `a` are
+//! angular velocity and acceleration in body axes (THEORY 7.2). As theta''' = w'' + (w x w') / 2, the
+//! local error of theta is h^3 (kappa w'' - (w x w') / 12), and so is the velocity bias.
 //!
 //! An accepted step is kept free of numerical bias: position, velocity projected onto the
 //! constraints, true acceleration, and the distance `a - qdd` per step size. What a step of size h
 //! starts from follows from these: `a_0 = qdd + h (a - qdd)/h`, `v_0 = v - kappa h^2 P j`. Start,
-//! restart and step change are thereby one and the same.
+//! restart and step change are thereby one and the same. The stabilised index 2 (THEORY 7.4) has both
+//! positions and velocities on the constraints and no velocity bias.
 
 use super::Statistics;
 use super::bordered::{Bordered, add};
+use super::charts::Charts;
 use super::control::Controller;
 use super::history::History;
 use super::newton::{self, Factors, Failure, Iterate, Newton, norm};
@@ -83,6 +89,8 @@ impl Coefficients {
 pub(super) struct Alpha {
     coefficients: Coefficients,
     fixed: bool,
+    stabilised: bool,
+    charts: Charts,
     inverse_weights: Vec<f64>,
     newton: Newton,
     bordered: Bordered,
@@ -95,7 +103,7 @@ pub(super) struct Alpha {
     offset: Vec<f64>,
     /// Step size, velocity and acceleration as the last step left them; no step size after a start.
     left: Left,
-    /// P j at `now`, if known.
+    /// P j at `now`, with what the charts add to the jerk, if known.
     constrained_jerk: Vec<f64>,
     jerk_known: bool,
     /// Jerk at the last start, for the first prediction.
@@ -117,6 +125,7 @@ impl Alpha {
     /// The method with the given coefficients for `system`.
     pub(super) fn new<S: System + ?Sized>(system: &mut S, coefficients: Coefficients, options: &Options) -> Self {
         let (n, m) = (system.unknowns(), system.constraints());
+        let zeros = State::of(system, 0.0);
         let fixed = matches!(options.step, StepSize::Fixed(_));
         let rtol = if fixed {
             options.rtol.min(FIXED_STEP_RTOL)
@@ -126,13 +135,15 @@ impl Alpha {
         Self {
             coefficients,
             fixed,
+            stabilised: options.stabilised && m > 0,
+            charts: Charts::new(system.turns(), system.pattern()),
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (options.rtol * size)).collect(),
-            newton: Newton::new(system, coefficients.factors(), rtol),
+            newton: Newton::new(system, coefficients.factors(), rtol, options.stabilised),
             bordered: Bordered::new(system),
             controller: Controller::default(),
             history: History::new(n, m),
-            now: State::zeros(0.0, n, m),
-            before: State::zeros(0.0, n, m),
+            now: zeros.clone(),
+            before: zeros.clone(),
             offset: vec![0.0; n],
             left: Left {
                 h: None,
@@ -143,7 +154,7 @@ impl Alpha {
             jerk_known: false,
             first_jerk: vec![0.0; n],
             trial: Iterate {
-                state: State::zeros(0.0, n, m),
+                state: zeros,
                 algorithmic: vec![0.0; n],
             },
             a0: vec![0.0; n],
@@ -162,6 +173,7 @@ impl Alpha {
         let dt = DIFFERENCE * h;
         let later = &mut self.trial.state;
         later.t = self.now.t + dt;
+        later.turns.clone_from(&self.now.turns);
         for i in 0..self.now.x.len() {
             later.x[i] = self.now.x[i] + dt * (self.now.v[i] + 0.5 * dt * self.now.a[i]);
             later.v[i] = self.now.v[i] + dt * self.now.a[i];
@@ -189,13 +201,16 @@ impl Alpha {
             self.a0.copy_from_slice(&self.left.a);
             return Ok(());
         }
-        if !self.jerk_known {
-            // The border is at `now` since the last accepted step.
-            let out = &mut self.constrained_jerk;
-            self.bordered.constrained_jerk(system, &self.now, out, statistics)?;
+        let kappa = self.coefficients.kappa();
+        if !self.jerk_known && !self.stabilised {
+            // The matrix is at `now` since the last accepted step.
+            self.charts.curvature(1.0 / (12.0 * kappa), &self.now, &mut self.work);
+            let (other, out) = (&self.work, &mut self.constrained_jerk);
+            self.bordered
+                .constrained_jerk(system, &self.now, other, out, statistics)?;
             self.jerk_known = true;
         }
-        let bias = self.coefficients.kappa() * h * h;
+        let bias = if self.stabilised { 0.0 } else { kappa * h * h };
         for i in 0..self.a0.len() {
             self.a0[i] = self.now.a[i] + h * self.offset[i];
             self.trial.state.v[i] = self.now.v[i] - bias * self.constrained_jerk[i];
@@ -213,6 +228,7 @@ impl Alpha {
         } = self.coefficients;
         let Iterate { state, algorithmic } = &mut self.trial;
         state.t = self.now.t + h;
+        state.turns.clone_from(&self.now.turns);
         if !self.history.extrapolate(&self.now, state) {
             state.lambda.copy_from_slice(&self.now.lambda);
             for i in 0..state.a.len() {
@@ -241,8 +257,7 @@ impl Alpha {
                     worst: newton::row(singular, self.a0.len()),
                 })?;
             self.predict(h);
-            let mass = self.bordered.mass();
-            match self.newton.solve(system, mass, h, &mut self.trial, statistics) {
+            match self.newton.solve(system, &self.now, h, &mut self.trial, statistics) {
                 Ok(()) => return Ok(()),
                 Err(Failure::OldMatrix) => self.newton.discard(),
                 Err(Failure::Failed(cause)) => {
@@ -256,8 +271,9 @@ impl Alpha {
     /// Weighted local error of the attempt.
     fn error(&mut self, h: f64) -> f64 {
         let factor = self.coefficients.kappa() * h * h;
+        self.charts.curvature(-h * h * h / 12.0, &self.now, &mut self.work);
         for i in 0..self.work.len() {
-            self.work[i] = factor * (self.trial.algorithmic[i] - self.a0[i]);
+            self.work[i] += factor * (self.trial.algorithmic[i] - self.a0[i]);
         }
         norm(&self.work, &self.inverse_weights)
     }
@@ -270,14 +286,18 @@ impl Alpha {
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
         let Iterate { state, algorithmic } = &mut self.trial;
-        self.bordered.move_to(system, state);
-        let change = &mut self.work;
-        if let Err(singular) = self.bordered.velocity_change(system, state, change, statistics) {
-            self.bordered.move_to(system, &self.now);
-            return Err(singular);
-        }
         self.left.v.copy_from_slice(&state.v);
-        add(&mut state.v, change);
+        if !self.stabilised && !state.lambda.is_empty() {
+            self.bordered.move_to(system, state);
+            let change = &mut self.work;
+            if let Err(singular) = self.bordered.velocity_change(system, state, change, statistics) {
+                self.bordered.move_to(system, &self.now);
+                self.left.h = None;
+                return Err(singular);
+            }
+            add(&mut state.v, change);
+        }
+        state.rebase(self.charts.turns());
         self.left.h = Some(h);
         self.left.a.copy_from_slice(algorithmic);
         for i in 0..self.offset.len() {
@@ -300,7 +320,8 @@ impl Scheme for Alpha {
         statistics: &mut Statistics,
     ) -> Result<(), SolveErrorKind> {
         self.now.clone_from(state);
-        self.before.clone_from(state);
+        self.now.rebase(self.charts.turns());
+        self.before.clone_from(&self.now);
         self.history.restart();
         self.controller.restart();
         self.newton.discard();
@@ -312,9 +333,8 @@ impl Scheme for Alpha {
             return Err(SolveErrorKind::NotFinite);
         }
         // The jerk of a stiff mode that starts off its quiet motion is no guide over a whole step.
-        let (mass, jerk) = (self.bordered.mass(), &mut self.first_jerk);
         self.newton
-            .filter(system, mass, h, &self.now, jerk, statistics)
+            .filter(system, h, &self.now, &mut self.first_jerk, statistics)
             .map_err(|failure| match failure {
                 Failure::Failed(Cause::NotFinite) => SolveErrorKind::NotFinite,
                 _ => SolveErrorKind::Singular,
@@ -361,7 +381,7 @@ impl Scheme for Alpha {
     }
 
     fn interpolate(&self, t: f64, out: &mut State) {
-        super::dense::hermite(&self.before, &self.now, t, out);
+        super::dense::hermite(&self.before, &self.now, self.charts.turns(), t, out);
     }
 
     fn worst_error(&self) -> Option<usize> {

@@ -1,8 +1,12 @@
 //! Solutions with the mass matrix bordered by the constraints (THEORY 10): consistent
 //! accelerations, velocities without numerical bias and the constrained jerk.
 //!
-//! The mass matrix is constant, only the border moves. A factorization is kept while refinement
-//! with the true border converges fast.
+//! Instead of the mass, squares of the sizes of the unknowns may weigh a change: corrections of
+//! positions that have nothing to do with inertia. Neither block needs to be regular by itself in
+//! theory, and nothing here asks for an inverse of it.
+//!
+//! Mass and border move with the state. A factorization is kept while refinement with the true
+//! matrix converges fast.
 
 use super::Statistics;
 use crate::linalg::{Pattern, Saddle, Singular};
@@ -15,6 +19,7 @@ const SLOW: f64 = 0.03;
 
 /// `[[M, C_x^T], [C_x, 0]]` at a time and position, and solutions with it.
 pub(super) struct Bordered {
+    weight: Weight,
     pattern: Pattern,
     constraint_pattern: Pattern,
     sizes: Vec<f64>,
@@ -28,29 +33,50 @@ pub(super) struct Bordered {
     work: Vec<f64>,
 }
 
+/// What weighs a change of the unknowns.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Weight {
+    /// The mass matrix.
+    Mass,
+    /// The diagonal matrix of `1 / size^2`.
+    Sizes,
+}
+
 /// What the kept factorization belongs to.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Factors {
     None,
-    /// An earlier border.
+    /// An earlier matrix.
     Old,
-    /// The present border.
+    /// The present matrix.
     Present,
 }
 
 impl Bordered {
-    /// Analyses the patterns and takes the constant mass matrix.
-    pub(super) fn new<S: System + ?Sized>(system: &mut S) -> Self {
-        let pattern = system.pattern().clone();
+    /// Analyses the patterns; [`Bordered::move_to`] must come next.
+    pub(super) fn new<S: System + ?Sized>(system: &S) -> Self {
+        Self::weighted(system, Weight::Mass, system.pattern().clone(), system.border())
+    }
+
+    /// The same with `1 / size^2` of the unknowns in place of the mass.
+    pub(super) fn by_sizes<S: System + ?Sized>(system: &S) -> Self {
+        let n = system.unknowns();
+        let mut bordered = Self::weighted(system, Weight::Sizes, Pattern::new(n, n, (0..n).map(|i| (i, i))), 0);
+        for (weight, size) in bordered.mass.iter_mut().zip(system.sizes()) {
+            *weight = 1.0 / (size * size);
+        }
+        bordered
+    }
+
+    fn weighted<S: System + ?Sized>(system: &S, weight: Weight, pattern: Pattern, border: usize) -> Self {
         let constraint_pattern = system.constraint_pattern().clone();
         let (n, m) = (system.unknowns(), system.constraints());
-        let mut mass = vec![0.0; pattern.entries()];
-        system.mass(&State::of(system, 0.0), &mut mass);
         Self {
-            saddle: Saddle::new(&pattern, system.border(), &constraint_pattern),
+            saddle: Saddle::new(&pattern, border, &constraint_pattern),
+            weight,
             sizes: system.sizes().to_vec(),
             jacobian: vec![0.0; constraint_pattern.entries()],
-            mass,
+            mass: vec![0.0; pattern.entries()],
             state_of_factors: Factors::None,
             given: (vec![0.0; n], vec![0.0; m]),
             rest: (vec![0.0; n], vec![0.0; m]),
@@ -60,23 +86,42 @@ impl Bordered {
         }
     }
 
-    /// The constant mass matrix on the system's pattern.
-    pub(super) fn mass(&self) -> &[f64] {
-        &self.mass
-    }
-
-    /// Moves the border to the state's time and position.
+    /// Moves the matrix to the state's time and position.
     pub(super) fn move_to<S: System + ?Sized>(&mut self, system: &mut S, state: &State) {
+        if self.weight == Weight::Mass {
+            system.mass(state, &mut self.mass);
+        }
         if self.constraint_pattern.columns() > 0 {
             system.constraint_jacobian(state, &mut self.jacobian);
-            if self.state_of_factors == Factors::Present {
-                self.state_of_factors = Factors::Old;
-            }
+        }
+        if self.state_of_factors == Factors::Present {
+            self.state_of_factors = Factors::Old;
         }
     }
 
+    /// The smallest change `y` of the unknowns, in the norm of the weight, with `C_x y = -value`.
+    pub(super) fn least_change(
+        &mut self,
+        value: &[f64],
+        out: &mut [f64],
+        statistics: &mut Statistics,
+    ) -> Result<(), Singular> {
+        self.given.1.copy_from_slice(value);
+        self.least(out, statistics)
+    }
+
+    /// [`Bordered::least_change`] with the value in the right side of the constraints.
+    fn least(&mut self, out: &mut [f64], statistics: &mut Statistics) -> Result<(), Singular> {
+        self.given.0.fill(0.0);
+        negate(&mut self.given.1);
+        let mut forces = std::mem::take(&mut self.work);
+        let result = self.solve_given(out, &mut forces, statistics);
+        self.work = forces;
+        result
+    }
+
     /// Accelerations and multipliers that satisfy the equations of motion and the second time
-    /// derivative of the constraints at the state's time, position and velocity; the border must be there.
+    /// derivative of the constraints at the state's time, position and velocity; the matrix must be there.
     pub(super) fn accelerations<S: System + ?Sized>(
         &mut self,
         system: &mut S,
@@ -95,16 +140,17 @@ impl Bordered {
         self.solve_given(&mut state.a, &mut state.lambda, statistics)
     }
 
-    /// The constrained part `P j` of the jerk from the third derivative of the constraints at the
-    /// state (THEORY 10); the border must be there.
+    /// The constrained part `P (j - other)` of the jerk, from the third derivative of the constraints
+    /// at the state (THEORY 10), less that of `other`; the matrix must be there.
     pub(super) fn constrained_jerk<S: System + ?Sized>(
         &mut self,
         system: &mut S,
         state: &State,
+        other: &[f64],
         out: &mut [f64],
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
-        self.replace_constrained(system, ConstraintLevel::Jerk, state, None, out, statistics)
+        self.replace_constrained(system, ConstraintLevel::Jerk, state, Some(other), out, statistics)
     }
 
     /// The smallest change of `jerk`, in the norm of the mass, that satisfies the third derivative
@@ -123,7 +169,7 @@ impl Bordered {
     }
 
     /// The smallest change of the state's velocity, in the norm of the mass, with which it satisfies
-    /// the first time derivative of the constraints; the border must be there.
+    /// the first time derivative of the constraints; the matrix must be there.
     pub(super) fn velocity_change<S: System + ?Sized>(
         &mut self,
         system: &mut S,
@@ -154,12 +200,7 @@ impl Bordered {
             self.constraint_pattern
                 .transpose_multiply_add(1.0, &self.jacobian, derivative, &mut self.given.1);
         }
-        self.given.0.fill(0.0);
-        negate(&mut self.given.1);
-        let mut forces = std::mem::take(&mut self.work);
-        let result = self.solve_given(out, &mut forces, statistics);
-        self.work = forces;
-        result
+        self.least(out, statistics)
     }
 
     /// Solves with the right side `given`, by refinement with the kept factorization or anew.
@@ -185,7 +226,7 @@ impl Bordered {
         Ok(())
     }
 
-    /// Refines from zero with the factorization of an earlier border; false if that is slow.
+    /// Refines from zero with the factorization of an earlier matrix; false if that is slow.
     fn refine(&mut self, dynamics: &mut [f64], constraints: &mut [f64], statistics: &mut Statistics) -> bool {
         dynamics.fill(0.0);
         constraints.fill(0.0);

@@ -1,15 +1,15 @@
 //! Dense output between two states by cubic Hermite polynomials.
 
+use super::charts::three;
+use crate::rotation::inverse_tangent_map;
 use crate::system::State;
+use crate::vector::apply;
 
-/// The state at `t` between `first` and `last`: positions cubic through positions and velocities,
-/// velocities cubic through velocities and accelerations, accelerations and multipliers linear.
-pub(super) fn hermite(first: &State, last: &State, t: f64, out: &mut State) {
-    out.t = last.t;
-    out.x.clone_from(&last.x);
-    out.v.clone_from(&last.v);
-    out.a.clone_from(&last.a);
-    out.lambda.clone_from(&last.lambda);
+/// The state at `t` between `first` and `last`, whose charts have just begun: positions cubic
+/// through positions and velocities (orientations in the chart of `first`), velocities cubic
+/// through velocities and accelerations, accelerations and multipliers linear.
+pub(super) fn hermite(first: &State, last: &State, turns: &[usize], t: f64, out: &mut State) {
+    out.clone_from(last);
     let h = last.t - first.t;
     if h <= 0.0 {
         return;
@@ -20,6 +20,13 @@ pub(super) fn hermite(first: &State, last: &State, t: f64, out: &mut State) {
     cubic(s, h, (&first.v, &first.a), (&last.v, &last.a), &mut out.v);
     linear(s, &first.a, &last.a, &mut out.a);
     linear(s, &first.lambda, &last.lambda, &mut out.lambda);
+    out.turns.clone_from(&first.turns);
+    for (index, &turn) in turns.iter().enumerate() {
+        let theta = first.turns[index].inverse().times(&last.orientation(index, turn)).log();
+        let rate = apply(&inverse_tangent_map(theta), three(&last.v, turn));
+        let start = (&first.x[turn..turn + 3], &first.v[turn..turn + 3]);
+        cubic(s, h, start, (&theta, &rate), &mut out.x[turn..turn + 3]);
+    }
 }
 
 fn cubic(s: f64, h: f64, first: (&[f64], &[f64]), last: (&[f64], &[f64]), out: &mut [f64]) {

@@ -5,14 +5,18 @@
 
 mod alpha;
 mod bordered;
+mod charts;
+mod consistent;
 mod control;
 mod dense;
+mod diagnose;
 mod history;
 mod newton;
 mod options;
 mod radau;
 mod scheme;
 mod segments;
+mod stabiliser;
 mod start;
 mod statistics;
 
@@ -27,6 +31,7 @@ use crate::linalg::Singular;
 use crate::system::{ConstraintLevel, State, System};
 use alpha::{Alpha, Coefficients};
 use bordered::{Bordered, add};
+use consistent::Inconsistent;
 use radau::Radau;
 use scheme::{Cause, Outcome, Scheme};
 use segments::Segments;
@@ -71,11 +76,14 @@ enum Running {
 impl<'s, S: System + ?Sized> Integrator<'s, S> {
     /// Makes the initial accelerations and multipliers consistent and prepares the method.
     ///
-    /// Time, positions and velocities of `start` are used. A start at a kink counts as behind it.
+    /// Time, positions, orientations and velocities of `start` are used. A start at a kink counts as
+    /// behind it. Positions and velocities that are slightly off the constraints are put onto them,
+    /// see [`Statistics::position_correction`].
     ///
     /// # Errors
     /// A setting out of range, a state of the wrong length, positions or velocities that violate a
-    /// constraint, or a singular matrix.
+    /// constraint by more than that, constraints that depend on each other, a motion that has neither
+    /// inertia nor a tie, or a singular matrix.
     pub fn new(
         system: &'s mut S,
         start: State,
@@ -91,13 +99,11 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
             worst,
         };
         start::check_settings(t0, t_end, method, &options).map_err(|kind| fail(kind, None))?;
-        let (n, m) = (system.unknowns(), system.constraints());
+        let m = system.constraints();
         let segments = Segments::new(t0, t_end, &system.kinks());
-        let state = sized(start, n, m, segments.start()).map_err(|kind| fail(kind, None))?;
-        if let Some((size, index)) = start::violation(system, &state, t_end - t0) {
-            let worst = system.describe_constraint(index);
-            return Err(fail(SolveErrorKind::Inconsistent(size), Some(worst)));
-        }
+        let mut state = sized(system, start, segments.start()).map_err(|kind| fail(kind, None))?;
+        let mut statistics = Statistics::default();
+        prepare(system, &mut state, t_end - t0, &mut statistics).map_err(|(kind, worst)| fail(kind, worst))?;
         let bordered = Bordered::new(system);
         let scheme = match method {
             Method::Hht { alpha } => Running::alpha(system, Coefficients::hht(alpha), &options),
@@ -115,7 +121,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
             wanted: 0.0,
             at_kink: false,
             previous_time: state.t,
-            statistics: Statistics::default(),
+            statistics,
             violations: vec![0.0; m],
         };
         integrator.begin(state)?;
@@ -185,6 +191,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
     /// Begins at positions and velocities: consistent accelerations, a first step, the method.
     fn begin(&mut self, mut state: State) -> Result<(), SolveError> {
         let t = state.t;
+        state.rebase(self.system.turns());
         self.bordered.move_to(self.system, &state);
         self.bordered
             .accelerations(self.system, &mut state, &mut self.statistics)
@@ -314,21 +321,58 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
 }
 
 /// The initial state at time `t`, its lengths checked, accelerations and multipliers zero.
-fn sized(start: State, n: usize, m: usize, t: f64) -> Result<State, SolveErrorKind> {
-    for (name, length) in [("positions", start.x.len()), ("velocities", start.v.len())] {
-        if length != n {
+fn sized<S: System + ?Sized>(system: &S, start: State, t: f64) -> Result<State, SolveErrorKind> {
+    let (n, turns) = (system.unknowns(), system.turns().len());
+    for (name, length, needed, what) in [
+        ("positions", start.x.len(), n, "unknowns"),
+        ("velocities", start.v.len(), n, "unknowns"),
+        ("orientations", start.turns.len(), turns, "free orientations"),
+    ] {
+        if length != needed {
             return Err(SolveErrorKind::Setting(format!(
-                "the initial state has {length} {name}: the system has {n} unknowns"
+                "the initial state has {length} {name}: the system has {needed} {what}"
             )));
         }
     }
     if !start.x.iter().chain(&start.v).all(|value| value.is_finite()) {
         return Err(SolveErrorKind::NotFinite);
     }
-    let mut state = State::zeros(t, n, m);
-    state.x = start.x;
-    state.v = start.v;
-    Ok(state)
+    Ok(State {
+        x: start.x,
+        v: start.v,
+        turns: start.turns,
+        ..State::of(system, t)
+    })
+}
+
+/// Puts the initial state onto the constraints, or says what is wrong with it or with them.
+fn prepare<S: System + ?Sized>(
+    system: &mut S,
+    state: &mut State,
+    span: f64,
+    statistics: &mut Statistics,
+) -> Result<(), (SolveErrorKind, Option<String>)> {
+    state.rebase(system.turns());
+    let check = |system: &mut S, state: &State| match diagnose::redundancy(system, state) {
+        Some(text) => Err((SolveErrorKind::Redundant(text), None)),
+        None => Ok(()),
+    };
+    check(system, state)?;
+    consistent::project(system, state, span, statistics).map_err(|inconsistent| match inconsistent {
+        Inconsistent::Far(size, index) => {
+            let worst = system.describe_constraint(index);
+            (SolveErrorKind::Inconsistent(size), Some(worst))
+        }
+        Inconsistent::Singular => (SolveErrorKind::Singular, None),
+    })?;
+    if statistics.position_correction > 0.0 {
+        // Redundancy may show on the constraints only.
+        check(system, state)?;
+    }
+    match diagnose::untied(system, state) {
+        Some(text) => Err((SolveErrorKind::Untied(text), None)),
+        None => Ok(()),
+    }
 }
 
 impl Running {

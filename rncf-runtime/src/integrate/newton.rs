@@ -2,9 +2,18 @@
 //!
 //! The matrix is scaled by `beta h^2`, so that its entries stay of order one as h goes to 0, and
 //! its factorization is kept across steps while the iteration contracts well.
+//!
+//! Orientations: the matrix is that of right increments dpi, `(b'M + g'C) T^-1 + K`, bordered by `C_x`;
+//! dtheta = T^-1 dpi. This is the matrix of THEORY 7.2 with the columns divided by T, and the border
+//! stays symmetric.
+//!
+//! The stabilised index 2 (THEORY 7.4) completes every solution by its multipliers mu, see
+//! `stabiliser`.
 
 use super::Statistics;
+use super::charts::Charts;
 use super::scheme::Cause;
+use super::stabiliser::{Scales, Stabiliser};
 use crate::linalg::{Pattern, Saddle, Singular};
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
@@ -15,6 +24,8 @@ const CONVERGED: f64 = 0.05;
 const CONVERGED_CONSTRAINED: f64 = 1e-4;
 /// Contraction above which the matrix is refreshed within the iteration.
 const POOR: f64 = 0.5;
+/// Most iterations that a matrix of an earlier step may still need, by the contraction seen.
+const PATIENCE: f64 = 4.0;
 /// Contraction above which full Newton counts as diverging.
 const DIVERGING: f64 = 0.9;
 /// Contraction above which the next step starts with a new matrix.
@@ -52,6 +63,9 @@ pub(super) struct Iterate {
 /// Newton's iteration with a kept factorization.
 pub(super) struct Newton {
     constraint_pattern: Pattern,
+    charts: Charts,
+    /// Corrections of positions along `W C_x(x_n)^T`; index 3 has none.
+    stabiliser: Option<Stabiliser>,
     factors: Factors,
     /// 1 / (weight of the unknown in the norm of the increments).
     inverse_weights: Vec<f64>,
@@ -125,10 +139,12 @@ pub(super) enum Failure {
 impl Newton {
     /// An iteration for `system`; `rtol` relative to the sizes of the unknowns is the error
     /// tolerance of a step.
-    pub(super) fn new<S: System + ?Sized>(system: &S, factors: Factors, rtol: f64) -> Self {
+    pub(super) fn new<S: System + ?Sized>(system: &S, factors: Factors, rtol: f64, stabilised: bool) -> Self {
         let (pattern, constraint_pattern) = (system.pattern(), system.constraint_pattern().clone());
         let entries = pattern.entries();
         Self {
+            charts: Charts::new(system.turns(), pattern),
+            stabiliser: (stabilised && system.constraints() > 0).then(|| Stabiliser::new(system)),
             factors,
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
             inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
@@ -159,19 +175,22 @@ impl Newton {
         self.factored_for = None;
     }
 
-    /// Iterates from the predictor in `iterate` until the step of size `h` has converged.
+    /// Iterates from the predictor in `iterate` until the step of size `h` from `start` has converged.
     pub(super) fn solve<S: System + ?Sized>(
         &mut self,
         system: &mut S,
-        mass: &[f64],
+        start: &State,
         h: f64,
         iterate: &mut Iterate,
         statistics: &mut Statistics,
     ) -> Result<(), Failure> {
         // Increments with the matrix since it was made; `None` if it is of an earlier step.
         let mut uses = None;
+        if let Some(stabiliser) = &mut self.stabiliser {
+            stabiliser.begin(system, start);
+        }
         if !self.is_made_for(h) {
-            self.refresh(system, mass, h, &iterate.state, statistics)?;
+            self.refresh(system, h, &iterate.state, statistics)?;
             uses = Some(0);
         }
         let mut before: Option<f64> = None;
@@ -179,11 +198,14 @@ impl Newton {
         for _ in 0..ITERATIONS {
             uses = uses.map(|uses| uses + 1);
             let relaxation = self.increment(system, h, &iterate.state, statistics);
-            let size = norm(&self.dx, &self.inverse_weights);
+            let size = norm(&self.dx, &self.inverse_weights) + self.shifted();
             if !size.is_finite() || !self.dlambda.iter().all(|d| d.is_finite()) {
                 return Err(self.failure(uses, Cause::NotFinite));
             }
             self.apply(h, iterate);
+            if let worst @ Some(_) = self.charts.overturned(&iterate.state) {
+                return Err(self.failure(uses, Cause::Newton { worst }));
+            }
             let floor = ROUND_OFF / self.rtol * (1.0 + norm(&iterate.state.x, &self.inverse_sizes));
             // Seen now, else expected from earlier steps; never better than a changed step allows.
             let contraction = match before {
@@ -208,7 +230,13 @@ impl Newton {
                 if (count == 1 && contraction > DIVERGING) || contraction > 2.0 {
                     return Err(self.diverged());
                 }
-                self.refresh(system, mass, h, &iterate.state, statistics)?;
+                self.refresh(system, h, &iterate.state, statistics)?;
+                uses = Some(0);
+            }
+            // A new matrix costs less than many more iterations with that of an earlier step.
+            let missing = (self.converged / size).min(1.0).ln() / contraction.ln();
+            if before.is_some() && uses.is_none() && missing > PATIENCE {
+                self.refresh(system, h, &iterate.state, statistics)?;
                 uses = Some(0);
             }
             before = Some(size);
@@ -224,14 +252,17 @@ impl Newton {
     pub(super) fn filter<S: System + ?Sized>(
         &mut self,
         system: &mut S,
-        mass: &[f64],
         h: f64,
         state: &State,
         y: &mut [f64],
         statistics: &mut Statistics,
     ) -> Result<(), Failure> {
-        self.refresh(system, mass, h, state, statistics)?;
+        if let Some(stabiliser) = &mut self.stabiliser {
+            stabiliser.begin(system, state);
+        }
+        self.refresh(system, h, state, statistics)?;
         self.dx.fill(0.0);
+        let mass = &self.tangent.mass;
         system.pattern().multiply_add(self.factors.mass, mass, y, &mut self.dx);
         self.dlambda.fill(0.0);
         self.constraint_pattern
@@ -268,21 +299,24 @@ impl Newton {
         }
     }
 
-    /// Evaluates and factors `[[mass M + gamma h D + beta h^2 K, C_x^T], [C_x, 0]]` at `state`.
+    /// Evaluates and factors `[[(mass M + gamma h D) T^-1 + beta h^2 K, C_x^T], [C_x, 0]]` at `state`.
     fn refresh<S: System + ?Sized>(
         &mut self,
         system: &mut S,
-        mass: &[f64],
         h: f64,
         state: &State,
         statistics: &mut Statistics,
     ) -> Result<(), Failure> {
-        system.tangent(state, &mut self.tangent);
+        let tangent = &mut self.tangent;
+        system.tangent(state, tangent);
         statistics.jacobian_evaluations += 1;
         let (damping, stiffness) = (self.factors.gamma * h, self.factors.beta * h * h);
         for i in 0..self.block.len() {
-            self.block[i] =
-                self.factors.mass * mass[i] + damping * self.tangent.damping[i] + stiffness * self.tangent.stiffness[i];
+            self.block[i] = self.factors.mass * tangent.mass[i] + damping * tangent.damping[i];
+        }
+        self.charts.columns_to_increments(state, &mut self.block);
+        for i in 0..self.block.len() {
+            self.block[i] += stiffness * tangent.stiffness[i];
         }
         if !self.block.iter().all(|value| value.is_finite()) {
             return Err(Failure::Failed(Cause::NotFinite));
@@ -292,13 +326,23 @@ impl Newton {
         }
         self.factored_for = None;
         statistics.factorizations += 1;
+        let singular = |singular| {
+            Failure::Failed(Cause::Singular {
+                worst: row(singular, state.x.len()),
+            })
+        };
         self.saddle
             .factor_symmetric(&self.block, &self.jacobian)
-            .map_err(|singular| {
-                Failure::Failed(Cause::Singular {
-                    worst: row(singular, self.dx.len()),
-                })
-            })?;
+            .map_err(singular)?;
+        if let Some(stabiliser) = &mut self.stabiliser {
+            let (tools, values) = (
+                (&mut self.saddle, &self.charts),
+                (&tangent.stiffness[..], &self.jacobian[..]),
+            );
+            stabiliser
+                .refresh(system, state, scales(self.factors, h), tools, values, statistics)
+                .map_err(singular)?;
+        }
         self.factored_for = Some(h);
         self.experience = Experience::default();
         Ok(())
@@ -331,7 +375,22 @@ impl Newton {
         self.dx.iter_mut().for_each(|r| *r *= scale);
         self.saddle.solve(&mut self.dx, &mut self.dlambda);
         statistics.solves += 1;
+        if let Some(stabiliser) = &mut self.stabiliser {
+            let (tools, solution) = (
+                (&self.charts, &self.jacobian[..]),
+                (&mut self.dx[..], &mut self.dlambda[..]),
+            );
+            stabiliser.solve(system, state, scales(self.factors, h), tools, solution);
+        }
+        self.charts.to_chart(state, &mut self.dx);
         relaxation
+    }
+
+    /// Weighted norm of the last correction of positions by mu.
+    fn shifted(&self) -> f64 {
+        self.stabiliser
+            .as_ref()
+            .map_or(0.0, |stabiliser| norm(stabiliser.shift(), &self.inverse_weights))
     }
 
     fn apply(&self, h: f64, iterate: &mut Iterate) {
@@ -345,9 +404,20 @@ impl Newton {
             algorithmic[i] += acceleration * dx;
             state.a[i] += self.factors.mass * acceleration * dx;
         }
+        if let Some(stabiliser) = &self.stabiliser {
+            super::bordered::add(&mut state.x, stabiliser.shift());
+        }
         for (lambda, d) in state.lambda.iter_mut().zip(&self.dlambda) {
             *lambda += acceleration * d;
         }
+    }
+}
+
+/// Scales of the rows of a step of size `h`.
+fn scales(factors: Factors, h: f64) -> Scales {
+    Scales {
+        dynamics: factors.beta * h * h,
+        velocity: factors.beta * h / factors.gamma,
     }
 }
 

@@ -2,11 +2,16 @@
 //! constraints. The unknowns of a step are the three increments of position Z_i = X_i - x_n and the
 //! multipliers; with G = A^-1 / h, `V = G Z` and `A = G (V - v_n)`. Step control as in RADAU5 (Hairer,
 //! Wanner, Solving Ordinary Differential Equations II, IV.8).
+//!
+//! Free orientations are integrated in a chart that begins anew with every step, `chart`; with the
+//! stabilised index 2 the velocities are on their constraints, too, `stabilised`.
 
+mod chart;
 mod coefficients;
 mod error;
 mod matrices;
 mod newton;
+mod stabilised;
 mod stages;
 
 use super::Statistics;
@@ -72,23 +77,25 @@ impl Radau {
     pub(super) fn new<S: System + ?Sized>(system: &mut S, options: &Options) -> Self {
         let (n, m) = (system.unknowns(), system.constraints());
         let fixed = matches!(options.step, StepSize::Fixed(_));
-        let newton = if fixed {
-            Newton::new(system, FIXED_STEP_RTOL, 1.0, true)
+        let stabilised = options.stabilised && m > 0;
+        let tolerances = if fixed {
+            (FIXED_STEP_RTOL, 0.02)
         } else {
             // Far below the error estimate, which is of lower order than the solution.
-            Newton::new(system, options.rtol, options.rtol.sqrt().min(0.03), false)
+            (options.rtol, options.rtol.sqrt().min(0.03))
         };
+        let matrices = Matrices::new(system, stabilised);
         Self {
             coefficients: Coefficients::new(),
             fixed,
-            matrices: Matrices::new(system),
-            newton,
+            newton: Newton::new(system, &matrices, tolerances, fixed, stabilised),
+            matrices,
             estimate: Estimate::new(system, options.rtol),
-            before: State::zeros(0.0, n, m),
-            now: State::zeros(0.0, n, m),
-            middle: State::zeros(0.0, n, m),
+            before: State::of(system, 0.0),
+            now: State::of(system, 0.0),
+            middle: State::of(system, 0.0),
             last: None,
-            trial: Stages::new(n, m),
+            trial: Stages::new(n, m, stabilised),
             tangent: Age::Stale,
             accepted: None,
             first_or_rejected: true,
@@ -104,13 +111,15 @@ impl Radau {
     ) -> Result<Converged, (f64, Cause)> {
         loop {
             match &self.last {
-                Some(last) => self.trial.extrapolate(&self.coefficients, last, h),
+                Some(last) => self
+                    .trial
+                    .extrapolate(&self.coefficients, &self.matrices.chart, last, h),
                 None => self.trial.predict_first(&self.coefficients, &self.now, h),
             }
             if self.tangent == Age::Stale {
                 // One tangent serves all stages: the one in the middle is nearest to them.
                 self.trial.differentiate(&self.coefficients, &self.now);
-                self.trial.stage(&self.coefficients, 1, &self.now, &mut self.middle);
+                self.trial.in_chart(&self.coefficients, 1, &self.now, &mut self.middle);
                 self.matrices.linearize(system, &self.middle, statistics);
                 self.tangent = Age::Fresh;
             }
@@ -171,8 +180,10 @@ impl Radau {
     fn accept(&mut self) {
         std::mem::swap(&mut self.before, &mut self.now);
         let (before, now) = (&self.before, &mut self.now);
-        self.trial.stage(&self.coefficients, 2, before, now);
+        let chart = &self.matrices.chart;
+        self.trial.stage(&self.coefficients, chart, 2, before, now);
         now.t = before.t + self.trial.h;
+        now.rebase(chart.turns());
         match &mut self.last {
             Some(last) => std::mem::swap(last, &mut self.trial),
             None => self.last = Some(self.trial.clone()),
@@ -190,7 +201,8 @@ impl Scheme for Radau {
         _statistics: &mut Statistics,
     ) -> Result<(), SolveErrorKind> {
         self.now.clone_from(state);
-        self.before.clone_from(state);
+        self.now.rebase(self.matrices.chart.turns());
+        self.before.clone_from(&self.now);
         self.last = None;
         self.tangent = Age::Stale;
         self.accepted = None;
@@ -252,7 +264,7 @@ impl Scheme for Radau {
 
     fn interpolate(&self, t: f64, out: &mut State) {
         match &self.last {
-            Some(last) => last.interpolate(&self.coefficients, &self.before, t, out),
+            Some(last) => last.interpolate(&self.coefficients, &self.matrices.chart, &self.before, t, out),
             None => out.clone_from(&self.now),
         }
     }

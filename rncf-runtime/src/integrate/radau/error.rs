@@ -10,6 +10,9 @@
 //!
 //! where `M a_n = -f - C_x^T lambda` at the start. Eliminating err_v = (g/h) err_x - F1 leaves one
 //! solution with the real matrix of the step: its right side is F2 + ((g/h) M + D) F1.
+//!
+//! All in the chart of the step, whose rates and derivatives are velocities and accelerations at its
+//! start. The stabilised index 2 is estimated alike: its mu is far below the error.
 
 use super::coefficients::Coefficients;
 use super::matrices::Matrices;
@@ -26,6 +29,8 @@ pub(super) struct Estimate {
     constraints: Vec<f64>,
     first: Vec<f64>,
     work: Vec<f64>,
+    /// `C_x^T`
+    jacobian: Vec<f64>,
     state: State,
 }
 
@@ -39,7 +44,8 @@ impl Estimate {
             constraints: vec![0.0; m],
             first: vec![0.0; n],
             work: vec![0.0; n],
-            state: State::zeros(0.0, n, m),
+            jacobian: vec![0.0; system.constraint_pattern().entries()],
+            state: State::of(system, 0.0),
         }
     }
 
@@ -59,9 +65,8 @@ impl Estimate {
             self.work[i] = start.a[i] + a * (stages.v[0][i] - v) + b * (stages.v[1][i] - v) + c * (stages.v[2][i] - v);
         }
         self.x.fill(0.0);
-        matrices
-            .pattern
-            .multiply_add(1.0, &matrices.mass, &self.work, &mut self.x);
+        let (block, mass) = (&matrices.chart.block, &matrices.tangent.mass);
+        block.multiply_add(1.0, mass, &self.work, &mut self.x);
         self.finish(coefficients, matrices, stages.h, statistics)
     }
 
@@ -87,15 +92,14 @@ impl Estimate {
         }
         // M a + f at a = -(e . (V - v_n)) / h is -F2.
         self.state.a.copy_from_slice(&self.work);
+        matrices.chart.leave(&mut self.state);
         let state = &self.state;
         system.residual(state, &mut self.x);
         statistics.residual_evaluations += 1;
         if !state.lambda.is_empty() {
-            system.constraint_jacobian(state, &mut matrices.stage_jacobian);
-            let values = &matrices.stage_jacobian;
-            matrices
-                .constraint_pattern
-                .multiply_add(1.0, values, &state.lambda, &mut self.x);
+            let pattern = &matrices.constraint_pattern;
+            system.constraint_jacobian(state, &mut self.jacobian);
+            pattern.multiply_add(1.0, &self.jacobian, &state.lambda, &mut self.x);
         }
         self.x.iter_mut().for_each(|value| *value = -*value);
         self.finish(coefficients, matrices, stages.h, statistics)
@@ -110,12 +114,9 @@ impl Estimate {
         statistics: &mut Statistics,
     ) -> f64 {
         let g = coefficients.real / h;
-        matrices
-            .pattern
-            .multiply_add(g, &matrices.mass, &self.first, &mut self.x);
-        matrices
-            .pattern
-            .multiply_add(1.0, &matrices.tangent.damping, &self.first, &mut self.x);
+        let (block, tangent) = (&matrices.chart.block, &matrices.tangent);
+        block.multiply_add(g, &tangent.mass, &self.first, &mut self.x);
+        block.multiply_add(1.0, &tangent.damping, &self.first, &mut self.x);
         self.constraints.fill(0.0);
         matrices.solve_real(&mut self.x, &mut self.constraints, statistics);
         let mut sum = 0.0;

@@ -1,65 +1,93 @@
 //! The two factorizations of a step: the Newton matrix of three stages, split by the
 //! eigenvectors of A^-1 into a real and a complex system of the size of one stage.
 
+use super::chart::Chart;
 use super::coefficients::Coefficients;
+use super::stabilised::{Slopes, Stabilised};
 use crate::integrate::Statistics;
 use crate::linalg::{Pattern, Saddle, Singular, c64};
 use crate::system::{State, System, Tangent};
 
-/// Tangent, constraint Jacobian and the factorizations made of them.
+/// Tangent, constraint Jacobian and the factorizations made of them, in the chart.
 pub(super) struct Matrices {
-    pub(super) pattern: Pattern,
+    pub(super) chart: Chart,
+    /// The system's own pattern of `C^T`.
     pub(super) constraint_pattern: Pattern,
-    pub(super) mass: Vec<f64>,
     pub(super) tangent: Tangent,
-    pub(super) jacobian: Vec<f64>,
-    /// Memory for the constraint Jacobian of a stage.
-    pub(super) stage_jacobian: Vec<f64>,
+    /// As the system gives them.
+    system_tangent: Tangent,
+    system_jacobian: Vec<f64>,
+    system_rate: Vec<f64>,
+    /// `C_x^T` of the multipliers' forces on the chart's pattern.
+    forces: Vec<f64>,
+    pub(super) slopes: Slopes,
+    state: State,
     real: Saddle<f64>,
     complex: Saddle<c64>,
+    /// With the stabilised index 2.
+    stabilised: Option<Box<(Stabilised<f64>, Stabilised<c64>)>>,
     real_block: Vec<f64>,
     complex_block: Vec<c64>,
-    complex_dynamics: Vec<c64>,
-    complex_constraints: Vec<c64>,
-    real_dynamics: Vec<f64>,
-    real_constraints: Vec<f64>,
+    /// Right sides: equations of motion, constraints, their rates.
+    real_sides: [Vec<f64>; 3],
+    complex_sides: [Vec<c64>; 3],
     /// Step size of the factorizations; none if they do not fit the tangent.
     factored: Option<f64>,
 }
 
 impl Matrices {
-    pub(super) fn new<S: System + ?Sized>(system: &mut S) -> Self {
-        let (pattern, constraint_pattern) = (system.pattern().clone(), system.constraint_pattern().clone());
-        let (n, m, entries) = (pattern.rows(), constraint_pattern.columns(), pattern.entries());
-        let mut mass = vec![0.0; entries];
-        system.mass(&State::of(system, 0.0), &mut mass);
+    pub(super) fn new<S: System + ?Sized>(system: &mut S, stabilised: bool) -> Self {
+        let chart = Chart::new(system.turns(), system.pattern(), system.constraint_pattern());
+        let (n, m) = (system.unknowns(), system.constraints());
+        let tangent = |entries: usize| Tangent {
+            mass: vec![0.0; entries],
+            stiffness: vec![0.0; entries],
+            damping: vec![0.0; entries],
+        };
+        let constraint_pattern = system.constraint_pattern().clone();
+        let (entries, constraint_entries) = (chart.block.entries(), chart.constraints.entries());
+        let rates = if stabilised { m } else { 0 };
         Self {
-            mass,
-            tangent: Tangent {
-                mass: vec![0.0; entries],
-                stiffness: vec![0.0; entries],
-                damping: vec![0.0; entries],
+            tangent: tangent(entries),
+            system_tangent: tangent(system.pattern().entries()),
+            system_jacobian: vec![0.0; constraint_pattern.entries()],
+            system_rate: vec![0.0; constraint_pattern.entries()],
+            forces: vec![0.0; constraint_entries],
+            slopes: Slopes {
+                jacobian: vec![0.0; constraint_entries],
+                rate: vec![0.0; constraint_entries],
             },
-            jacobian: vec![0.0; constraint_pattern.entries()],
-            stage_jacobian: vec![0.0; constraint_pattern.entries()],
-            real: Saddle::new(&pattern, system.border(), &constraint_pattern),
-            complex: Saddle::new(&pattern, system.border(), &constraint_pattern),
+            state: State::of(system, 0.0),
+            real: Saddle::new(&chart.block, system.border(), &chart.constraints),
+            complex: Saddle::new(&chart.block, system.border(), &chart.constraints),
+            stabilised: stabilised.then(|| Box::new((Stabilised::new(n, m), Stabilised::new(n, m)))),
             real_block: vec![0.0; entries],
             complex_block: vec![c64::default(); entries],
-            complex_dynamics: vec![c64::default(); n],
-            complex_constraints: vec![c64::default(); m],
-            real_dynamics: vec![0.0; n],
-            real_constraints: vec![0.0; m],
+            real_sides: [n, m, rates].map(|length| vec![0.0; length]),
+            complex_sides: [n, m, rates].map(|length| vec![c64::default(); length]),
             factored: None,
-            pattern,
             constraint_pattern,
+            chart,
         }
     }
 
-    /// Evaluates tangent and constraint Jacobian at `state`.
-    pub(super) fn linearize<S: System + ?Sized>(&mut self, system: &mut S, state: &State, statistics: &mut Statistics) {
-        system.tangent(state, &mut self.tangent);
-        system.constraint_jacobian(state, &mut self.jacobian);
+    /// Evaluates tangent and constraint Jacobian at `place`, given in the chart.
+    pub(super) fn linearize<S: System + ?Sized>(&mut self, system: &mut S, place: &State, statistics: &mut Statistics) {
+        self.state.clone_from(place);
+        self.chart.leave(&mut self.state);
+        system.tangent(&self.state, &mut self.system_tangent);
+        self.chart.tangent(place, &self.system_tangent, &mut self.tangent);
+        if self.constraint_pattern.columns() > 0 {
+            system.constraint_jacobian(&self.state, &mut self.system_jacobian);
+            self.chart.forces(&self.system_jacobian, &mut self.forces);
+            self.chart
+                .jacobian(&place.x, &self.system_jacobian, &mut self.slopes.jacobian);
+            if self.stabilised.is_some() {
+                system.constraint_rate_tangent(&self.state, &mut self.system_rate);
+                self.chart
+                    .rate_tangent(place, &self.system_jacobian, &self.system_rate, &mut self.slopes.rate);
+            }
+        }
         statistics.jacobian_evaluations += 1;
         self.factored = None;
     }
@@ -77,9 +105,9 @@ impl Matrices {
         self.factored = None;
         let (g, z) = (coefficients.real / h, coefficients.complex / h);
         let square = z * z;
-        for entry in 0..self.mass.len() {
+        for entry in 0..self.real_block.len() {
             let (m, d, k) = (
-                self.mass[entry],
+                self.tangent.mass[entry],
                 self.tangent.damping[entry],
                 self.tangent.stiffness[entry],
             );
@@ -87,43 +115,58 @@ impl Matrices {
             self.complex_block[entry] = c64::new(square.re * m + z.re * d + k, square.im * m + z.im * d);
         }
         statistics.factorizations += 2;
-        self.real.factor_symmetric(&self.real_block, &self.jacobian)?;
-        self.complex.factor_symmetric(&self.complex_block, &self.jacobian)?;
+        let (forces, slopes) = (&self.forces, &self.slopes);
+        self.real.factor(&self.real_block, forces, &slopes.jacobian)?;
+        self.complex.factor(&self.complex_block, forces, &slopes.jacobian)?;
+        if let Some(second) = &mut self.stabilised {
+            let (real, complex) = &mut **second;
+            real.factor(&self.chart, g, &self.tangent, slopes, &mut self.real)?;
+            complex.factor(&self.chart, z, &self.tangent, slopes, &mut self.complex)?;
+        }
         self.factored = Some(h);
         Ok(())
     }
 
-    /// Solves `(G^2 (x) M + G (x) D + 1 (x) K) dZ + C^T dL = dynamics, C dZ = constraints` with
-    /// G = A^-1 / h in place.
+    /// Solves `(G^2 (x) M + G (x) D + 1 (x) K) dZ + F dL = dynamics, C_y dZ = constraints` with
+    /// G = A^-1 / h in place; with the stabilised index 2 also for mu, `super::stabilised`.
     pub(super) fn solve_stages(
         &mut self,
         coefficients: &Coefficients,
-        dynamics: &mut [Vec<f64>; 3],
-        constraints: &mut [Vec<f64>; 3],
+        h: f64,
+        sides: [&mut [Vec<f64>; 3]; 3],
         statistics: &mut Statistics,
     ) {
-        let split = |stages: &[Vec<f64>; 3], real: &mut [f64], complex: &mut [c64]| {
+        for (k, stages) in sides.iter().enumerate() {
+            let (real, complex) = (&mut self.real_sides[k], &mut self.complex_sides[k]);
             for i in 0..real.len() {
                 real[i] = (0..3).map(|s| coefficients.real_left[s] * stages[s][i]).sum();
                 complex[i] = (0..3).map(|s| coefficients.complex_left[s] * stages[s][i]).sum();
             }
-        };
-        split(dynamics, &mut self.real_dynamics, &mut self.complex_dynamics);
-        split(constraints, &mut self.real_constraints, &mut self.complex_constraints);
-        self.real.solve(&mut self.real_dynamics, &mut self.real_constraints);
-        self.complex
-            .solve(&mut self.complex_dynamics, &mut self.complex_constraints);
+        }
+        let ([f, c, r], [zf, zc, zr]) = (&mut self.real_sides, &mut self.complex_sides);
+        match &mut self.stabilised {
+            None => {
+                self.real.solve(f, c);
+                self.complex.solve(zf, zc);
+            }
+            Some(second) => {
+                let (real, complex) = &mut **second;
+                let (pattern, slopes) = (&self.chart.constraints, &self.slopes);
+                let (g, z) = (coefficients.real / h, coefficients.complex / h);
+                real.solve(pattern, g, slopes, &mut self.real, (f, c, r));
+                complex.solve(pattern, z, slopes, &mut self.complex, (zf, zc, zr));
+            }
+        }
         statistics.solves += 2;
-        let join = |stages: &mut [Vec<f64>; 3], real: &[f64], complex: &[c64]| {
+        for (k, stages) in sides.into_iter().enumerate() {
+            let (real, complex) = (&self.real_sides[k], &self.complex_sides[k]);
             for (s, stage) in stages.iter_mut().enumerate() {
                 let (a, b) = (coefficients.real_right[s], coefficients.complex_right[s]);
                 for i in 0..real.len() {
                     stage[i] = a * real[i] + 2.0 * (b.re * complex[i].re - b.im * complex[i].im);
                 }
             }
-        };
-        join(dynamics, &self.real_dynamics, &self.complex_dynamics);
-        join(constraints, &self.real_constraints, &self.complex_constraints);
+        }
     }
 
     /// Solves with the real matrix `(g/h)^2 M + (g/h) D + K` and the constraints in place.

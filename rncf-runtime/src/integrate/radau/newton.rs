@@ -4,6 +4,7 @@ use super::coefficients::Coefficients;
 use super::matrices::Matrices;
 use super::stages::Stages;
 use crate::integrate::Statistics;
+use crate::integrate::bordered::add;
 use crate::integrate::newton::norm;
 use crate::system::{ConstraintLevel, State, System};
 
@@ -50,12 +51,26 @@ pub(super) struct Newton {
     amplification: f64,
     dynamics: [Vec<f64>; 3],
     constraints: [Vec<f64>; 3],
+    /// Right sides of the constraints' rates; empty with index 3.
+    rates: [Vec<f64>; 3],
+    /// `C_x^T` of the stages, and one of them in the chart.
+    jacobians: [Vec<f64>; 3],
+    jacobian: Vec<f64>,
+    /// Change of a stage's drift.
+    drift: Vec<f64>,
     stage: State,
 }
 
 impl Newton {
-    pub(super) fn new<S: System + ?Sized>(system: &S, rtol: f64, tolerance: f64, patient: bool) -> Self {
+    pub(super) fn new<S: System + ?Sized>(
+        system: &S,
+        matrices: &Matrices,
+        (rtol, tolerance): (f64, f64),
+        patient: bool,
+        stabilised: bool,
+    ) -> Self {
         let (n, m) = (system.unknowns(), system.constraints());
+        let rates = if stabilised { m } else { 0 };
         Self {
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
             inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
@@ -65,7 +80,11 @@ impl Newton {
             amplification: 1.0,
             dynamics: std::array::from_fn(|_| vec![0.0; n]),
             constraints: std::array::from_fn(|_| vec![0.0; m]),
-            stage: State::zeros(0.0, n, m),
+            rates: std::array::from_fn(|_| vec![0.0; rates]),
+            jacobians: std::array::from_fn(|_| vec![0.0; matrices.constraint_pattern.entries()]),
+            jacobian: vec![0.0; matrices.chart.constraints.entries()],
+            drift: vec![0.0; if stabilised { n } else { 0 }],
+            stage: State::of(system, 0.0),
         }
     }
 
@@ -91,11 +110,12 @@ impl Newton {
         let (mut last, mut last_ratio, mut contraction) = (0.0, 0.0, 0.0);
         let most = if self.patient { PATIENT } else { ITERATIONS };
         for iteration in 1..=most {
-            stages.differentiate(coefficients, start);
+            self.differentiate(system, coefficients, matrices, start, stages);
             self.residual(system, coefficients, matrices, start, stages, statistics);
-            matrices.solve_stages(coefficients, &mut self.dynamics, &mut self.constraints, statistics);
+            let sides = [&mut self.dynamics, &mut self.constraints, &mut self.rates];
+            matrices.solve_stages(coefficients, stages.h, sides, statistics);
             statistics.newton_iterations += 1;
-            let size = self.apply(stages);
+            let size = self.apply(matrices, stages);
             if !size.is_finite() {
                 return Err(Failure::NotFinite);
             }
@@ -112,6 +132,9 @@ impl Newton {
             let at_noise = size <= floor || contraction > STAGNANT && size <= AMPLIFIED * floor;
             if at_noise || contraction < DIVERGING && amplification * size <= self.tolerance {
                 self.amplification = if contraction < DIVERGING { amplification } else { 1.0 };
+                if !self.rates[0].is_empty() {
+                    self.differentiate(system, coefficients, matrices, start, stages);
+                }
                 stages.differentiate(coefficients, start);
                 return Ok(Converged {
                     iterations: iteration,
@@ -134,47 +157,77 @@ impl Newton {
         Err(self.slow(0.5))
     }
 
-    /// Right sides `-R` and `-C` of all stages.
+    /// `C_x^T` at all stages, then drift, rates and their derivatives.
+    fn differentiate<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        coefficients: &Coefficients,
+        matrices: &Matrices,
+        start: &State,
+        stages: &mut Stages,
+    ) {
+        let chart = &matrices.chart;
+        for s in 0..3 {
+            if stages.lambda[s].is_empty() {
+                break;
+            }
+            stages.place(coefficients, s, start, &mut self.stage);
+            system.constraint_jacobian(&self.stage, &mut self.jacobians[s]);
+            if !stages.mu[s].is_empty() {
+                chart.jacobian(&self.stage.x, &self.jacobians[s], &mut self.jacobian);
+                stages.drift[s].fill(0.0);
+                chart
+                    .constraints
+                    .multiply_add(1.0, &self.jacobian, &stages.mu[s], &mut stages.drift[s]);
+            }
+        }
+        stages.differentiate(coefficients, start);
+    }
+
+    /// Right sides `-R` and `-C`, and `-dC/dt` with the stabilised index 2, of all stages.
     fn residual<S: System + ?Sized>(
         &mut self,
         system: &mut S,
         coefficients: &Coefficients,
-        matrices: &mut Matrices,
+        matrices: &Matrices,
         start: &State,
         stages: &Stages,
         statistics: &mut Statistics,
     ) {
-        let m = stages.lambda[0].len();
+        let pattern = &matrices.constraint_pattern;
         for s in 0..3 {
-            let (state, out) = (&mut self.stage, &mut self.dynamics[s]);
-            stages.stage(coefficients, s, start, state);
+            let (state, out, values) = (&mut self.stage, &mut self.dynamics[s], &self.jacobians[s]);
+            stages.stage(coefficients, &matrices.chart, s, start, state);
             system.residual(state, out);
-            if m > 0 {
-                let values = &mut matrices.stage_jacobian;
-                system.constraint_jacobian(state, values);
-                matrices
-                    .constraint_pattern
-                    .multiply_add(1.0, values, &state.lambda, out);
+            if !state.lambda.is_empty() {
+                pattern.multiply_add(1.0, values, &state.lambda, out);
                 system.constraint(ConstraintLevel::Position, state, &mut self.constraints[s]);
             }
-            out.iter_mut()
-                .chain(&mut self.constraints[s])
-                .for_each(|value| *value = -*value);
+            let rates = &mut self.rates[s];
+            if !rates.is_empty() {
+                system.constraint(ConstraintLevel::Velocity, state, rates);
+                pattern.transpose_multiply_add(1.0, values, &state.v, rates);
+            }
+            let sides = out.iter_mut().chain(&mut self.constraints[s]).chain(rates);
+            sides.for_each(|value| *value = -*value);
         }
         statistics.residual_evaluations += 3;
     }
 
-    /// Adds the increments; their weighted size.
-    fn apply(&self, stages: &mut Stages) -> f64 {
+    /// Adds the increments; their weighted size, h times the change of drift like one of position.
+    fn apply(&mut self, matrices: &Matrices, stages: &mut Stages) -> f64 {
         let mut sum = 0.0;
         for s in 0..3 {
-            for (z, dz) in stages.z[s].iter_mut().zip(&self.dynamics[s]) {
-                *z += dz;
-            }
-            for (lambda, change) in stages.lambda[s].iter_mut().zip(&self.constraints[s]) {
-                *lambda += change;
-            }
+            add(&mut stages.z[s], &self.dynamics[s]);
+            add(&mut stages.lambda[s], &self.constraints[s]);
+            add(&mut stages.mu[s], &self.rates[s]);
             sum += norm(&self.dynamics[s], &self.inverse_weights).powi(2) / 3.0;
+            if !self.rates[s].is_empty() {
+                self.drift.fill(0.0);
+                let (pattern, slopes) = (&matrices.chart.constraints, &matrices.slopes.jacobian);
+                pattern.multiply_add(stages.h, slopes, &self.rates[s], &mut self.drift);
+                sum += norm(&self.drift, &self.inverse_weights).powi(2) / 3.0;
+            }
             // Multipliers carry no weight, but must be finite.
             sum += self.constraints[s].iter().map(|change| 0.0 * change).sum::<f64>();
         }

@@ -1,25 +1,29 @@
-//! Stage values of a step and the polynomials through them.
+//! Stage values of a step in its chart and the polynomials through them.
 
+use super::chart::Chart;
 use super::coefficients::Coefficients;
 use crate::system::State;
 
-/// Values at the three stages of a step.
+/// Values at the three stages of a step, in its chart.
 #[derive(Clone, Debug)]
 pub(super) struct Stages {
     /// Step size, s.
     pub(super) h: f64,
     /// Increments of position from the start of the step.
     pub(super) z: [Vec<f64>; 3],
-    /// Velocities.
+    /// Rates that the positions have less their drift: those that enter the equations of motion.
     pub(super) v: [Vec<f64>; 3],
-    /// Accelerations.
+    /// Derivatives of the rates.
     pub(super) a: [Vec<f64>; 3],
     /// Multipliers.
     pub(super) lambda: [Vec<f64>; 3],
+    /// Multipliers mu of the stabilised index 2, and the drift `C_y^T mu`; empty with index 3.
+    pub(super) mu: [Vec<f64>; 3],
+    pub(super) drift: [Vec<f64>; 3],
 }
 
 impl Stages {
-    pub(super) fn new(n: usize, m: usize) -> Self {
+    pub(super) fn new(n: usize, m: usize, stabilised: bool) -> Self {
         let vectors = |length: usize| std::array::from_fn(|_| vec![0.0; length]);
         Self {
             h: 0.0,
@@ -27,16 +31,21 @@ impl Stages {
             v: vectors(n),
             a: vectors(n),
             lambda: vectors(m),
+            mu: vectors(if stabilised { m } else { 0 }),
+            drift: vectors(if stabilised { n } else { 0 }),
         }
     }
 
-    /// Velocities and accelerations of the stages from the increments of position:
-    /// `V = A^-1 Z / h`, `A = A^-1 (V - v_n) / h`.
+    /// Rates and their derivatives at the stages from the increments of position and the drift:
+    /// `V = A^-1 Z / h + drift`, `A = A^-1 (V - v_n) / h`.
     pub(super) fn differentiate(&mut self, coefficients: &Coefficients, start: &State) {
         for (s, row) in coefficients.inverse.iter().enumerate() {
             let [a, b, c] = row.map(|value| value / self.h);
             for i in 0..start.v.len() {
                 self.v[s][i] = a * self.z[0][i] + b * self.z[1][i] + c * self.z[2][i];
+            }
+            for (v, drift) in self.v[s].iter_mut().zip(&self.drift[s]) {
+                *v += drift;
             }
         }
         for (s, row) in coefficients.inverse.iter().enumerate() {
@@ -59,56 +68,95 @@ impl Stages {
             }
             self.lambda[s].copy_from_slice(&start.lambda);
         }
+        self.begin_without_drift();
     }
 
     /// Increments and multipliers at the stages of the step of size `h` behind `last`: its
-    /// polynomials continued.
-    pub(super) fn extrapolate(&mut self, coefficients: &Coefficients, last: &Stages, h: f64) {
+    /// polynomials continued, in the chart that begins at its end.
+    pub(super) fn extrapolate(&mut self, coefficients: &Coefficients, chart: &Chart, last: &Stages, h: f64) {
         self.h = h;
+        let end = &last.z[2];
         for (s, node) in coefficients.nodes.iter().enumerate() {
             let at = 1.0 + node * h / last.h;
             let [_, a, b, c] = coefficients.cubic(at);
-            for i in 0..self.z[s].len() {
-                let end = last.z[2][i];
-                self.z[s][i] = a * last.z[0][i] + b * last.z[1][i] + c * end - end;
+            let z = &mut self.z[s];
+            for i in 0..z.len() {
+                z[i] = a * last.z[0][i] + b * last.z[1][i] + c * end[i];
             }
-            let [a, b, c] = coefficients.quadratic(at);
-            for i in 0..self.lambda[s].len() {
-                self.lambda[s][i] = a * last.lambda[0][i] + b * last.lambda[1][i] + c * last.lambda[2][i];
+            chart.transport(end, z);
+            let mut turns = chart.turns().iter().copied().peekable();
+            let mut i = 0;
+            while i < z.len() {
+                if turns.next_if_eq(&i).is_some() {
+                    i += 3;
+                } else {
+                    z[i] -= end[i];
+                    i += 1;
+                }
             }
+            combine(coefficients.quadratic(at), &last.lambda, &mut self.lambda[s]);
         }
+        self.begin_without_drift();
     }
 
-    /// Position and multipliers of stage `s` into `state`, with its time.
-    pub(super) fn stage(&self, coefficients: &Coefficients, s: usize, start: &State, state: &mut State) {
+    /// mu vanishes analytically: that is its prediction.
+    fn begin_without_drift(&mut self) {
+        self.mu
+            .iter_mut()
+            .chain(&mut self.drift)
+            .for_each(|values| values.fill(0.0));
+    }
+
+    /// Time and position of stage `s` into `state`; its rates are left as they are.
+    pub(super) fn place(&self, coefficients: &Coefficients, s: usize, start: &State, state: &mut State) {
         state.t = start.t + coefficients.nodes[s] * self.h;
+        state.turns.clone_from(&start.turns);
         for i in 0..start.x.len() {
             state.x[i] = start.x[i] + self.z[s][i];
         }
+    }
+
+    /// Stage `s` into `state` in the chart: rates and their derivatives for velocity and acceleration.
+    pub(super) fn in_chart(&self, coefficients: &Coefficients, s: usize, start: &State, state: &mut State) {
+        self.place(coefficients, s, start, state);
         state.v.copy_from_slice(&self.v[s]);
         state.a.copy_from_slice(&self.a[s]);
         state.lambda.copy_from_slice(&self.lambda[s]);
     }
 
-    /// The state at `t` within the step from `start`: cubic positions and velocities (with those at
-    /// the start), quadratic accelerations and multipliers.
-    pub(super) fn interpolate(&self, coefficients: &Coefficients, start: &State, t: f64, out: &mut State) {
+    /// Stage `s` into `state`.
+    pub(super) fn stage(&self, coefficients: &Coefficients, chart: &Chart, s: usize, start: &State, state: &mut State) {
+        self.in_chart(coefficients, s, start, state);
+        chart.leave(state);
+    }
+
+    /// The state at `t` within the step from `start`: in the chart cubic positions and rates (with
+    /// those at the start), quadratic accelerations and multipliers.
+    pub(super) fn interpolate(
+        &self,
+        coefficients: &Coefficients,
+        chart: &Chart,
+        start: &State,
+        t: f64,
+        out: &mut State,
+    ) {
         let at = (t - start.t) / self.h;
         let [first, a, b, c] = coefficients.cubic(at);
         let quadratic = coefficients.quadratic(at);
+        out.clone_from(start);
         out.t = t;
-        out.x.clone_from(&start.x);
-        out.v.clone_from(&start.v);
         for i in 0..start.x.len() {
             out.x[i] += a * self.z[0][i] + b * self.z[1][i] + c * self.z[2][i];
             out.v[i] = first * start.v[i] + a * self.v[0][i] + b * self.v[1][i] + c * self.v[2][i];
         }
         combine(quadratic, &self.a, &mut out.a);
         combine(quadratic, &self.lambda, &mut out.lambda);
+        chart.leave(out);
     }
 }
 
-fn combine([a, b, c]: [f64; 3], stages: &[Vec<f64>; 3], out: &mut Vec<f64>) {
-    out.clear();
-    out.extend((0..stages[0].len()).map(|i| a * stages[0][i] + b * stages[1][i] + c * stages[2][i]));
+fn combine([a, b, c]: [f64; 3], stages: &[Vec<f64>; 3], out: &mut [f64]) {
+    for (i, out) in out.iter_mut().enumerate() {
+        *out = a * stages[0][i] + b * stages[1][i] + c * stages[2][i];
+    }
 }

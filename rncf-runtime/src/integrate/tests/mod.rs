@@ -3,6 +3,9 @@
 mod adaptive;
 mod axis;
 mod heavy_top;
+mod lie;
 mod order;
 mod radau;
+mod radau_lie;
+mod start;
 mod systems;

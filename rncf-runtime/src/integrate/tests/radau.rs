@@ -5,8 +5,10 @@ use crate::integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
 use crate::linalg::Pattern;
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
-/// One free unknown, `x'' + f(t, x, v) = 0`, by f and its derivatives with respect to x and v.
-struct Single {
+/// One free unknown, `m(x) x'' + f(t, x, v) = 0`, by m and its derivative and f and its derivatives
+/// with respect to x and v.
+pub(super) struct Single {
+    mass: fn(f64) -> [f64; 2],
     force: fn(f64, f64, f64) -> [f64; 3],
     pattern: Pattern,
     constraint_pattern: Pattern,
@@ -14,7 +16,12 @@ struct Single {
 
 impl Single {
     fn new(force: fn(f64, f64, f64) -> [f64; 3]) -> Self {
+        Self::with_mass(|_| [1.0, 0.0], force)
+    }
+
+    pub(super) fn with_mass(mass: fn(f64) -> [f64; 2], force: fn(f64, f64, f64) -> [f64; 3]) -> Self {
         Self {
+            mass,
             force,
             pattern: Pattern::new(1, 1, [(0, 0)]),
             constraint_pattern: Pattern::new(1, 0, []),
@@ -35,17 +42,17 @@ impl System for Single {
     fn constraint_pattern(&self) -> &Pattern {
         &self.constraint_pattern
     }
-    fn mass(&mut self, _state: &State, values: &mut [f64]) {
-        values[0] = 1.0;
+    fn mass(&mut self, state: &State, values: &mut [f64]) {
+        values[0] = (self.mass)(state.x[0])[0];
     }
     fn residual(&mut self, state: &State, out: &mut [f64]) {
         let (t, x, v, a) = (state.t, &state.x[..], &state.v[..], &state.a[..]);
-        out[0] = a[0] + (self.force)(t, x[0], v[0])[0];
+        out[0] = (self.mass)(x[0])[0] * a[0] + (self.force)(t, x[0], v[0])[0];
     }
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
         self.mass(state, &mut out.mass);
         let [_, stiffness, damping] = (self.force)(state.t, state.x[0], state.v[0]);
-        out.stiffness[0] = stiffness;
+        out.stiffness[0] = stiffness + (self.mass)(state.x[0])[1] * state.a[0];
         out.damping[0] = damping;
     }
     fn constraint(&mut self, _level: ConstraintLevel, _state: &State, _out: &mut [f64]) {}
@@ -107,7 +114,7 @@ fn adaptive(rtol: f64) -> Options {
 }
 
 /// Observed orders between successive halvings.
-fn orders(errors: &[f64]) -> Vec<f64> {
+pub(super) fn orders(errors: &[f64]) -> Vec<f64> {
     errors.windows(2).map(|pair| (pair[0] / pair[1]).log2()).collect()
 }
 
