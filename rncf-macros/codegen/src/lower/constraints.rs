@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use super::carried::{derivatives, values};
 use super::joints::LEVELS;
 use super::kernel::Kernel;
-use super::markers::{Marked, function_name, list, localise};
+use super::markers::{Marked, describe, function_name, list, localise};
 use crate::model::{Expr, Model};
 use crate::symbolic::Id;
 
@@ -38,6 +38,8 @@ struct Rows<'m> {
     title: String,
     /// Formulas in words.
     formulas: Vec<String>,
+    /// What z is.
+    markers: String,
 }
 
 /// The functions of all constraints of a model, each once.
@@ -71,8 +73,10 @@ pub fn constraint_kernels(model: &Model) -> Vec<ConstraintKernels> {
             name,
             title: format!("Constraint {} ({})", list(members), first.kind),
             formulas: Vec::new(),
+            markers: String::new(),
         };
         rows.formulas = rows.formulas(&first.rows);
+        rows.markers = describe(model, &first.name, &first.markers);
         kernels.push(rows.kernels(of));
     }
     kernels
@@ -155,6 +159,7 @@ impl Rows<'_> {
         let mut kernel = self.kernel(marked, LEVELS[level], what[level], values(&rows, "rows"), &arguments);
         if level == 0 {
             kernel.doc.push(self.formulas.join("\n"));
+            kernel.doc.push(self.markers.clone());
         }
         kernel
     }

@@ -3,7 +3,7 @@
 
 use super::carried::derivatives;
 use super::kernel::Kernel;
-use super::markers::{Marked, function_name, list, localise};
+use super::markers::{Marked, describe, function_name, list, localise};
 use crate::model::{Expr, Model};
 use crate::symbolic::Id;
 
@@ -56,6 +56,7 @@ pub fn force_kernels(model: &Model) -> Vec<ForceKernels> {
             components,
             name,
             title,
+            markers: describe(model, &model.forces[index].name, &model.forces[index].markers),
         };
         kernels.push(ForceKernels {
             of,
@@ -73,6 +74,8 @@ struct Law<'m> {
     components: &'m [Expr],
     name: String,
     title: String,
+    /// What z is.
+    markers: String,
 }
 
 impl Law<'_> {
@@ -115,7 +118,9 @@ impl Law<'_> {
         let outputs = outputs.map(|(place, &id)| (format!("out[{place}]"), id)).collect();
         let title = "writes f(z, z', t) on its markers, inertial axes; entries that are always zero are left alone.";
         let arguments = ["z: &[[f64; 3]]", "velocity: &[[f64; 3]]", "out: &mut [f64]"];
-        self.kernel(marked, "", title, outputs, &arguments)
+        let mut kernel = self.kernel(marked, "", title, outputs, &arguments);
+        kernel.doc.push(self.markers.clone());
+        kernel
     }
 
     fn tangent(&self) -> Option<Kernel> {
