@@ -9,7 +9,7 @@ use crate::lower::camel_case;
 use crate::lower::joints::LEVELS;
 use crate::lower::motions::Time;
 use crate::model::{
-    Body, Expr, Fidelity, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity, Space,
+    Body, Expr, Fidelity, INERTIAL, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity, Space,
 };
 use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
 
@@ -465,7 +465,11 @@ impl Parts<'_> {
                 let _ = writeln!(arms, "({index}, false) => {{ {} }}", call(kernels));
             }
             if let Some(kernels) = absolute {
-                let _ = writeln!(arms, "({index}, _) => {{ {} }}", call(kernels));
+                // Where the body's frame moves freely, nothing is known in it of a prescribed one.
+                let body = self.model.joints[index].body;
+                let unknown = referenced.is_none() && self.model.bodies[body.0].frame != INERTIAL;
+                let absolute = if unknown { "true" } else { "_" };
+                let _ = writeln!(arms, "({index}, {absolute}) => {{ {} }}", call(kernels));
             }
         }
         format!("match (joint, absolute) {{\n{arms}_ => {{}}\n}}\n")

@@ -33,7 +33,7 @@ struct Rows<'m> {
     model: &'m Model,
     count: usize,
     rows: Vec<Expr>,
-    /// Name of the functions without the last word, and what they belong to.
+    /// Last word of the functions' names, and what they belong to.
     name: String,
     title: String,
     /// Formulas in words.
@@ -63,7 +63,7 @@ pub fn constraint_kernels(model: &Model) -> Vec<ConstraintKernels> {
         }
         let of: Vec<usize> = (index..local.len()).filter(|&other| local[other] == *rows).collect();
         let first = &model.constraints[index];
-        let name = function_name("constraint", &first.name, &names);
+        let name = function_name(&first.name, &names);
         names.push(name.clone());
         let members = of.iter().map(|&other| model.constraints[other].name.as_str());
         let mut rows = Rows {
@@ -116,13 +116,15 @@ impl Rows<'_> {
     fn kernel(
         &self,
         marked: Marked,
-        suffix: &str,
+        what: &str,
         title: &str,
         outputs: Vec<(String, Id)>,
         arguments: &[&str],
     ) -> Kernel {
         let title = format!("{}: {title}", self.title);
-        let mut kernel = marked.time.kernel(format!("{}_{suffix}", self.name), title, outputs);
+        let mut kernel = marked
+            .time
+            .kernel(format!("constraint_{what}_{}", self.name), title, outputs);
         kernel
             .arguments
             .extend(arguments.iter().map(|argument| argument.to_string()));

@@ -77,13 +77,12 @@ impl<'m> Marked<'m> {
     }
 }
 
-/// A name for a function, of letters, digits and underscores, that none of the others has.
-pub fn function_name(prefix: &str, name: &str, taken: &[String]) -> String {
-    let word: String = name
+/// The last word of function names: letters, digits and underscores, and none of those taken.
+pub fn function_name(name: &str, taken: &[String]) -> String {
+    let wanted: String = name
         .chars()
         .map(|letter| if letter.is_alphanumeric() { letter } else { '_' })
         .collect();
-    let wanted = format!("{prefix}_{word}");
     let mut free = wanted.clone();
     let mut count = 2;
     while taken.contains(&free) {
