@@ -385,7 +385,7 @@ impl Parts<'_> {
             let v = if self.variant(index).variant.damped { "v, " } else { "" };
             let size = self.variant(index).variant.size(self.library);
             let inertial = format!("{name}_absolute_inertia_force(&self.row_{row}, frame, a, force);");
-            let inertia = if body.frame == crate::model::INERTIAL {
+            let inertia = if body.frame == INERTIAL {
                 inertial
             } else {
                 format!("if absolute {{ {inertial} }} else {{ {name}_inertia_force(&self.row_{row}, frame, q, v, a, force); }}")
@@ -399,7 +399,7 @@ impl Parts<'_> {
             let size = self.variant(index).variant.size(self.library);
             let damped = self.variant(index).variant.damped;
             let (v, damping) = if damped { ("v, ", ", damping_matrix") } else { ("", "") };
-            let inertial = body.frame == crate::model::INERTIAL;
+            let inertial = body.frame == INERTIAL;
             // An undamped body at rest has no velocity terms: no kernel would fix the matrix's size.
             let matrix = if damped || !inertial {
                 "let damping_matrix = ::rncf::mesh::array_mut(damping);\n"
