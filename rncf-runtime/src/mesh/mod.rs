@@ -4,14 +4,19 @@
 //! here is the same for all models: numbering, assembly, elimination, initial states.
 
 mod assembly;
+mod carried;
 mod checks;
 mod conditions;
 mod evaluate;
+mod fixtures;
 mod frame;
+mod frames;
 mod free;
 mod layout;
 mod line;
+mod linked;
 mod markers;
+mod mean_axes;
 mod outputs;
 mod parts;
 mod scene;

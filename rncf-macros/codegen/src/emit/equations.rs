@@ -99,10 +99,15 @@ impl Equations {
         }
         let mut fixtures: Vec<FixtureKernels> = Vec::new();
         for fixture in &model.fixtures {
-            let dimension = model.bodies[fixture.body.0].space.dimension();
-            if fixtures.iter().all(|other| other.dimension != dimension) {
+            let body = &model.bodies[fixture.body.0];
+            let dimension = body.space.dimension();
+            let found = fixtures.iter().position(|other| other.dimension == dimension);
+            let index = found.unwrap_or_else(|| {
                 fixtures.push(carried::fixture_kernels(dimension));
-            }
+                fixtures.len() - 1
+            });
+            fixtures[index].moving |= body.frame != INERTIAL;
+            fixtures[index].free |= is_free(model, body.frame);
         }
         let frames = model.frames.iter().enumerate().skip(1);
         let prescribed = frames.clone().filter(|(_, frame)| frame.free.is_none());
@@ -171,8 +176,13 @@ impl Equations {
             kernels.extend([&carried.force, &carried.tangent]);
         }
         for fixture in &self.fixtures {
-            kernels.extend([&fixture.referenced, &fixture.referenced_tangent, &fixture.absolute]);
-            kernels.extend([&fixture.carried.force, &fixture.carried.tangent]);
+            kernels.push(&fixture.absolute);
+            if fixture.moving {
+                kernels.extend([&fixture.referenced, &fixture.referenced_tangent]);
+            }
+            if fixture.free {
+                kernels.extend([&fixture.carried.force, &fixture.carried.tangent]);
+            }
         }
         kernels.extend(self.frames.iter().chain(&self.free).map(|(_, kernel)| kernel));
         kernels.extend(&self.loads);

@@ -213,16 +213,24 @@ impl Parts<'_> {
         };
         let array = "::rncf::mesh::array";
         let force = by_dimension(&|kernels| {
-            format!(
-                "let force = {array}_mut(force);\nif absolute {{ {}(constants, frame, {array}(a), force); }} else {{ {}(constants, frame, {array}(q), {array}(v), {array}(a), force); }}\n",
-                kernels.absolute.name, kernels.referenced.name
-            )
+            let absolute = format!(
+                "{}(constants, frame, {array}(a), {array}_mut(force));",
+                kernels.absolute.name
+            );
+            if !kernels.moving {
+                return absolute;
+            }
+            let name = &kernels.referenced.name;
+            let moving = format!("{name}(constants, frame, {array}(q), {array}(v), {array}(a), {array}_mut(force));");
+            format!("if absolute {{ {absolute} }} else {{ {moving} }}\n")
         });
         let tangent = by_dimension(&|kernels| {
-            format!(
-                "if !absolute {{ {}(constants, frame, {array}_mut(stiffness), {array}_mut(damping)); }}\n",
-                kernels.referenced_tangent.name
-            )
+            if !kernels.moving {
+                return String::new();
+            }
+            let name = &kernels.referenced_tangent.name;
+            let call = format!("{name}(constants, frame, {array}_mut(stiffness), {array}_mut(damping));");
+            format!("if !absolute {{ {call} }}\n")
         });
         let _ = writeln!(
             text,
@@ -292,7 +300,7 @@ impl Parts<'_> {
                 let _ = writeln!(arms, "::rncf::mesh::Carried::Element {{ body: {index} }} => {call},");
             }
         }
-        for fixture in &self.equations.fixtures {
+        for fixture in self.equations.fixtures.iter().filter(|fixture| fixture.free) {
             let (dimension, call) = (fixture.dimension, call(&fixture.carried, "constants"));
             let _ = writeln!(
                 arms,

@@ -9,7 +9,7 @@ use crate::lower::camel_case;
 use crate::lower::joints::LEVELS;
 use crate::lower::motions::Time;
 use crate::model::{
-    Body, Expr, Fidelity, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity, Space,
+    Body, Expr, Fidelity, INERTIAL, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity, Space,
 };
 use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
 
@@ -385,7 +385,7 @@ impl Parts<'_> {
             let v = if self.variant(index).variant.damped { "v, " } else { "" };
             let size = self.variant(index).variant.size(self.library);
             let inertial = format!("{name}_absolute_inertia_force(&self.row_{row}, frame, a, force);");
-            let inertia = if body.frame == crate::model::INERTIAL {
+            let inertia = if body.frame == INERTIAL {
                 inertial
             } else {
                 format!("if absolute {{ {inertial} }} else {{ {name}_inertia_force(&self.row_{row}, frame, q, v, a, force); }}")
@@ -399,7 +399,7 @@ impl Parts<'_> {
             let size = self.variant(index).variant.size(self.library);
             let damped = self.variant(index).variant.damped;
             let (v, damping) = if damped { ("v, ", ", damping_matrix") } else { ("", "") };
-            let inertial = body.frame == crate::model::INERTIAL;
+            let inertial = body.frame == INERTIAL;
             // An undamped body at rest has no velocity terms: no kernel would fix the matrix's size.
             let matrix = if damped || !inertial {
                 "let damping_matrix = ::rncf::mesh::array_mut(damping);\n"
@@ -465,7 +465,11 @@ impl Parts<'_> {
                 let _ = writeln!(arms, "({index}, false) => {{ {} }}", call(kernels));
             }
             if let Some(kernels) = absolute {
-                let _ = writeln!(arms, "({index}, _) => {{ {} }}", call(kernels));
+                // Where the body's frame moves freely, nothing is known in it of a prescribed one.
+                let body = self.model.joints[index].body;
+                let unknown = referenced.is_none() && self.model.bodies[body.0].frame != INERTIAL;
+                let absolute = if unknown { "true" } else { "_" };
+                let _ = writeln!(arms, "({index}, {absolute}) => {{ {} }}", call(kernels));
             }
         }
         format!("match (joint, absolute) {{\n{arms}_ => {{}}\n}}\n")

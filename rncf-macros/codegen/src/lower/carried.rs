@@ -39,6 +39,10 @@ pub struct FixtureKernels {
     pub absolute: Kernel,
     /// What a free frame feels.
     pub carried: CarriedKernels,
+    /// Whether a fixture of this dimension is on a body in a moving frame.
+    pub moving: bool,
+    /// Whether one is on a body in a free frame.
+    pub free: bool,
 }
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -100,6 +104,8 @@ struct Carrier {
     moments: Vec<Id>,
     /// M_ab.
     mass: Vec<Vec<Id>>,
+    /// Order of each nodal vector: 0 position, 1 slope.
+    orders: Vec<usize>,
     /// q, q', q''.
     states: [Vec<Vector>; 3],
     frame: FrameSymbols,
@@ -108,6 +114,7 @@ struct Carrier {
 impl Carrier {
     fn element(variant: &Variant, library: &Library) -> Self {
         let mut inertia = Inertia::new(variant, library);
+        let vectors = variant.declaration(library).vectors;
         let unit = unit_mass(variant, library);
         let count = unit.len();
         let mass = (0..count).map(|a| (0..count).map(|b| inertia.entry(&unit, a, b)).collect());
@@ -120,6 +127,7 @@ impl Carrier {
             graph: inertia.graph,
             moments,
             mass,
+            orders: vectors.iter().map(|vector| vector.order).collect(),
             states,
             frame,
         }
@@ -141,6 +149,7 @@ impl Carrier {
             total: m,
             moments: vec![m, m1],
             mass: vec![vec![m, m1], vec![m1, m2]],
+            orders: vec![0, 1],
             states,
             frame,
         }
@@ -216,36 +225,69 @@ impl Carrier {
         rows
     }
 
+    /// R_a with the sums over b taken first, `M_ab q_b` and `M_ab q'_b`, and F and T as sums over a:
+    /// the same numbers, with cheaper derivatives with respect to w.
+    fn summed(&mut self) -> (Vec<Id>, Vec<Id>) {
+        let [positions, velocities, accelerations] = self.states.clone();
+        let zero = self.graph.zero();
+        let (mut residual, mut force) = (Vec::new(), vec![zero; self.dimension()]);
+        let mut turning = vec![zero; turns(self.dimension())];
+        let two = self.graph.number(2.0);
+        for (a, place) in positions.iter().enumerate() {
+            let weights = self.mass[a].clone();
+            let [position, velocity, relative] =
+                [&positions, &velocities, &accelerations].map(|vectors| self.weighted(&weights, vectors));
+            let graph = &mut self.graph;
+            let rate = cross(graph, &self.frame.spin, &velocity);
+            let inner = cross(graph, &self.frame.spin, &position);
+            let terms = [
+                graph.scale(self.moments[a], &self.frame.origin),
+                graph.scale(two, &rate),
+                cross(graph, &self.frame.spin_rate, &position),
+                cross(graph, &self.frame.spin, &inner),
+            ];
+            let row = terms.iter().fold(relative, |sum, term| graph.add_vectors(&sum, term));
+            if self.orders[a] == 0 {
+                force = graph.add_vectors(&force, &row);
+            }
+            let part = moment(graph, place, &row);
+            turning = graph.add_vectors(&turning, &part);
+            residual.extend(row);
+        }
+        force.extend(turning);
+        (residual, force)
+    }
+
     /// The blocks of the tangent.
     fn tangent(&mut self) -> Vec<(String, Id)> {
-        let (force, residual) = (self.force(), self.residual(true));
+        let force = self.force();
+        let (residual, summed) = self.summed();
         let [q, v, a] = self.states.clone().map(|vectors| vectors.concat());
-        let (e, w, dw) = (
-            self.frame.origin.clone(),
-            self.frame.spin.clone(),
-            self.frame.spin_rate.clone(),
-        );
-        let mut outputs = derivatives(&mut self.graph, &force, &[e, dw, a].concat(), "mass");
-        outputs.extend(derivatives(
-            &mut self.graph,
-            &force,
-            &[w.clone(), v].concat(),
-            "damping",
-        ));
-        outputs.extend(derivatives(&mut self.graph, &residual, &w, "spin"));
-        outputs.extend(derivatives(&mut self.graph, &force, &q, "stiffness"));
+        let [e, w, dw] = [&self.frame.origin, &self.frame.spin, &self.frame.spin_rate].map(Vec::clone);
+        let graph = &mut self.graph;
+        let mut outputs = derivatives(graph, &force, &[e, dw, a].concat(), "mass");
+        let width = w.len() + v.len();
+        outputs.extend(block(graph, &summed, &w, "damping", (width, 0)));
+        outputs.extend(block(graph, &force, &v, "damping", (width, w.len())));
+        outputs.extend(derivatives(graph, &residual, &w, "spin"));
+        outputs.extend(derivatives(graph, &force, &q, "stiffness"));
         outputs
     }
 }
 
 /// Derivatives that are not zero, rows first.
 pub(super) fn derivatives(graph: &mut Graph, rows: &[Id], with: &[Id], name: &str) -> Vec<(String, Id)> {
+    block(graph, rows, with, name, (with.len(), 0))
+}
+
+/// The same in a matrix of a given width, from a given column on.
+fn block(graph: &mut Graph, rows: &[Id], with: &[Id], name: &str, (width, from): (usize, usize)) -> Vec<(String, Id)> {
     let mut outputs = Vec::new();
     for (row, &of) in rows.iter().enumerate() {
         for (column, &symbol) in with.iter().enumerate() {
             let derivative = graph.partial(of, symbol);
             if !graph.is_zero(derivative) {
-                outputs.push((format!("{name}[{}]", row * with.len() + column), derivative));
+                outputs.push((format!("{name}[{}]", row * width + from + column), derivative));
             }
         }
     }
@@ -446,6 +488,8 @@ pub fn fixture_kernels(dimension: usize) -> FixtureKernels {
         referenced_tangent,
         absolute: residual(false),
         carried,
+        moving: false,
+        free: false,
     }
 }
 

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use super::carried::{derivatives, values};
 use super::joints::LEVELS;
 use super::kernel::Kernel;
-use super::markers::{Marked, function_name, list, localise};
+use super::markers::{Marked, describe, function_name, list, localise};
 use crate::model::{Expr, Model};
 use crate::symbolic::Id;
 
@@ -33,11 +33,13 @@ struct Rows<'m> {
     model: &'m Model,
     count: usize,
     rows: Vec<Expr>,
-    /// Name of the functions without the last word, and what they belong to.
+    /// Last word of the functions' names, and what they belong to.
     name: String,
     title: String,
     /// Formulas in words.
     formulas: Vec<String>,
+    /// What z is.
+    markers: String,
 }
 
 /// The functions of all constraints of a model, each once.
@@ -61,7 +63,7 @@ pub fn constraint_kernels(model: &Model) -> Vec<ConstraintKernels> {
         }
         let of: Vec<usize> = (index..local.len()).filter(|&other| local[other] == *rows).collect();
         let first = &model.constraints[index];
-        let name = function_name("constraint", &first.name, &names);
+        let name = function_name(&first.name, &names);
         names.push(name.clone());
         let members = of.iter().map(|&other| model.constraints[other].name.as_str());
         let mut rows = Rows {
@@ -71,8 +73,10 @@ pub fn constraint_kernels(model: &Model) -> Vec<ConstraintKernels> {
             name,
             title: format!("Constraint {} ({})", list(members), first.kind),
             formulas: Vec::new(),
+            markers: String::new(),
         };
         rows.formulas = rows.formulas(&first.rows);
+        rows.markers = describe(model, &first.name, &first.markers);
         kernels.push(rows.kernels(of));
     }
     kernels
@@ -112,13 +116,15 @@ impl Rows<'_> {
     fn kernel(
         &self,
         marked: Marked,
-        suffix: &str,
+        what: &str,
         title: &str,
         outputs: Vec<(String, Id)>,
         arguments: &[&str],
     ) -> Kernel {
         let title = format!("{}: {title}", self.title);
-        let mut kernel = marked.time.kernel(format!("{}_{suffix}", self.name), title, outputs);
+        let mut kernel = marked
+            .time
+            .kernel(format!("constraint_{what}_{}", self.name), title, outputs);
         kernel
             .arguments
             .extend(arguments.iter().map(|argument| argument.to_string()));
@@ -155,6 +161,7 @@ impl Rows<'_> {
         let mut kernel = self.kernel(marked, LEVELS[level], what[level], values(&rows, "rows"), &arguments);
         if level == 0 {
             kernel.doc.push(self.formulas.join("\n"));
+            kernel.doc.push(self.markers.clone());
         }
         kernel
     }

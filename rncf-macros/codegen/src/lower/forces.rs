@@ -3,7 +3,7 @@
 
 use super::carried::derivatives;
 use super::kernel::Kernel;
-use super::markers::{Marked, function_name, list, localise};
+use super::markers::{Marked, describe, function_name, list, localise};
 use crate::model::{Expr, Model};
 use crate::symbolic::Id;
 
@@ -43,7 +43,7 @@ pub fn force_kernels(model: &Model) -> Vec<ForceKernels> {
             continue;
         }
         let of: Vec<usize> = (index..local.len()).filter(|&other| local[other] == *law).collect();
-        let name = function_name("marker_force", &model.forces[index].name, &names);
+        let name = function_name(&model.forces[index].name, &names);
         names.push(name.clone());
         let title = format!(
             "Force {}",
@@ -56,6 +56,7 @@ pub fn force_kernels(model: &Model) -> Vec<ForceKernels> {
             components,
             name,
             title,
+            markers: describe(model, &model.forces[index].name, &model.forces[index].markers),
         };
         kernels.push(ForceKernels {
             of,
@@ -73,19 +74,23 @@ struct Law<'m> {
     components: &'m [Expr],
     name: String,
     title: String,
+    /// What z is.
+    markers: String,
 }
 
 impl Law<'_> {
     fn kernel(
         &self,
         marked: Marked,
-        suffix: &str,
+        what: &str,
         title: &str,
         outputs: Vec<(String, Id)>,
         arguments: &[&str],
     ) -> Kernel {
         let title = format!("{}: {title}", self.title);
-        let mut kernel = marked.time.kernel(format!("{}{suffix}", self.name), title, outputs);
+        let mut kernel = marked
+            .time
+            .kernel(format!("force_{what}_{}", self.name), title, outputs);
         kernel
             .arguments
             .extend(arguments.iter().map(|argument| argument.to_string()));
@@ -115,7 +120,9 @@ impl Law<'_> {
         let outputs = outputs.map(|(place, &id)| (format!("out[{place}]"), id)).collect();
         let title = "writes f(z, z', t) on its markers, inertial axes; entries that are always zero are left alone.";
         let arguments = ["z: &[[f64; 3]]", "velocity: &[[f64; 3]]", "out: &mut [f64]"];
-        self.kernel(marked, "", title, outputs, &arguments)
+        let mut kernel = self.kernel(marked, "value", title, outputs, &arguments);
+        kernel.doc.push(self.markers.clone());
+        kernel
     }
 
     fn tangent(&self) -> Option<Kernel> {
@@ -131,7 +138,7 @@ impl Law<'_> {
             "by_value: &mut [f64]",
             "by_velocity: &mut [f64]",
         ];
-        (!outputs.is_empty()).then(|| self.kernel(marked, "_tangent", title, outputs, &arguments))
+        (!outputs.is_empty()).then(|| self.kernel(marked, "tangent", title, outputs, &arguments))
     }
 
     fn energy(&self, energy: &Expr) -> Kernel {
@@ -140,7 +147,7 @@ impl Law<'_> {
         let outputs = vec![("*energy".to_string(), energy)];
         self.kernel(
             marked,
-            "_energy",
+            "energy",
             "its potential (J).",
             outputs,
             &["z: &[[f64; 3]]", "energy: &mut f64"],

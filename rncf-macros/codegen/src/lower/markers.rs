@@ -2,7 +2,7 @@
 //! their own lists, so that joints of one kind share their functions.
 
 use super::motions::Time;
-use crate::model::{Expr, MarkerId, Model, Observable};
+use crate::model::{Expr, Marker, MarkerId, Model, Observable};
 use crate::symbolic::Id;
 
 /// An expression with its markers counted in a constraint's or force's own list.
@@ -77,13 +77,12 @@ impl<'m> Marked<'m> {
     }
 }
 
-/// A name for a function, of letters, digits and underscores, that none of the others has.
-pub fn function_name(prefix: &str, name: &str, taken: &[String]) -> String {
-    let word: String = name
+/// The last word of function names: letters, digits and underscores, and none of those taken.
+pub fn function_name(name: &str, taken: &[String]) -> String {
+    let wanted: String = name
         .chars()
         .map(|letter| if letter.is_alphanumeric() { letter } else { '_' })
         .collect();
-    let wanted = format!("{prefix}_{word}");
     let mut free = wanted.clone();
     let mut count = 2;
     while taken.contains(&free) {
@@ -97,4 +96,25 @@ pub fn function_name(prefix: &str, name: &str, taken: &[String]) -> String {
 pub fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     let names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
     names.join(", ")
+}
+
+/// What the vectors z are, for documentation.
+pub fn describe(model: &Model, name: &str, markers: &[MarkerId]) -> String {
+    let frame = |frame: &crate::model::FrameId| format!("`{}`", model.frames[frame.0].name);
+    let body = |body: &crate::model::BodyId| format!("`{}`", model.bodies[body.0].name);
+    let words = markers.iter().enumerate().map(|(place, marker)| {
+        let what = match &model.markers[marker.0] {
+            Marker::Point { frame: of, .. } => format!("a point of {}", frame(of)),
+            Marker::Direction { frame: of, .. } => format!("a direction of {}", frame(of)),
+            Marker::BodyPoint { body: of, .. } => format!("a place on {}", body(of)),
+            Marker::BodySlope { body: of, .. } => format!("a slope of {}", body(of)),
+            Marker::Turn { frame: of } => format!("the turning of {}", frame(of)),
+            Marker::Angle { frame: of } => format!("the angle of {}", frame(of)),
+            Marker::Matching { frame: of, .. } => format!("fixed in {}, where another vector starts", frame(of)),
+            Marker::Normal { frame: of, .. } => format!("fixed in {}, normal to a direction at the start", frame(of)),
+        };
+        format!("`z[{place}]` {what}")
+    });
+    let words: Vec<String> = words.collect();
+    format!("Of `{name}`: {} (inertial axes).", words.join("; "))
 }

@@ -198,14 +198,16 @@ pub(super) fn unit(axis: [f64; 3]) -> [f64; 3] {
     axis.map(|x| x / size)
 }
 
-/// Motion of a frame: pose, velocity, acceleration, spin and its rate.
+/// Motion of a frame: pose, velocity, acceleration and jerk; spin and its first two derivatives.
 pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
     let mut time = Time::new(model);
     let (rotation, position) = time.pose(frame);
     let velocity = time.derivatives(&position);
     let acceleration = time.derivatives(&velocity);
+    let jerk = time.derivatives(&acceleration);
     let spin = time.spin(frame);
     let spin_rate = time.derivatives(&spin);
+    let spin_jerk = time.derivatives(&spin_rate);
     let mut outputs = Vec::new();
     for (name, vector) in [
         ("position", &position),
@@ -213,6 +215,8 @@ pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
         ("acceleration", &acceleration),
         ("spin", &spin),
         ("spin_rate", &spin_rate),
+        ("jerk", &jerk),
+        ("spin_jerk", &spin_jerk),
     ] {
         outputs.extend(
             vector
@@ -237,7 +241,7 @@ pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
         );
     }
     let declaration = &model.frames[frame.0];
-    let title = format!("Motion of frame `{}` and its first two derivatives.", declaration.name);
+    let title = format!("Motion of frame `{}` and its first three derivatives.", declaration.name);
     let mut kernel = time.kernel(format!("frame_{}", declaration.name), title, outputs);
     kernel
         .arguments

@@ -126,7 +126,7 @@ fn fixtures() {
         );
         // At rest the moving frame is the inertial one.
         let [_, w, dw] = frame_names(dimension);
-        w.into_iter().chain(dw).for_each(|name| drop(inputs.insert(name, 0.0)));
+        inputs.extend(w.into_iter().chain(dw).map(|name| (name, 0.0)));
         let (moving, inertial) = (
             evaluate(&kernels.referenced, &inputs),
             evaluate(&kernels.absolute, &inputs),

@@ -24,7 +24,7 @@ fn only_what_is_needed_is_written() {
         "fn fixture_planar_inertia_force(",
         "fn rigid_carried_tangent(",
         "fn marker_constraint_hessian(",
-        "0 | 2 => constraint_pin_gradient(",
+        "0 | 2 => constraint_gradient_pin(",
         "fn joint_root_referenced_position(",
         "Fidelity::Small(3)",
         "mean_axes: true",
@@ -37,7 +37,7 @@ fn only_what_is_needed_is_written() {
     for absent in [
         "fn frame_hub(",
         "fn joint_root_absolute_position(",
-        "constraint_pin_hessian",
+        "constraint_hessian_pin",
     ] {
         assert!(!text.contains(absent), "{absent} should not be there");
     }
