@@ -113,7 +113,7 @@ impl<'a> Check<'a> {
                 .bodies
                 .get(item.name.text.as_str())
                 .and_then(|body| body.frame)
-                .is_none_or(|frame| self.is_free(frame));
+                .is_some_and(|frame| self.is_free(frame));
             if !tied.contains(&BodyId(at)) && !is_carried {
                 let ItemKind::Body { frame, .. } = &item.kind else {
                     continue;
