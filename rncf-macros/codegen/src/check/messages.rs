@@ -99,7 +99,7 @@ messages! {
     missing_property(kind, name, property, element, need) = "{kind} `{name}` has no `{property}`, which `{element}` needs ({need})";
     plane_axis(plane, axis) = "what moves in the {plane} plane turns about {axis}: leave out `axis`";
     leaves_own_plane(what, plane, axis) = "{what} leaves the {plane} plane: its {axis} component must be 0";
-    point_mass(name, word) = "`{name}` is a point mass, which does not turn: leave out `{word}`, or give it `inertia`";
+    point_mass(name, word) = "`{name}` is a point mass, which does not turn: leave out `{word}`, or give `{name}` an inertia of its own";
     nested_free(name, parent) = "`{parent}` moves freely, and nothing moves freely in it: declare `{name}` in `inertial`, and join the two";
     prescribed_in_free(parent) = "`{parent}` moves freely, and nothing is prescribed in it: use places such as `{parent}.at([0, 0, 0] m)`, or join a rigid body with a `drive`";
     turning_parent(kind, turning) = "`{kind}` needs axes that do not turn, but `{turning}`, which carries it, does: declare it in `inertial` or in a `moving` frame";
@@ -113,9 +113,9 @@ messages! {
     fixture_on_prescribed(name) = "`{name}` moves in the prescribed way, so that a mass on it does nothing: put the fixture on a free frame, a rigid body or a flexible one";
     fixture_on_mean_axes(name, body) = "`{name}` follows the mean axes of `{body}` and carries nothing else: put the fixture on `{body}`";
     carries_nothing(frame) = "`{frame}` moves freely but carries nothing: put a body in it (`body .. in {frame}`), a `fixture .. on {frame}`, or leave it out";
-    not_held(body, motions, frame) = "nothing holds `{body}` against {motions} in its free frame `{frame}`: tie it with `clamp(..)`, `pin(..)` or `hold(..)` to `{frame}`, with `mean_axes;`, or add a constraint that turns or moves `{frame}`";
+    not_held(body, motions, frame) = "nothing holds `{body}` against {motions} of its free frame `{frame}`: tie it with `clamp(..)`, `pin(..)` or `hold(..)` to `{frame}`, with `mean_axes;`, or add a constraint that turns or moves `{frame}`";
     lacks_inertia(frame, motions) = "`{frame}` has no inertia against {motions}, and nothing holds it: give it `inertia`, or tie what it carries to it";
-    tied_twice(what, name, frame) = "{what} `{name}` holds `{frame}` a second time: a free frame without mass of its own is tied once by each motion that it has; join the bodies with each other instead, or make it a body with `fixture .. on {frame}`";
+    tied_twice(what, name, frame) = "`{frame}` is held a second time, by {what} `{name}`: a free frame without mass of its own needs exactly as many ties as it has motions; join the bodies with each other instead, or give the frame mass with a `fixture .. on {frame}`";
     lacks_field(kind, name, field, example) = "{kind} `{name}` has no `{field}`: write e.g. `{example}`";
     rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body `spatial`";
     origin_leaves_plane(frame, plane, axis) = "frame `{frame}` leaves the {plane} plane of the body: the {axis} component of its origin must be 0, or the body `spatial`";
