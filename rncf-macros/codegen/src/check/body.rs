@@ -8,9 +8,7 @@ use super::quantity::{Vector, Wanted};
 use super::{Check, fold, say};
 use crate::elements::Element;
 use crate::errors::Area;
-use crate::model::{
-    Body, BodyId, ElementId, Evaluation, Expr as Value, Fidelity, FrameId, INERTIAL, Line, Quadrature, Space,
-};
+use crate::model::{Body, BodyId, ElementId, Evaluation, Expr as Value, FrameId, INERTIAL, Line, Quadrature, Space};
 use crate::parse::tree::{Argument, Call, Expr, ExprKind, Fields, Item, ItemKind, Keyword, Name, Statement};
 use crate::suggest;
 use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
@@ -87,14 +85,21 @@ impl<'a> Check<'a> {
         };
         known.frame = frame.as_ref().map_or(Some(INERTIAL), |frame| self.frame(frame));
         known.space = self.space(item, statements, *complete);
-        if let (Some(frame_id), Some(normal)) = (known.frame, known.space.and_then(normal)) {
+        if let Some(frame_id) = known.frame
+            && self.has_axes(frame_id, frame.as_ref())
+            && let Some(normal) = known.space.and_then(normal)
+        {
             let area = frame.as_ref().map_or(item.name.span, |frame| frame.span);
             self.keeps_plane(frame_id, normal, area);
         }
         let line = self.line(item, statements, *complete, &mut known);
         let mesh = self.mesh(item, statements, *complete, known.space);
+        let fidelity = self.fidelity(statements);
+        let mean_axes = self.mean_axes(statements, known.frame, known.space);
         self.bodies.insert(item.name.text.as_str(), known);
-        if let (Some(frame), Some(space), Some(line), Some(mesh)) = (known.frame, known.space, line, mesh) {
+        if let (Some(frame), Some(space), Some(line), Some(mesh), Some(fidelity)) =
+            (known.frame, known.space, line, mesh, fidelity)
+        {
             self.model.bodies.push(Body {
                 name: item.name.text.clone(),
                 doc: item.doc.clone(),
@@ -109,8 +114,8 @@ impl<'a> Check<'a> {
                 properties: mesh.properties,
                 quadrature: mesh.quadrature,
                 evaluation: mesh.evaluation,
-                fidelity: Fidelity::Full,
-                mean_axes: false,
+                fidelity,
+                mean_axes,
             });
         }
     }

@@ -57,7 +57,7 @@ impl<'a> Check<'a> {
             }
             markers.extend(own.into_iter().filter(|marker| !markers.contains(marker)).collect::<Vec<_>>());
         }
-        self.tie_all(&markers);
+        self.note_all_held(&markers);
         let (markers, first_party) = self.first_party(markers);
         let rows = Rows {
             markers,
@@ -98,10 +98,10 @@ impl<'a> Check<'a> {
     }
 
     /// Notes the bodies of markers as held.
-    pub(super) fn tie_all(&mut self, markers: &[MarkerId]) {
+    pub(super) fn note_all_held(&mut self, markers: &[MarkerId]) {
         for marker in markers {
             if let Owner::Body(body) = self.owner(*marker) {
-                self.tie(body);
+                self.note_held(body);
             }
         }
     }

@@ -175,13 +175,21 @@ impl<'a> Check<'a> {
     pub(super) fn flat_vector(&mut self, expr: &'a Expr, wanted: Wanted, normal: Option<usize>) -> Option<Vector> {
         let vector = self.vector(expr, Scope::Parameter, wanted)?;
         if let Some(normal) = normal
-            && fold::constant(&vector.values[normal]) != Some(0.0)
+            && !self.is_flat(&vector, normal, wanted.what)
         {
-            let message = say::leaves_own_plane(wanted.what, plane(normal), AXES[normal]);
-            self.errors.at(vector.areas[normal], message);
             return None;
         }
         Some(vector)
+    }
+
+    /// Whether a vector lies in the plane of what moves in one.
+    pub(super) fn is_flat(&mut self, vector: &Vector, normal: usize, what: &str) -> bool {
+        let is_flat = fold::constant(&vector.values[normal]) == Some(0.0);
+        if !is_flat {
+            let message = say::leaves_own_plane(what, plane(normal), AXES[normal]);
+            self.errors.at(vector.areas[normal], message);
+        }
+        is_flat
     }
 
     /// Refuses what has no meaning in a plane.
@@ -274,7 +282,7 @@ impl<'a> Check<'a> {
                     "hinged"
                 };
                 if let Some(turning) = self.turns(parent) {
-                    let message = say::turning_parent(kind, &word.text, &turning);
+                    let message = say::turning_parent(kind, &turning);
                     self.errors.at(word.span, message);
                     return None;
                 }

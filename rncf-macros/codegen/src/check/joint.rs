@@ -90,7 +90,7 @@ impl<'a> Check<'a> {
                 self.joint(item, call, &mut known, &mut held);
             }
             if let Some(body) = known.body {
-                self.tie(body.id);
+                self.note_held(body.id);
             } else if self.errors.len() > before || Self::is_broken(item) {
                 self.tied = None;
             }
@@ -99,7 +99,7 @@ impl<'a> Check<'a> {
     }
 
     /// Notes that something holds a body.
-    pub(super) fn tie(&mut self, body: BodyId) {
+    pub(super) fn note_held(&mut self, body: BodyId) {
         if let Some(tied) = &mut self.tied {
             tied.push(body);
         }
@@ -113,11 +113,16 @@ impl<'a> Check<'a> {
                 .bodies
                 .get(item.name.text.as_str())
                 .and_then(|body| body.frame)
-                .is_some_and(|frame| self.is_free(frame));
+                .is_none_or(|frame| self.is_free(frame));
             if !tied.contains(&BodyId(at)) && !is_carried {
                 let ItemKind::Body { frame, .. } = &item.kind else {
                     continue;
                 };
+                // A free frame needs ties of its own.
+                let carrier = self.bodies.get(item.name.text.as_str()).and_then(|body| body.frame);
+                if carrier.is_none_or(|frame| self.model.frames[frame.0].free.is_some()) {
+                    continue;
+                }
                 let frame = frame.as_ref().map_or("inertial", |frame| frame.text.as_str());
                 self.errors.at(item.name.span, say::floating(&item.name.text, frame));
             }
@@ -179,7 +184,7 @@ impl<'a> Check<'a> {
         let (first, mut second) = (first?, second?);
         for hold in [&first, &second] {
             if let Spot::Flexible(place) = &hold.spot {
-                self.tie(place.body.id);
+                self.note_held(place.body.id);
             }
         }
         if let (Some(kind), Some(frame)) = (self.eliminated(word, &first, &second), second.frame()) {

@@ -58,6 +58,12 @@ pub const FOLLOWER_IN_SPACE: &str = "in space nothing says where across the tang
 pub const AXES_OF_LOAD: &str = "the components stand in the axes of another frame already: leave out `in`, or make them components in it with `.in(..)`";
 pub const NO_OUTPUT: &str = "the model has no output: add e.g. `output u = beam.end.x;`";
 
+pub const FIXTURE_PLACE: &str =
+    "a place for a fixture is expected here: `arm`, `arm.at([1, 0, 0] m)`, `beam.end` or `beam.at(4 m)`";
+pub const MEAN_AXES_IN_SPACE: &str =
+    "mean axes of a spatial body turn in space, but its frame moves in a plane: leave out `plane`";
+pub const NOT_MODES: &str =
+    "a number of modes is a whole number of at least 1: write e.g. `4`, or a `param n: count = 4;`";
 pub const LONE_AXIS: &str = "an axis does nothing without an angle about it: add `angle = 30 deg`";
 pub const LONE_ANGLE: &str = "an angle needs its axis: add `axis = z`, or `plane = xy` where all moves in a plane";
 pub const LONE_SPEED: &str = "`speed` is that of the angle in a plane or about a hinge: add `plane = xy`, or write `angular_velocity = [..] rad/s`";
@@ -105,6 +111,7 @@ messages! {
     exponent_dimension(found) = "an exponent is a plain number, but this is {found}";
     exponent_constant(found) = "the exponent of {found} must be a constant such as `2` or `(1/2)`";
     quantity_as_count(name) = "`{name}` is a quantity; a mesh needs a count: declare `param {name}: count = 6;`";
+    quantity_as_modes(name) = "`{name}` is a quantity; modes need a count: declare `param {name}: count = 4;`";
     positive(what) = "{what} must be greater than zero";
     not_negative(what) = "{what} must not be negative";
     missing_statement(body, what) = "body `{body}` lacks {what}";
@@ -113,13 +120,23 @@ messages! {
     missing_property(kind, name, property, element, need) = "{kind} `{name}` has no `{property}`, which `{element}` needs ({need})";
     plane_axis(plane, axis) = "what moves in the {plane} plane turns about {axis}: leave out `axis`";
     leaves_own_plane(what, plane, axis) = "{what} leaves the {plane} plane: its {axis} component must be 0";
-    point_mass(name, word) = "`{name}` is a point mass, which does not turn: leave out `{word}`, or give it `inertia`";
+    point_mass(name, word) = "`{name}` is a point mass, which does not turn: leave out `{word}`, or give `{name}` an inertia of its own";
     nested_free(name, parent) = "`{parent}` moves freely, and nothing moves freely in it: declare `{name}` in `inertial`, and join the two";
     prescribed_in_free(parent) = "`{parent}` moves freely, and nothing is prescribed in it: use places such as `{parent}.at([0, 0, 0] m)`, or join a rigid body with a `drive`";
-    turning_parent(kind, parent, turning) = "`{kind}` needs axes that do not turn, but `{turning}`, which carries it, does: declare it in `inertial` or in a `moving` frame";
+    turning_parent(kind, turning) = "`{kind}` needs axes that do not turn, but `{turning}`, which carries it, does: declare it in `inertial` or in a `moving` frame";
     spatial_frame(frame, plane) = "`{frame}` moves in space and takes the body out of the {plane} plane: move it in the plane, `plane = {plane}`, or make the body `spatial`";
     other_plane(frame, own, plane) = "`{frame}` moves in the {own} plane, but the body lies in the {plane} plane: they must be the same";
     hinge_leaves_plane(frame, plane, axis) = "`{frame}` turns out of the {plane} plane of the body: its hinge must have the axis `{axis}`, or the body be `spatial`";
+    body_in_point_mass(name) = "`{name}` is a point mass, which has no axes for a body: give it `inertia`, or declare the body elsewhere and join the two";
+    mean_axes_of_body(name) = "`{name}` is a rigid body and does not follow the mean axes of another one: declare the body in a `free` frame";
+    mean_axes_of_held(name) = "mean axes move in all directions, but `{name}` does not: declare the body in a `free` frame";
+    mean_axes_of_prescribed(name) = "`{name}` moves in the prescribed way and follows no mean axes: declare the body in a `free` frame";
+    fixture_on_prescribed(name) = "`{name}` moves in the prescribed way, so that a mass on it does nothing: put the fixture on a free frame, a rigid body or a flexible one";
+    fixture_on_mean_axes(name, body) = "`{name}` follows the mean axes of `{body}` and carries nothing else: put the fixture on `{body}`";
+    carries_nothing(frame) = "`{frame}` moves freely but carries nothing: put a body in it (`body .. in {frame}`), a `fixture .. on {frame}`, or leave it out";
+    not_held(body, motions, frame) = "nothing holds `{body}` against {motions} of its free frame `{frame}`: tie it with `clamp(..)`, `pin(..)` or `hold(..)` to `{frame}`, with `mean_axes;`, or add a constraint that turns or moves `{frame}`";
+    lacks_inertia(frame, motions) = "`{frame}` has no inertia against {motions}, and nothing holds it: give it `inertia`, or tie what it carries to it";
+    tied_twice(what, name, frame) = "`{frame}` is held a second time, by {what} `{name}`: a free frame without mass of its own needs exactly as many ties as it has motions; join the bodies with each other instead, or give the frame mass with a `fixture .. on {frame}`";
     lacks_field(kind, name, field, example) = "{kind} `{name}` has no `{field}`: write e.g. `{example}`";
     rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body `spatial`";
     origin_leaves_plane(frame, plane, axis) = "frame `{frame}` leaves the {plane} plane of the body: the {axis} component of its origin must be 0, or the body `spatial`";

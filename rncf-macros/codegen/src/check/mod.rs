@@ -6,6 +6,7 @@ mod constraint;
 mod drive;
 mod eigen;
 mod expr;
+mod fidelity;
 mod fixture;
 mod fold;
 mod frame;
@@ -22,7 +23,9 @@ mod plane;
 mod quantity;
 mod rigid;
 mod spring;
+mod start;
 mod thing;
+mod ties;
 mod unit;
 mod vector;
 
@@ -79,6 +82,9 @@ pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Mode
     check.loads();
     check.outputs();
     check.run();
+    if tree.complete && check.errors.len() == before {
+        check.ties();
+    }
     let model = std::mem::take(&mut check.model);
     (tree.complete && errors.len() == before).then_some(model)
 }

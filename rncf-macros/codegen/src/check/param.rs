@@ -86,16 +86,26 @@ impl<'a> Check<'a> {
 
     /// The number of elements of a mesh.
     pub(super) fn count(&mut self, expr: &'a Expr) -> Option<Value> {
+        self.whole(expr, say::NOT_A_COUNT, say::quantity_as_count)
+    }
+
+    /// The number of modes of a body.
+    pub(super) fn modes(&mut self, expr: &'a Expr) -> Option<Value> {
+        self.whole(expr, say::NOT_MODES, say::quantity_as_modes)
+    }
+
+    /// A count: a whole number or a count parameter; what is said of others.
+    fn whole(&mut self, expr: &'a Expr, not_a_count: &str, quantity: fn(&str) -> String) -> Option<Value> {
         let typed = self.expr(expr, Scope::Parameter)?;
         match &typed.value {
             Value::Param(id) if self.model.params[id.0].is_count => return Some(typed.value),
             Value::Param(id) => {
                 let name = self.model.params[id.0].name.clone();
-                self.errors.at(expr.area, say::quantity_as_count(&name));
+                self.errors.at(expr.area, quantity(&name));
             }
             value => match fold::constant(value) {
                 Some(value) if is_count(&typed, value) => return Some(Value::Number(value)),
-                _ => self.errors.at(expr.area, say::NOT_A_COUNT),
+                _ => self.errors.at(expr.area, not_a_count),
             },
         }
         None

@@ -4,6 +4,7 @@ use super::quantity::Vector;
 use super::{Check, fold, say};
 use crate::errors::Area;
 use crate::model::{Expr as Value, Frame, FrameId, INERTIAL, Motions, Space};
+use crate::parse::tree::Name;
 
 /// Cosine of the angle between two axes that count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
@@ -104,6 +105,16 @@ impl Check<'_> {
                 say::out_of_plane(what, plane(normal), AXES[normal]),
             );
         }
+    }
+
+    /// Whether a body can be in a frame: a point mass has no axes.
+    pub(super) fn has_axes(&mut self, frame: FrameId, word: Option<&Name>) -> bool {
+        let motions = self.model.frames[frame.0].free.as_ref().map(|free| free.motions);
+        let is_point = matches!(motions, Some(Motions::Shifting | Motions::ShiftingPlanar { .. }));
+        if let Some(word) = word.filter(|_| is_point) {
+            self.errors.at(word.span, say::body_in_point_mass(&word.text));
+        }
+        !is_point
     }
 
     /// The next frame, from this one towards the inertial one, that rotates in its parent or is

@@ -91,7 +91,7 @@ impl<'a> Check<'a> {
     pub(super) fn push_force(&mut self, item: &Item, forces: Vec<(MarkerId, Vector)>, energy: Option<Value>) {
         let acting: Vec<MarkerId> = forces.iter().map(|(marker, _)| *marker).collect();
         if item.keyword == Keyword::Spring {
-            self.tie_all(&acting);
+            self.note_all_held(&acting);
         }
         let (markers, components) = self.complete(forces);
         self.model.forces.push(Force {

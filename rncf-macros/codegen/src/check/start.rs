@@ -1,0 +1,205 @@
+//! The system at t = 0 with the defaults of the parameters: poses, places, markers.
+
+use crate::check::fold::with_defaults;
+use crate::model::{BodyId, Expr, FrameId, INERTIAL, Line, Location, Marker, MarkerId, Model, Space};
+
+pub type Vector = [f64; 3];
+
+/// Rotation matrix, rows first.
+pub type Matrix = [[f64; 3]; 3];
+
+/// Where a frame is: rotation to inertial axes, and origin in them.
+#[derive(Clone, Copy)]
+pub struct Pose {
+    pub turn: Matrix,
+    pub origin: Vector,
+}
+
+impl Pose {
+    /// A vector of the frame in inertial axes.
+    pub fn direction(&self, along: Vector) -> Vector {
+        self.turn.map(|row| dot(row, along))
+    }
+
+    /// A point of the frame in the inertial frame.
+    pub fn point(&self, at: Vector) -> Vector {
+        add(self.origin, self.direction(at))
+    }
+}
+
+pub fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn cross(a: Vector, b: Vector) -> Vector {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+pub fn add(a: Vector, b: Vector) -> Vector {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+pub fn subtract(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub fn scale(factor: f64, a: Vector) -> Vector {
+    a.map(|x| factor * x)
+}
+
+pub fn norm(a: Vector) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// Unit vector; `None` where there is no direction.
+pub fn unit(a: Vector) -> Option<Vector> {
+    let size = norm(a);
+    (size > 0.0 && size.is_finite()).then(|| scale(1.0 / size, a))
+}
+
+/// Two unit vectors that make a right-handed triad with a unit vector.
+pub fn normals(along: Vector) -> [Vector; 2] {
+    let least = (0..3)
+        .min_by(|&i, &j| along[i].abs().total_cmp(&along[j].abs()))
+        .unwrap_or(0);
+    let mut axis = [0.0; 3];
+    axis[least] = 1.0;
+    let first = unit(subtract(axis, scale(dot(axis, along), along))).unwrap_or(axis);
+    [first, cross(along, first)]
+}
+
+fn rotation(axis: Vector, angle: f64) -> Matrix {
+    let (sine, cosine) = angle.sin_cos();
+    let column = |k: usize| {
+        let mut e = [0.0; 3];
+        e[k] = 1.0;
+        let along = scale((1.0 - cosine) * dot(axis, e), axis);
+        add(add(scale(cosine, e), along), scale(sine, cross(axis, e)))
+    };
+    let columns = [column(0), column(1), column(2)];
+    std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]))
+}
+
+/// Values at t = 0.
+pub struct Start<'m> {
+    pub model: &'m Model,
+}
+
+impl Start<'_> {
+    /// Value of an expression that observes nothing.
+    pub fn value(&self, expr: &Expr) -> f64 {
+        with_defaults(self.model, expr, 0.0).unwrap_or(f64::NAN)
+    }
+
+    pub fn vector(&self, exprs: &[Expr; 3]) -> Vector {
+        exprs.each_ref().map(|expr| self.value(expr))
+    }
+
+    pub fn pose(&self, frame: FrameId) -> Pose {
+        if frame == INERTIAL {
+            return Pose {
+                turn: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+                origin: [0.0; 3],
+            };
+        }
+        let declared = &self.model.frames[frame.0];
+        let parent = self.pose(declared.parent);
+        let origin = parent.point(self.vector(&declared.origin));
+        let Some(own) = &declared.rotation else {
+            return Pose {
+                turn: parent.turn,
+                origin,
+            };
+        };
+        let own = rotation(unit(own.axis).unwrap_or([0.0; 3]), self.value(&own.angle));
+        let columns: [Vector; 3] = std::array::from_fn(|j| parent.direction([own[0][j], own[1][j], own[2][j]]));
+        Pose {
+            turn: std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i])),
+            origin,
+        }
+    }
+
+    /// Place and unit tangent of the undeformed body in its frame.
+    pub fn place(&self, body: BodyId, at: &Location) -> (Vector, Vector) {
+        let body = &self.model.bodies[body.0];
+        let along = |length: f64| match at {
+            Location::Start => 0.0,
+            Location::End => length,
+            Location::At(x) => self.value(x),
+        };
+        match &body.line {
+            Line::Straight { from, to } => {
+                let (from, to) = (self.vector(from), self.vector(to));
+                let way = subtract(to, from);
+                let tangent = unit(way).unwrap_or([0.0; 3]);
+                (add(from, scale(along(norm(way)), tangent)), tangent)
+            }
+            Line::Arc {
+                from,
+                direction,
+                radius,
+                angle,
+            } => {
+                let direction = unit(self.vector(direction)).unwrap_or([0.0; 3]);
+                let (radius, angle) = (self.value(radius), self.value(angle));
+                let mut normal = [0.0; 3];
+                if let Space::Planar { normal: axis } = body.space {
+                    normal[axis] = angle.signum();
+                }
+                let inwards = cross(normal, direction);
+                let (sine, cosine) = (along(radius * angle.abs()) / radius).sin_cos();
+                let way = add(scale(radius * sine, direction), scale(radius * (1.0 - cosine), inwards));
+                (
+                    add(self.vector(from), way),
+                    add(scale(cosine, direction), scale(sine, inwards)),
+                )
+            }
+        }
+    }
+
+    /// Whether a marker is a point, not a direction.
+    pub fn is_point(&self, marker: MarkerId) -> bool {
+        match &self.model.markers[marker.0] {
+            Marker::Point { .. } | Marker::BodyPoint { .. } => true,
+            Marker::Matching { marker, .. } => self.is_point(*marker),
+            _ => false,
+        }
+    }
+
+    /// A marker in inertial axes.
+    pub fn marker(&self, marker: MarkerId) -> Vector {
+        match &self.model.markers[marker.0] {
+            Marker::Point { frame, at } => self.pose(*frame).point(self.vector(at)),
+            Marker::Direction { frame, along } => self.pose(*frame).direction(self.vector(along)),
+            Marker::BodyPoint { body, at } => {
+                let (place, _) = self.place(*body, at);
+                self.pose(self.model.bodies[body.0].frame).point(place)
+            }
+            Marker::BodySlope { body, at } => {
+                let (_, tangent) = self.place(*body, at);
+                self.pose(self.model.bodies[body.0].frame).direction(tangent)
+            }
+            Marker::Turn { .. } => [0.0; 3],
+            Marker::Angle { frame } => {
+                let rotation = self.model.frames[frame.0].rotation.as_ref();
+                [rotation.map_or(0.0, |rotation| self.value(&rotation.angle)), 0.0, 0.0]
+            }
+            Marker::Matching { marker: other, .. } => {
+                let value = self.marker(*other);
+                if self.is_point(*other) {
+                    value
+                } else {
+                    unit(value).unwrap_or(value)
+                }
+            }
+            Marker::Normal { marker, which, .. } => {
+                let along = unit(self.marker(*marker)).unwrap_or([0.0; 3]);
+                normals(along)[(*which).min(1)]
+            }
+        }
+    }
+}
