@@ -85,7 +85,10 @@ impl<'a> Check<'a> {
         };
         known.frame = frame.as_ref().map_or(Some(INERTIAL), |frame| self.frame(frame));
         known.space = self.space(item, statements, *complete);
-        if let (Some(frame_id), Some(normal)) = (known.frame, known.space.and_then(normal)) {
+        if let Some(frame_id) = known.frame
+            && self.has_axes(frame_id, frame.as_ref())
+            && let Some(normal) = known.space.and_then(normal)
+        {
             let area = frame.as_ref().map_or(item.name.span, |frame| frame.span);
             self.keeps_plane(frame_id, normal, area);
         }
@@ -93,9 +96,6 @@ impl<'a> Check<'a> {
         let mesh = self.mesh(item, statements, *complete, known.space);
         let fidelity = self.fidelity(statements);
         let mean_axes = self.mean_axes(statements, known.frame, known.space);
-        if let (Some(frame_id), Some(word)) = (known.frame, frame) {
-            self.has_axes(frame_id, word);
-        }
         self.bodies.insert(item.name.text.as_str(), known);
         if let (Some(frame), Some(space), Some(line), Some(mesh), Some(fidelity)) =
             (known.frame, known.space, line, mesh, fidelity)

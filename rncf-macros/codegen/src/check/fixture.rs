@@ -5,7 +5,7 @@ use super::quantity::Wanted;
 use super::rigid::zeros;
 use super::{Check, fold, say};
 use crate::model::{Binary, Expr as Value, Fixture, FrameId, Motions, RigidPart};
-use crate::parse::tree::{Expr, ExprKind, Fields, Item, ItemKind, Keyword};
+use crate::parse::tree::{Expr, ExprKind, Fields, Item, ItemKind, Keyword, Name};
 use crate::suggest;
 
 const PLACE: Wanted = Wanted {
@@ -31,9 +31,18 @@ impl<'a> Check<'a> {
                 continue;
             };
             match root(place) {
-                Some(name) if self.is_frame(name) => self.on_frame(item, place, fields),
+                Some(name) if self.is_frame(&name.text) => self.on_frame(item, place, fields),
+                Some(name) if !self.names.contains_key(name.text.as_str()) => self.unknown_carrier(name),
                 _ => self.on_body(item, place, fields),
             }
+        }
+    }
+
+    fn unknown_carrier(&mut self, name: &Name) {
+        if self.is_news(&name.text) {
+            let known = self.known(&[Keyword::Frame, Keyword::Rigid, Keyword::Body]);
+            let message = suggest::unknown("frame or body", &name.text, known);
+            self.errors.at(name.span, message);
         }
     }
 
@@ -168,9 +177,9 @@ impl<'a> Check<'a> {
 }
 
 /// The name that a place begins with.
-fn root(place: &Expr) -> Option<&str> {
+fn root(place: &Expr) -> Option<&Name> {
     match &place.kind {
-        ExprKind::Name(name) => Some(&name.text),
+        ExprKind::Name(name) => Some(name),
         ExprKind::Member { base, .. } => root(base),
         _ => None,
     }

@@ -107,12 +107,14 @@ impl Check<'_> {
         }
     }
 
-    /// Refuses a body in the frame of a point mass, which has no axes.
-    pub(super) fn has_axes(&mut self, frame: FrameId, word: &Name) {
+    /// Whether a body can be in a frame: a point mass has no axes.
+    pub(super) fn has_axes(&mut self, frame: FrameId, word: Option<&Name>) -> bool {
         let motions = self.model.frames[frame.0].free.as_ref().map(|free| free.motions);
-        if let Some(Motions::Shifting | Motions::ShiftingPlanar { .. }) = motions {
+        let is_point = matches!(motions, Some(Motions::Shifting | Motions::ShiftingPlanar { .. }));
+        if let Some(word) = word.filter(|_| is_point) {
             self.errors.at(word.span, say::body_in_point_mass(&word.text));
         }
+        !is_point
     }
 
     /// The next frame, from this one towards the inertial one, that rotates in its parent or is

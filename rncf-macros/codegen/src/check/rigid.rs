@@ -116,7 +116,10 @@ impl<'a> Check<'a> {
         let name = item.name.text.clone();
         let mass = self.mass(item, fields, given, "mass = 2 kg;");
         // An unreadable plane has its own message.
-        let normal = given.get("plane").and_then(|(_, plane)| plane_of(plane));
+        let normal = match given.get("plane") {
+            Some((_, plane)) => Some(plane_of(plane)?),
+            None => None,
+        };
         let center = match given.get("center") {
             Some((_, center)) => self.flat_vector(center, CENTER, normal).map(|vector| vector.values),
             None => Some(zeros()),

@@ -8,12 +8,13 @@ use super::eigen::symmetric;
 use super::fold::with_defaults;
 use super::start::{Pose, Start, Vector, add, cross, dot, norm, normals, scale, subtract};
 use super::{Check, say};
+use crate::errors::Area;
 use crate::lower::motions::Time;
 use crate::model::{
     BodyId, Constraint, Expr, Fidelity, FrameId, Free, Joint, JointKind, Location, Marker, MarkerId, Model, Motions,
     Observable, Space,
 };
-use crate::parse::tree::{ItemKind, Keyword};
+use crate::parse::tree::{ItemKind, Statement};
 
 /// Gradient of a condition with respect to the motions of a frame; unused ones are zero.
 type Row = [f64; 6];
@@ -40,66 +41,91 @@ struct Tie {
     rows: Vec<Row>,
 }
 
+/// Why a free frame is not determined.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Untied {
+    /// It carries neither bodies nor mass.
+    Empty,
+    /// A joint, or the mean axes of a body, hold it a second time.
+    Twice {
+        /// Name of the joint or body.
+        tie: String,
+    },
+    /// Motions that nothing holds, in words.
+    Loose {
+        /// E.g. `turning about the x axis`.
+        motions: String,
+    },
+}
+
+/// Whether a free frame is determined.
+pub fn check(model: &Model, frame: FrameId) -> Result<(), Untied> {
+    let Some(free) = &model.frames[frame.0].free else {
+        return Ok(());
+    };
+    let frame = Frame::new(model, frame, free);
+    if frame.bodies().next().is_none() && free.parts.is_empty() {
+        return Err(Untied::Empty);
+    }
+    let (mass, scales) = frame.mass();
+    let carries_mass = mass.iter().flatten().any(|entry| *entry != 0.0);
+    let ties = frame.joints(&scales);
+    if !carries_mass && let Some(tie) = tied_twice(&ties) {
+        return Err(Untied::Twice { tie: tie.name.clone() });
+    }
+    let rows = ties.into_iter().flat_map(|tie| tie.rows);
+    let rows: Vec<Row> = rows.chain(frame.constraints(&scales)).collect();
+    let loose = null_space(&mass, &rows, frame.modes.len());
+    if loose.is_empty() {
+        return Ok(());
+    }
+    let motions = frame.describe(&loose, &scales);
+    Err(Untied::Loose { motions })
+}
+
 impl Check<'_> {
     /// Checks all free frames; there must be no mistake so far.
     pub(super) fn ties(&mut self) {
-        let model = std::mem::take(&mut self.model);
-        for at in 0..model.frames.len() {
-            if let Some(free) = &model.frames[at].free {
-                self.tied(&Frame::new(&model, FrameId(at), free));
+        for at in 0..self.model.frames.len() {
+            if let Err(untied) = check(&self.model, FrameId(at)) {
+                self.untied(FrameId(at), &untied);
             }
         }
-        self.model = model;
     }
 
-    fn tied(&mut self, frame: &Frame) {
-        let name = frame.name();
-        let Some(place) = self.names.get(name).map(|item| item.name.span) else {
+    fn untied(&mut self, frame: FrameId, untied: &Untied) {
+        let declared = &self.model.frames[frame.0];
+        let name = declared.name.as_str();
+        let Some(place) = self.names.get(name).map(|item| Area::from(item.name.span)) else {
             return;
         };
-        if frame.bodies().next().is_none() && frame.free.parts.is_empty() {
-            self.errors.at(place, say::carries_nothing(name));
-            return;
-        }
-        let (mass, scales) = frame.mass();
-        let carries_mass = mass.iter().flatten().any(|entry| *entry != 0.0);
-        let ties = frame.joints(&scales);
-        if !carries_mass && let Some(tie) = tied_twice(&ties) {
-            let area = self.area_of_tie(&tie.name);
-            let is_joint = self
-                .names
-                .get(tie.name.as_str())
-                .is_some_and(|item| item.keyword == Keyword::Joint);
-            let what = if is_joint { "joint" } else { "mean axes of" };
-            self.errors
-                .at(area.unwrap_or(place.into()), say::tied_twice(what, &tie.name, name));
-            return;
-        }
-        let rows = ties.into_iter().flat_map(|tie| tie.rows);
-        let rows: Vec<Row> = rows.chain(frame.constraints(&scales)).collect();
-        let left = null_space(&mass, &rows, frame.modes.len());
-        if left.is_empty() {
-            return;
-        }
-        let motions = frame.describe(&left, &scales);
-        let message = match frame.bodies().next() {
-            _ if frame.free.is_body => say::lacks_inertia(name, &motions),
-            Some((body, _)) => say::not_held(&body.name, &motions, name),
-            None => say::lacks_inertia(name, &motions),
+        let mut bodies = self.model.bodies.iter().filter(|body| body.frame == frame);
+        let is_body = declared.free.as_ref().is_some_and(|free| free.is_body);
+        let (area, message) = match (untied, bodies.next()) {
+            (Untied::Empty, _) => (place, say::carries_nothing(name)),
+            (Untied::Twice { tie }, _) => {
+                let (area, what) = self.tie(tie);
+                (area.unwrap_or(place), say::tied_twice(what, tie, name))
+            }
+            (Untied::Loose { motions }, Some(body)) if !is_body => (place, say::not_held(&body.name, motions, name)),
+            (Untied::Loose { motions }, _) => (place, say::lacks_inertia(name, motions)),
         };
-        self.errors.at(place, message);
+        self.errors.at(area, message);
     }
 
     /// Where a joint has its name, or a body its mean axes.
-    fn area_of_tie(&self, name: &str) -> Option<crate::errors::Area> {
-        let item = self.names.get(name)?;
-        if let ItemKind::Body { statements, .. } = &item.kind {
-            return statements.iter().find_map(|statement| match statement {
-                crate::parse::tree::Statement::MeanAxes { area } => Some(*area),
-                _ => None,
-            });
-        }
-        Some(item.name.span.into())
+    fn tie(&self, name: &str) -> (Option<Area>, &'static str) {
+        let Some(item) = self.names.get(name) else {
+            return (None, "the joint");
+        };
+        let ItemKind::Body { statements, .. } = &item.kind else {
+            return (Some(item.name.span.into()), "the joint");
+        };
+        let area = statements.iter().find_map(|statement| match statement {
+            Statement::MeanAxes { area } => Some(*area),
+            _ => None,
+        });
+        (area, "the mean axes of")
     }
 }
 
@@ -124,10 +150,6 @@ impl<'m> Frame<'m> {
             pose,
             modes,
         }
-    }
-
-    fn name(&self) -> &'m str {
-        &self.start.model.frames[self.id.0].name
     }
 
     fn bodies(&self) -> impl Iterator<Item = (&'m crate::model::Body, BodyId)> {
@@ -340,6 +362,9 @@ impl<'m> Frame<'m> {
             .filter(whole)
             .map(|k| say_mode(&self.modes[k]))
             .collect();
+        if words.len() == self.modes.len() && words.len() > 1 {
+            return "any motion".into();
+        }
         if words.is_empty() {
             words.extend(left.first().map(|row| self.say_mixture(row, scales)));
         }
@@ -438,10 +463,10 @@ fn say_mode(mode: &Mode) -> String {
     };
     let vector = scale(1.0 / norm(vector), vector);
     match (0..3).find(|&axis| vector[axis].abs() > WHOLE) {
-        Some(axis) => format!("{word} its {} axis", super::plane::AXES[axis]),
+        Some(axis) => format!("{word} the {} axis", super::plane::AXES[axis]),
         None => {
             let [x, y, z] = vector.map(|x| (x * 100.0).round() / 100.0 + 0.0);
-            format!("{word} its direction [{x}, {y}, {z}]")
+            format!("{word} the direction [{x}, {y}, {z}]")
         }
     }
 }

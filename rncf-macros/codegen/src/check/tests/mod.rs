@@ -1,3 +1,4 @@
+mod free;
 mod precedence;
 mod right;
 mod truncated;

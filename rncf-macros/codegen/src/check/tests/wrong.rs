@@ -1,14 +1,13 @@
-//! Wrong models, listed in wrong.txt: what is underlined, and what is said.
+//! Wrong models, listed in wrong.txt and free.txt: what is underlined, and what is said.
 //!
 //! `BLESS=1 cargo test -p rncf-codegen wrong` rewrites the expectations; read the difference.
 
+use super::free::FREE;
 use super::{SPIN_UP, run};
 
-const LIST: &str = include_str!("wrong.txt");
-
-/// The model of a block: the spin-up model with snippets exchanged, or a whole one.
-fn text(block: &str) -> String {
-    let mut text = SPIN_UP.to_string();
+/// The model of a block: the model with snippets exchanged, or a whole one.
+fn text(block: &str, model: &str) -> String {
+    let mut text = model.to_string();
     let mut from = None;
     for line in block.lines() {
         if let Some(model) = line.strip_prefix("model:") {
@@ -25,14 +24,14 @@ fn text(block: &str) -> String {
 }
 
 /// The block with the mistakes that are found.
-fn found(block: &str) -> String {
+fn found(block: &str, model: &str) -> String {
     let is_input = |line: &&str| {
         ["model:", "replace:", "with:"]
             .iter()
             .any(|word| line.starts_with(word))
     };
     let mut lines: Vec<String> = block.lines().filter(is_input).map(ToString::to_string).collect();
-    for mistake in run(&text(block)).1 {
+    for mistake in run(&text(block, model)).1 {
         let underlined = mistake.area.source_text().unwrap_or_default();
         let underlined = underlined.split_whitespace().collect::<Vec<_>>().join(" ");
         lines.push(format!("  {underlined}"));
@@ -43,14 +42,23 @@ fn found(block: &str) -> String {
 
 #[test]
 fn wrong_models_say_what_would_be_right() {
-    let mut blocks = LIST.trim_end().split("\n\n");
+    check(include_str!("wrong.txt"), "wrong.txt", SPIN_UP);
+}
+
+#[test]
+fn wrong_free_frames_say_what_would_be_right() {
+    check(include_str!("free.txt"), "free.txt", FREE);
+}
+
+fn check(list: &str, name: &str, model: &str) {
+    let mut blocks = list.trim_end().split("\n\n");
     let head = blocks.next().expect("a heading");
     let blocks: Vec<&str> = blocks.collect();
-    assert!(blocks.len() > 100);
-    let found: Vec<String> = blocks.iter().map(|block| found(block)).collect();
+    assert!(blocks.len() > 30);
+    let found: Vec<String> = blocks.iter().map(|block| found(block, model)).collect();
     if std::env::var_os("BLESS").is_some() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/check/tests/wrong.txt");
-        std::fs::write(path, format!("{head}\n\n{}\n", found.join("\n\n"))).expect("wrong.txt can be written");
+        let path = format!("{}/src/check/tests/{name}", env!("CARGO_MANIFEST_DIR"));
+        std::fs::write(path, format!("{head}\n\n{}\n", found.join("\n\n"))).expect("the list can be written");
     }
     for (block, found) in blocks.iter().zip(&found) {
         assert!(found.contains("\n    "), "no mistake found in\n{block}");
