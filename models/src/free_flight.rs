@@ -1,0 +1,41 @@
+//! A cable with a mass at its end, tumbling freely in space (THEORY 9.6).
+
+rncf::model! {
+    /// A soft cable that flies and tumbles freely with a mass at its end: nothing acts on it, so that energy, momentum and
+    /// angular momentum stay.
+    pub model FreeFlight {
+        /// Number of elements.
+        param elements: count = 3;
+        /// Mass at the end.
+        param tip_mass = 0.7 kg;
+
+        // EA = 400 N, EI = 2 N m^2 and 1.5 kg/m.
+        material soft { density = 1500 kg/m^3; young = 0.4 MPa; }
+        section flat { area = 10 cm^2; second_moment = 500 cm^4; }
+
+        /// Frame of the cable.
+        frame f = free(
+            origin = [0.3, -0.2, 0.5] m, axis = [1, 2, -1], angle = 40 deg,
+            velocity = [-3, 1, 2] m/s, angular_velocity = [1, -2.5, 3] rad/s
+        );
+        body cable in f {
+            spatial;
+            line from [0, 0, 0] m to [2, 0, 0] m;
+            mesh elements * cable(flat, soft);
+        }
+        // Six ties of the frame to the cable: five at its start; the sixth, the spin about the cable's axis, by the end,
+        // which stays in the frame's xy plane.
+        joint root = clamp(cable.start, f);
+        joint roll = hold(cable.end.z);
+        fixture tip on cable.end { mass = tip_mass; }
+
+        /// Start of the cable in space.
+        output start = cable.start.in(inertial);
+        /// End of the cable in space.
+        output end = cable.end.in(inertial);
+        /// Distance between the ends.
+        output span = norm(cable.end.position - cable.start.position);
+
+        run { t_end = 2 s; every = 0.01 s; }
+    }
+}
