@@ -41,7 +41,7 @@ rncf::model! {
         // joint at the pin, whose cross axis on the crank is tangential: normal to the crank and to x. (Along x it would
         // be the rod's own axis once a turn.)
         joint root = clamp(beam.start, rod);
-        constraint cross = dot([0, cos(theta(t)), sin(theta(t))], rod.ez);
+        constraint cross_axis = dot([0, cos(theta(t)), sin(theta(t))], rod.ez);
         // Spherical joint on a slider that moves along x.
         fixture slider on beam.end { mass = slider_mass; }
         constraint guide_y = beam.end.in(inertial).y;
