@@ -8,3 +8,4 @@ mod generated;
 mod jacobians;
 mod models;
 mod objectivity;
+mod scenes;
