@@ -9,7 +9,7 @@ const DEPENDENT: f64 = 1e-9;
 /// Coefficients of a dependency below this are round-off.
 const TAKES_PART: f64 = 1e-6;
 /// More constraints than these are not searched for dependencies: the time grows with their cube.
-const MOST: usize = 2000;
+const MOST: usize = 1000;
 /// Dependencies that are listed.
 const LISTED: usize = 3;
 /// Inertia of a motion, relative to that of the unknowns it consists of, that counts as none.
