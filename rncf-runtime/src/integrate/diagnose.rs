@@ -71,7 +71,8 @@ fn dependency<S: System + ?Sized>(system: &S, combination: &[(usize, f64)]) -> S
         .unwrap_or_default();
     let mut rows: Vec<usize> = combination.iter().map(|&(row, _)| row).collect();
     rows.sort_unstable();
-    let all: Vec<String> = rows.into_iter().map(name).collect();
+    let mut all: Vec<String> = rows.into_iter().map(name).collect();
+    all.dedup();
     format!(
         "{} depend on each other; weaken `{last}` such that it leaves `{weaken}` free",
         all.join("; ")
