@@ -7,4 +7,5 @@ mod lie;
 mod order;
 mod radau;
 mod radau_lie;
+mod swarm;
 mod systems;
