@@ -99,7 +99,7 @@ fn heavy_top_follows_the_tolerance() {
 }
 
 /// Largest velocity of the heavy top's fixed point (m/s) and its largest distance from its place (m).
-fn slip(stabilised: bool) -> (f64, f64) {
+fn point_slip(stabilised: bool) -> (f64, f64) {
     let mut top = Top::heavy();
     let start = top.start();
     let (mut slip, mut gap) = (0.0_f64, 0.0_f64);
@@ -118,7 +118,7 @@ fn slip(stabilised: bool) -> (f64, f64) {
 
 #[test]
 fn stabilised_velocities_stay_on_the_constraints() {
-    let ((slip, gap), (free_slip, free_gap)) = (self::slip(true), self::slip(false));
+    let ((slip, gap), (free_slip, free_gap)) = (point_slip(true), point_slip(false));
     println!("slip {slip:e}, of index 3 {free_slip:e} m/s; gap {gap:e}, {free_gap:e} m");
     assert!(gap < 1e-7 && free_gap < 1e-7);
     assert!(
