@@ -366,8 +366,9 @@ fn tangents_are_derivatives(top: &mut Top, state: &State) {
     top.constraint_jacobian(state, &mut border);
     top.constraint_rate_tangent(state, &mut rate);
     let step = 1e-5;
-    type Part = fn(&mut State) -> &mut Vec<f64>;
-    let parts: [(Part, &[f64], Option<&[f64]>); 3] = [
+    /// What is varied, and the derivatives of the sum and of the constraint's rate.
+    type Part<'a> = (fn(&mut State) -> &mut Vec<f64>, &'a [f64], Option<&'a [f64]>);
+    let parts: [Part<'_>; 3] = [
         (|state| &mut state.x, &tangent.stiffness, Some(&rate)),
         (|state| &mut state.v, &tangent.damping, Some(&border)),
         (|state| &mut state.a, &tangent.mass, None),
