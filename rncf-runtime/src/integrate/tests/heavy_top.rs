@@ -25,6 +25,8 @@ pub(super) struct Top {
     /// Centre of mass to reference point, body axes, m.
     offset: Vector,
     gravity: Vector,
+    /// Times at which integrators begin anew, s.
+    pub(super) kinks: Vec<f64>,
     pattern: Pattern,
     constraint_pattern: Pattern,
 }
@@ -65,6 +67,7 @@ impl Top {
             inertia,
             offset: [0.0; 3],
             gravity,
+            kinks: vec![],
             pattern: Pattern::new(6, 6, (0..36).map(|place| (place / 6, place % 6))),
             constraint_pattern: Pattern::new(6, constraints, entries),
         }
@@ -283,7 +286,7 @@ impl System for Top {
         format!("joint point, {}", ["x", "y", "z"][index])
     }
     fn kinks(&self) -> Vec<f64> {
-        vec![]
+        self.kinks.clone()
     }
     fn energy(&mut self, state: &State) -> Option<f64> {
         let (w, a) = (angular(&state.v), attitude(state));

@@ -85,6 +85,29 @@ fn heavy_top_is_second_order_in_all_variables() {
 }
 
 #[test]
+fn restarts_keep_second_order() {
+    for method in METHODS {
+        for stabilised in [false, true] {
+            let [coarse, fine] = [1e-3, 5e-4].map(|h| {
+                let mut top = Top::heavy();
+                top.kinks = vec![0.1237, 0.3111, 0.4993];
+                let start = top.start();
+                let mut integrator = Integrator::new(&mut top, start, 0.5, method, fixed(h, stabilised)).unwrap();
+                while integrator.step().unwrap() != Stop::End {}
+                assert_eq!(integrator.statistics().restarts, 3);
+                errors(integrator.state(), &REFERENCE[0])
+            });
+            for i in 0..3 {
+                assert!(
+                    coarse[i] > 3.0 * fine[i],
+                    "{method:?}, {stabilised}, variable {i}: {coarse:?} -> {fine:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn mass_that_depends_on_the_orientation_is_second_order() {
     for method in METHODS {
         for stabilised in [false, true] {
