@@ -7,6 +7,7 @@
 use super::Statistics;
 use super::bordered::{Bordered, add};
 use super::charts::Charts;
+use crate::linalg::Singular;
 use crate::system::{ConstraintLevel, State, System};
 
 /// Largest violation that is corrected, relative to the change of the constraint when every unknown
@@ -24,7 +25,7 @@ pub(super) enum Inconsistent {
     /// Violation of the worst constraint, in its unit, and its index.
     Far(f64, usize),
     /// The constraints contradict or depend on each other.
-    Singular,
+    Singular(Singular),
 }
 
 /// Projects positions, then velocities, onto the constraints, and notes the largest corrections.
@@ -94,7 +95,7 @@ impl Projection {
             self.bordered.move_to(system, state);
             self.bordered
                 .least_change(&self.value, &mut self.change, &mut Statistics::default())
-                .map_err(|_| Inconsistent::Singular)?;
+                .map_err(Inconsistent::Singular)?;
             let sizes = system.sizes();
             let unit = if level == ConstraintLevel::Position {
                 self.charts.to_chart(state, &mut self.change);
@@ -132,8 +133,10 @@ impl Projection {
                 scale = rate + scale / self.span;
             }
             let violation = if *value == 0.0 { 0.0 } else { value.abs() / scale };
-            // Written such that not a number is the worst.
-            if !(violation <= worst.0) {
+            if violation.is_nan() {
+                return (violation, column);
+            }
+            if violation > worst.0 {
                 worst = (violation, column);
             }
         }

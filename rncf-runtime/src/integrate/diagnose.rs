@@ -9,7 +9,7 @@ const DEPENDENT: f64 = 1e-9;
 /// Coefficients of a dependency below this are round-off.
 const TAKES_PART: f64 = 1e-6;
 /// More constraints than these are not searched for dependencies: the time grows with their cube.
-const MOST: usize = 2000;
+const MOST: usize = 1000;
 /// Dependencies that are listed.
 const LISTED: usize = 3;
 /// Inertia of a motion, relative to that of the unknowns it consists of, that counts as none.
@@ -71,7 +71,8 @@ fn dependency<S: System + ?Sized>(system: &S, combination: &[(usize, f64)]) -> S
         .unwrap_or_default();
     let mut rows: Vec<usize> = combination.iter().map(|&(row, _)| row).collect();
     rows.sort_unstable();
-    let all: Vec<String> = rows.into_iter().map(name).collect();
+    let mut all: Vec<String> = rows.into_iter().map(name).collect();
+    all.dedup();
     format!(
         "{} depend on each other; weaken `{last}` such that it leaves `{weaken}` free",
         all.join("; ")

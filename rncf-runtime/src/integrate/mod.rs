@@ -308,15 +308,18 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
     }
 
     fn error(&self, kind: SolveErrorKind, t: f64, h: f64, row: Option<usize>) -> SolveError {
-        let n = self.system.unknowns();
-        let worst = row.map(|row| {
-            if row < n {
-                self.system.describe_unknown(row)
-            } else {
-                self.system.describe_constraint(row - n)
-            }
-        });
+        let worst = row.map(|row| describe(self.system, row));
         SolveError { kind, t, h, worst }
+    }
+}
+
+/// A row of the equations in the user's words: unknowns first, then constraints.
+fn describe<S: System + ?Sized>(system: &S, row: usize) -> String {
+    let n = system.unknowns();
+    if row < n {
+        system.describe_unknown(row)
+    } else {
+        system.describe_constraint(row - n)
     }
 }
 
@@ -363,7 +366,10 @@ fn prepare<S: System + ?Sized>(
             let worst = system.describe_constraint(index);
             (SolveErrorKind::Inconsistent(size), Some(worst))
         }
-        Inconsistent::Singular => (SolveErrorKind::Singular, None),
+        Inconsistent::Singular(singular) => {
+            let row = newton::row(singular, system.unknowns());
+            (SolveErrorKind::Singular, row.map(|row| describe(system, row)))
+        }
     })?;
     if statistics.position_correction > 0.0 {
         // Redundancy may show on the constraints only.

@@ -27,6 +27,9 @@ use stages::Stages;
 
 /// Relative tolerance of Newton's increments with a fixed step: order 5 should be visible.
 const FIXED_STEP_RTOL: f64 = 1e-13;
+/// Largest error of a converged iterate, relative to the sizes of the unknowns, at any tolerance: the next
+/// step must find its way back to the constraints.
+const COARSE: f64 = 1e-4;
 /// Contraction above which the next step evaluates the tangent anew.
 const AGED: f64 = 0.02;
 /// The next step keeps its size, and thus the factorizations, if it would grow by less.
@@ -82,7 +85,7 @@ impl Radau {
             (FIXED_STEP_RTOL, 0.02)
         } else {
             // Far below the error estimate, which is of lower order than the solution.
-            (options.rtol, options.rtol.sqrt().min(0.03))
+            (options.rtol, options.rtol.sqrt().min(0.03).min(COARSE / options.rtol))
         };
         let matrices = Matrices::new(system, stabilised);
         Self {

@@ -37,8 +37,10 @@ pub struct Saddle<T> {
     /// Entries of K in the leading block, and memory for their values.
     leading_entries: Vec<usize>,
     leading_values: Vec<T>,
-    block: Pattern,
-    constraints: Pattern,
+    /// Entries of K with row and column in the border, of B and `C^T` with border row and constraint;
+    /// counted in the Schur complement.
+    corner: Vec<(usize, usize, usize)>,
+    corner_constraints: Vec<(usize, usize, usize)>,
     /// Columns of `[K_ib, B_i]` and rows of `[K_bi; C_i]`, which follow.
     sides: Vec<Side<T>>,
     schur: Dense<T>,
@@ -72,6 +74,7 @@ impl<T: Scalar> Saddle<T> {
         let inner = n - border;
         let mut sides: Vec<Side<T>> = (0..border + m).map(|_| Side::default()).collect();
         let (mut leading_entries, mut leading) = (Vec::new(), Vec::new());
+        let (mut corner, mut corner_constraints) = (Vec::new(), Vec::new());
         for (entry, row, column) in entries(block) {
             match (row < inner, column < inner) {
                 (true, true) => {
@@ -80,13 +83,15 @@ impl<T: Scalar> Saddle<T> {
                 }
                 (true, false) => sides[column - inner].column.push((row, entry)),
                 (false, true) => sides[row - inner].row.push((column, entry)),
-                (false, false) => {}
+                (false, false) => corner.push((entry, row - inner, column - inner)),
             }
         }
         for (entry, row, column) in entries(constraint_transposed) {
             if row < inner {
                 sides[border + column].column.push((row, entry));
                 sides[border + column].row.push((row, entry));
+            } else {
+                corner_constraints.push((entry, row - inner, border + column));
             }
         }
         for side in &mut sides {
@@ -99,8 +104,8 @@ impl<T: Scalar> Saddle<T> {
             leading: Lu::new(&Pattern::new(inner, inner, leading)),
             leading_values: vec![T::default(); leading_entries.len()],
             leading_entries,
-            block: block.clone(),
-            constraints: constraint_transposed.clone(),
+            corner,
+            corner_constraints,
             sides,
             schur: Dense::new(border + m),
             work: vec![T::default(); border + m],
@@ -154,14 +159,11 @@ impl<T: Scalar> Saddle<T> {
 
     fn fill_schur(&mut self, block: &[T], forces: &[f64], constraint_transposed: &[f64]) {
         self.schur.clear();
-        let (inner, border) = (self.inner, self.border);
-        for (entry, row, column) in entries(&self.block).filter(|&(_, row, column)| row >= inner && column >= inner) {
-            let value = block[entry];
-            self.schur.add(row - inner, column - inner, value, value.size());
+        for &(entry, row, column) in &self.corner {
+            self.schur.add(row, column, block[entry], block[entry].size());
         }
-        for (entry, row, column) in entries(&self.constraints).filter(|&(_, row, _)| row >= inner) {
+        for &(entry, row, column) in &self.corner_constraints {
             let (force, derivative) = (forces[entry], constraint_transposed[entry]);
-            let (row, column) = (row - inner, border + column);
             self.schur.add(row, column, T::real(force), force.abs());
             self.schur.add(column, row, T::real(derivative), derivative.abs());
         }

@@ -12,10 +12,12 @@
 use crate::linalg::Pattern;
 use crate::rotation::{Rotation, tangent_map};
 use crate::system::{State, Tangent};
-use crate::vector::{Matrix, Vector, add, apply, cross, dot, scale, transpose};
+use crate::vector::{Matrix, Vector, add, apply, cross, dot, norm, scale, transpose};
 
 /// Angles (rad) below this use series.
 const SMALL: f64 = 1.0;
+/// Largest angle from the start of a step, rad: below pi, where rotation vectors become ambiguous.
+const REACH: f64 = 3.0;
 /// Terms of the series: the next one is below round-off.
 const TERMS: usize = 9;
 
@@ -81,6 +83,12 @@ impl Chart {
             let moved = turn.turned(at(increments, first)).log();
             increments[first..first + 3].copy_from_slice(&moved);
         }
+    }
+
+    /// The first unknown of an orientation that left the chart by the given increments, if any.
+    pub(super) fn left_by(&self, increments: &[f64]) -> Option<usize> {
+        let far = |&first: &usize| norm(at(increments, first)) > REACH;
+        self.turns.iter().copied().find(far)
     }
 
     /// First unknowns of the orientations.

@@ -122,6 +122,7 @@ impl Matrices {
             let (real, complex) = &mut **second;
             real.factor(&self.chart, g, &self.tangent, slopes, &mut self.real)?;
             complex.factor(&self.chart, z, &self.tangent, slopes, &mut self.complex)?;
+            statistics.solves += 2 * self.constraint_pattern.columns() as u64;
         }
         self.factored = Some(h);
         Ok(())

@@ -23,7 +23,7 @@ const AMPLIFIED: f64 = 1e3;
 
 /// Why an iteration did not converge.
 pub(super) enum Failure {
-    /// It contracts too slowly; the row of the largest increment, and the ratio by which a shorter
+    /// It contracts too slowly, or leaves the chart; the row of the largest increment, and the ratio by which a shorter
     /// step would converge, where it can be told.
     Slow { worst: Option<usize>, ratio: f64 },
     /// A value is not finite.
@@ -136,6 +136,12 @@ impl Newton {
                     self.differentiate(system, coefficients, matrices, start, stages);
                 }
                 stages.differentiate(coefficients, start);
+                if let Some(turn) = matrices.chart.left_by(&stages.z[2]) {
+                    return Err(Failure::Slow {
+                        worst: Some(turn),
+                        ratio: 0.5,
+                    });
+                }
                 return Ok(Converged {
                     iterations: iteration,
                     contraction,

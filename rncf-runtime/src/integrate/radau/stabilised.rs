@@ -34,6 +34,8 @@ pub(super) struct Stabilised<T> {
     forces: Vec<T>,
     schur: Dense<T>,
     work: Vec<T>,
+    /// A column of B, full.
+    direction: Vec<T>,
 }
 
 impl<T: Scalar> Stabilised<T> {
@@ -43,6 +45,7 @@ impl<T: Scalar> Stabilised<T> {
             forces: vec![T::default(); m * m],
             schur: Dense::new(m),
             work: vec![T::default(); m],
+            direction: vec![T::default(); n],
         }
     }
 
@@ -70,12 +73,12 @@ impl<T: Scalar> Stabilised<T> {
                 }
             }
             saddle.solve(response, &mut self.forces[j * m..(j + 1) * m]);
-            let mut direction = vec![T::default(); n];
+            self.direction.fill(T::default());
             for entry in constraints.starts()[j]..constraints.starts()[j + 1] {
-                direction[constraints.indices()[entry]] = T::real(slopes.jacobian[entry]);
+                self.direction[constraints.indices()[entry]] = T::real(slopes.jacobian[entry]);
             }
             for i in 0..m {
-                let (value, terms) = row_times(constraints, &slopes.jacobian, i, &direction);
+                let (value, terms) = row_times(constraints, &slopes.jacobian, i, &self.direction);
                 self.schur.add(i, j, value, terms);
                 let (value, terms) = row_times(constraints, &slopes.rate, i, response);
                 self.schur.add(i, j, -value, terms);

@@ -8,4 +8,5 @@ mod order;
 mod radau;
 mod radau_lie;
 mod start;
+mod swarm;
 mod systems;

@@ -3,6 +3,7 @@
 use super::heavy_top::{REFERENCE, Top, angular, attitude, errors};
 use super::radau::{Single, orders};
 use super::systems::Pendulum;
+use crate::error::SolveErrorKind;
 use crate::integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
 use crate::rotation::Rotation;
 use crate::system::{ConstraintLevel, State, System};
@@ -99,7 +100,7 @@ fn heavy_top_follows_the_tolerance() {
 }
 
 /// Largest velocity of the heavy top's fixed point (m/s) and its largest distance from its place (m).
-fn slip(stabilised: bool) -> (f64, f64) {
+fn point_slip(stabilised: bool) -> (f64, f64) {
     let mut top = Top::heavy();
     let start = top.start();
     let (mut slip, mut gap) = (0.0_f64, 0.0_f64);
@@ -118,7 +119,7 @@ fn slip(stabilised: bool) -> (f64, f64) {
 
 #[test]
 fn stabilised_velocities_stay_on_the_constraints() {
-    let ((slip, gap), (free_slip, free_gap)) = (self::slip(true), self::slip(false));
+    let ((slip, gap), (free_slip, free_gap)) = (point_slip(true), point_slip(false));
     println!("slip {slip:e}, of index 3 {free_slip:e} m/s; gap {gap:e}, {free_gap:e} m");
     assert!(gap < 1e-7 && free_gap < 1e-7);
     assert!(
@@ -272,4 +273,29 @@ fn mass_that_depends_on_the_state_keeps_order_5() {
     assert_orders(&rows, [4.5, 4.5]);
     let (end, statistics) = run(&mut bead(), begin(), 2.0, adaptive(1e-8, false), |_| {});
     assert!((end.x[0] - ends[3].x[0]).abs() < 1e-7, "{statistics:?}");
+}
+#[test]
+fn coarse_tolerances_find_their_way_back_to_the_constraints() {
+    for stabilised in [false, true] {
+        for rtol in [1.0, 0.1, 1e-2] {
+            let (errors, statistics) = heavy(1, adaptive(rtol, stabilised));
+            println!("{rtol:e} {stabilised}: {errors:?}, {} steps", statistics.steps);
+            assert!(errors[0] < 1.0 && statistics.max_constraint_residual < 1e-3);
+        }
+    }
+}
+
+#[test]
+fn step_beyond_the_chart_is_refused() {
+    let mut top = Top::free();
+    let mut start = tumbling();
+    start.v[3..].copy_from_slice(&[0.0, 0.0, 3.0]);
+    let mut integrator = Integrator::new(&mut top, start, 3.0, Method::Radau, fixed(1.5, false)).unwrap();
+    let error = integrator.step().unwrap_err();
+    assert!(matches!(error.kind, SolveErrorKind::NoConvergence), "{error:?}");
+    assert!(
+        error.worst.as_ref().is_some_and(|worst| worst.contains("orientation")),
+        "{error:?}"
+    );
+    assert_eq!(integrator.state().t, 0.0);
 }
