@@ -52,8 +52,13 @@ pub enum SolveErrorKind {
     StepTooSmall,
     /// A value became infinite or not a number.
     NotFinite,
-    /// The initial state violates its constraints; the size of the worst violation.
+    /// The initial state violates its constraints by more than is corrected; the violation of the
+    /// worst one in its unit.
     Inconsistent(f64),
+    /// Constraints depend on each other at the initial state; the text names them and what to weaken.
+    Redundant(String),
+    /// A motion has neither inertia nor a tie at the initial state; the text names what moves.
+    Untied(String),
     /// An equilibrium does not exist or was not found; the text says why.
     NoEquilibrium(String),
 }
@@ -84,9 +89,11 @@ impl fmt::Display for SolveError {
             )?,
             SolveErrorKind::Inconsistent(size) => write!(
                 f,
-                "the initial state violates its constraints by {size:e} at t = {:e} s: correct the initial positions",
+                "the initial state violates its constraints by {size:e} at t = {:e} s: correct the initial positions or velocities; only small errors are corrected by themselves",
                 self.t
             )?,
+            SolveErrorKind::Redundant(text) => write!(f, "at t = {:e} s {text}", self.t)?,
+            SolveErrorKind::Untied(text) => write!(f, "at t = {:e} s {text}", self.t)?,
             SolveErrorKind::NoEquilibrium(text) => write!(f, "no relative equilibrium at t = {:e} s: {text}", self.t)?,
         }
         match &self.worst {

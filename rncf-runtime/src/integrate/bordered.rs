@@ -55,24 +55,24 @@ enum Factors {
 impl Bordered {
     /// Analyses the patterns; [`Bordered::move_to`] must come next.
     pub(super) fn new<S: System + ?Sized>(system: &S) -> Self {
-        Self::weighted(system, Weight::Mass, system.pattern().clone())
+        Self::weighted(system, Weight::Mass, system.pattern().clone(), system.border())
     }
 
     /// The same with `1 / size^2` of the unknowns in place of the mass.
     pub(super) fn by_sizes<S: System + ?Sized>(system: &S) -> Self {
         let n = system.unknowns();
-        let mut bordered = Self::weighted(system, Weight::Sizes, Pattern::new(n, n, (0..n).map(|i| (i, i))));
+        let mut bordered = Self::weighted(system, Weight::Sizes, Pattern::new(n, n, (0..n).map(|i| (i, i))), 0);
         for (weight, size) in bordered.mass.iter_mut().zip(system.sizes()) {
             *weight = 1.0 / (size * size);
         }
         bordered
     }
 
-    fn weighted<S: System + ?Sized>(system: &S, weight: Weight, pattern: Pattern) -> Self {
+    fn weighted<S: System + ?Sized>(system: &S, weight: Weight, pattern: Pattern, border: usize) -> Self {
         let constraint_pattern = system.constraint_pattern().clone();
         let (n, m) = (system.unknowns(), system.constraints());
         Self {
-            saddle: Saddle::new(&pattern, system.border(), &constraint_pattern),
+            saddle: Saddle::new(&pattern, border, &constraint_pattern),
             weight,
             sizes: system.sizes().to_vec(),
             jacobian: vec![0.0; constraint_pattern.entries()],

@@ -33,7 +33,7 @@ impl Charts {
 
     /// Multiplies the columns of orientations in the matrix `values` by `T^-1`: a derivative with
     /// respect to theta becomes one with respect to right increments.
-    pub(super) fn to_increments(&self, state: &State, values: &mut [f64]) {
+    pub(super) fn columns_to_increments(&self, state: &State, values: &mut [f64]) {
         for (&turn, rows) in self.turns.iter().zip(&self.rows) {
             let map = inverse_tangent_map(three(&state.x, turn));
             for places in rows {
@@ -56,7 +56,7 @@ impl Charts {
     }
 
     /// Turns changes of theta in `y` into right increments: `T y`.
-    pub(super) fn from_chart(&self, state: &State, y: &mut [f64]) {
+    pub(super) fn to_increments(&self, state: &State, y: &mut [f64]) {
         for &turn in &self.turns {
             let change = apply(&tangent_map(three(&state.x, turn)), three(y, turn));
             y[turn..turn + 3].copy_from_slice(&change);

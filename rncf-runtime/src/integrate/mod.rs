@@ -6,8 +6,10 @@
 mod alpha;
 mod bordered;
 mod charts;
+mod consistent;
 mod control;
 mod dense;
+mod diagnose;
 mod history;
 mod newton;
 mod options;
@@ -29,6 +31,7 @@ use crate::linalg::Singular;
 use crate::system::{ConstraintLevel, State, System};
 use alpha::{Alpha, Coefficients};
 use bordered::{Bordered, add};
+use consistent::Inconsistent;
 use radau::Radau;
 use scheme::{Cause, Outcome, Scheme};
 use segments::Segments;
@@ -73,11 +76,14 @@ enum Running {
 impl<'s, S: System + ?Sized> Integrator<'s, S> {
     /// Makes the initial accelerations and multipliers consistent and prepares the method.
     ///
-    /// Time, positions and velocities of `start` are used. A start at a kink counts as behind it.
+    /// Time, positions, orientations and velocities of `start` are used. A start at a kink counts as
+    /// behind it. Positions and velocities that are slightly off the constraints are put onto them,
+    /// see [`Statistics::position_correction`].
     ///
     /// # Errors
     /// A setting out of range, a state of the wrong length, positions or velocities that violate a
-    /// constraint, or a singular matrix.
+    /// constraint by more than that, constraints that depend on each other, a motion that has neither
+    /// inertia nor a tie, or a singular matrix.
     pub fn new(
         system: &'s mut S,
         start: State,
@@ -93,13 +99,11 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
             worst,
         };
         start::check_settings(t0, t_end, method, &options).map_err(|kind| fail(kind, None))?;
-        let (n, m) = (system.unknowns(), system.constraints());
+        let m = system.constraints();
         let segments = Segments::new(t0, t_end, &system.kinks());
-        let state = sized(system, start, segments.start()).map_err(|kind| fail(kind, None))?;
-        if let Some((size, index)) = start::violation(system, &state, t_end - t0) {
-            let worst = system.describe_constraint(index);
-            return Err(fail(SolveErrorKind::Inconsistent(size), Some(worst)));
-        }
+        let mut state = sized(system, start, segments.start()).map_err(|kind| fail(kind, None))?;
+        let mut statistics = Statistics::default();
+        prepare(system, &mut state, t_end - t0, &mut statistics).map_err(|(kind, worst)| fail(kind, worst))?;
         let bordered = Bordered::new(system);
         let scheme = match method {
             Method::Hht { alpha } => Running::alpha(system, Coefficients::hht(alpha), &options),
@@ -117,7 +121,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
             wanted: 0.0,
             at_kink: false,
             previous_time: state.t,
-            statistics: Statistics::default(),
+            statistics,
             violations: vec![0.0; m],
         };
         integrator.begin(state)?;
@@ -304,15 +308,18 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
     }
 
     fn error(&self, kind: SolveErrorKind, t: f64, h: f64, row: Option<usize>) -> SolveError {
-        let n = self.system.unknowns();
-        let worst = row.map(|row| {
-            if row < n {
-                self.system.describe_unknown(row)
-            } else {
-                self.system.describe_constraint(row - n)
-            }
-        });
+        let worst = row.map(|row| describe(self.system, row));
         SolveError { kind, t, h, worst }
+    }
+}
+
+/// A row of the equations in the user's words: unknowns first, then constraints.
+fn describe<S: System + ?Sized>(system: &S, row: usize) -> String {
+    let n = system.unknowns();
+    if row < n {
+        system.describe_unknown(row)
+    } else {
+        system.describe_constraint(row - n)
     }
 }
 
@@ -339,6 +346,39 @@ fn sized<S: System + ?Sized>(system: &S, start: State, t: f64) -> Result<State, 
         turns: start.turns,
         ..State::of(system, t)
     })
+}
+
+/// Puts the initial state onto the constraints, or says what is wrong with it or with them.
+fn prepare<S: System + ?Sized>(
+    system: &mut S,
+    state: &mut State,
+    span: f64,
+    statistics: &mut Statistics,
+) -> Result<(), (SolveErrorKind, Option<String>)> {
+    state.rebase(system.turns());
+    let check = |system: &mut S, state: &State| match diagnose::redundancy(system, state) {
+        Some(text) => Err((SolveErrorKind::Redundant(text), None)),
+        None => Ok(()),
+    };
+    check(system, state)?;
+    consistent::project(system, state, span, statistics).map_err(|inconsistent| match inconsistent {
+        Inconsistent::Far(size, index) => {
+            let worst = system.describe_constraint(index);
+            (SolveErrorKind::Inconsistent(size), Some(worst))
+        }
+        Inconsistent::Singular(singular) => {
+            let row = newton::row(singular, system.unknowns());
+            (SolveErrorKind::Singular, row.map(|row| describe(system, row)))
+        }
+    })?;
+    if statistics.position_correction > 0.0 {
+        // Redundancy may show on the constraints only.
+        check(system, state)?;
+    }
+    match diagnose::untied(system, state) {
+        Some(text) => Err((SolveErrorKind::Untied(text), None)),
+        None => Ok(()),
+    }
 }
 
 impl Running {

@@ -314,7 +314,7 @@ impl Newton {
         for i in 0..self.block.len() {
             self.block[i] = self.factors.mass * tangent.mass[i] + damping * tangent.damping[i];
         }
-        self.charts.to_increments(state, &mut self.block);
+        self.charts.columns_to_increments(state, &mut self.block);
         for i in 0..self.block.len() {
             self.block[i] += stiffness * tangent.stiffness[i];
         }

@@ -82,7 +82,7 @@ impl Stabiliser {
         self.schur.clear();
         for j in 0..self.velocity.len() {
             self.direction(j);
-            charts.from_chart(state, &mut self.shift);
+            charts.to_increments(state, &mut self.shift);
             let (d, lambda) = &mut self.responses[j];
             d.fill(0.0);
             lambda.fill(0.0);

@@ -1,15 +1,12 @@
-//! What must hold before the first step: settings in range, positions and velocities on the
-//! constraints, and a first step that fits the scales of the motion.
+//! Before the first step: settings in range, and a first step that fits the scales of the motion.
 
 use super::bordered::Bordered;
 use super::newton::norm;
 use super::{Method, Options, Statistics, StepSize};
 use crate::error::SolveErrorKind;
 use crate::linalg::Singular;
-use crate::system::{ConstraintLevel, State, System};
+use crate::system::{State, System};
 
-/// Largest accepted violation of a constraint, relative to the sizes of what it ties.
-const CONSISTENT: f64 = 1e-7;
 /// First trial step, as a part of the time in which an unknown covers its size, or of the span.
 const CAUTIOUS: f64 = 1e-2;
 
@@ -43,37 +40,6 @@ pub(super) fn check_settings(t: f64, t_end: f64, method: Method, options: &Optio
     check(t.is_finite(), "the start time (s)", t, "finite")?;
     let range = format!("finite and later than the start at {t} s");
     check(t_end.is_finite() && t_end > t, "t_end (s)", t_end, &range)
-}
-
-/// The largest violation of a constraint and its index, if it is too large: positions relative to
-/// the change of the constraint when every unknown changes by its size, velocities relative to
-/// their own terms.
-pub(super) fn violation<S: System + ?Sized>(system: &mut S, state: &State, span: f64) -> Option<(f64, usize)> {
-    let m = system.constraints();
-    let mut jacobian = vec![0.0; system.constraint_pattern().entries()];
-    let (mut position, mut velocity) = (vec![0.0; m], vec![0.0; m]);
-    system.constraint(ConstraintLevel::Position, state, &mut position);
-    system.constraint(ConstraintLevel::Velocity, state, &mut velocity);
-    system.constraint_jacobian(state, &mut jacobian);
-    let (pattern, sizes) = (system.constraint_pattern(), system.sizes());
-    let mut worst: Option<(f64, usize)> = None;
-    for column in 0..m {
-        let (mut reach, mut rate) = (0.0, velocity[column].abs());
-        for place in pattern.starts()[column]..pattern.starts()[column + 1] {
-            let row = pattern.indices()[place];
-            reach += (jacobian[place] * sizes[row]).abs();
-            rate += (jacobian[place] * state.v[row]).abs();
-            velocity[column] += jacobian[place] * state.v[row];
-        }
-        let excess = |value: f64, scale: f64| (value.abs() > CONSISTENT * scale).then(|| value.abs());
-        let found = excess(position[column], reach).or_else(|| excess(velocity[column], rate + reach / span));
-        if let Some(size) = found
-            && worst.is_none_or(|(worst, _)| size > worst)
-        {
-            worst = Some((size, column));
-        }
-    }
-    worst
 }
 
 /// A first step (s) from the change of the accelerations over a cautious trial step; `bordered`

@@ -31,4 +31,9 @@ pub struct Statistics {
     pub largest_step: f64,
     /// Largest constraint violation |C| at accepted steps, in the constraints' units.
     pub max_constraint_residual: f64,
+    /// Largest change of an initial position that put it onto the constraints, relative to the size
+    /// of the unknown; 0: none was needed.
+    pub position_correction: f64,
+    /// The same of an initial velocity, relative to the size over the time of the run.
+    pub velocity_correction: f64,
 }

@@ -226,22 +226,6 @@ fn settings_out_of_range_are_named() {
 }
 
 #[test]
-fn inconsistent_start_names_the_constraint() {
-    let start = || Pendulum::at_rest().state(0.0, 0.0, -3.0);
-    let (mut long, mut radial) = (start(), start());
-    long.x[0] = 1.01;
-    radial.v[0] = 0.1;
-    for (state, size) in [(long, 0.01005), (radial, 0.1)] {
-        let error = refusal(state, 1.0, METHODS[0], Options::default());
-        assert!(
-            matches!(error.kind, SolveErrorKind::Inconsistent(found) if (found - size).abs() < 1e-6),
-            "{error:?}"
-        );
-        assert_eq!(error.worst.as_deref(), Some("rod"));
-    }
-}
-
-#[test]
 fn jump_that_is_not_declared_stops_with_the_last_good_state() {
     // The force is not a number behind 0.5 s.
     let mut system = Oscillator::new(1.0, 0.0, |t| if t < 0.5 { 1.0 } else { f64::NAN });

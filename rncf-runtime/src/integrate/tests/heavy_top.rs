@@ -1,21 +1,29 @@
-//! Heavy top of BENCHMARKS 3 and the free top: a free frame of six unknowns, centre of mass r and
-//! orientation A, written by hand.
+//! Heavy top of BENCHMARKS 3 and the free top: a free frame of six unknowns, reference point r and
+//! orientation A, written by hand. The reference point is the centre of mass, or off it: then the mass
+//! depends on the orientation.
 
 use crate::linalg::Pattern;
 use crate::rotation::Rotation;
 use crate::system::{ConstraintLevel, State, System, Tangent};
-use crate::vector::{Matrix, Vector, add, apply, apply_transposed, cross, dot, multiply, norm, scale, skew, subtract};
+use crate::vector::{
+    Matrix, Vector, add, apply, apply_transposed, cross, dot, multiply, norm, scale, skew, subtract, transpose,
+};
 
 /// Gravity, m/s^2.
 const GRAVITY: Vector = [0.0, 0.0, -9.81];
 /// Fixed point to centre of mass, body axes, m.
 const ARM: Vector = [0.0, 1.0, 0.0];
 
-/// A rigid body whose point `r - A ARM` is held at the origin, or one that flies freely.
+/// An offset of the reference point in no special direction, m.
+pub(super) const OFFSET: Vector = [0.3, -0.2, 0.4];
+
+/// A rigid body whose point `r - A (ARM + offset)` is held at the origin, or one that flies freely.
 pub(super) struct Top {
     mass: f64,
     /// Principal moments of inertia about the centre of mass, kg m^2.
     inertia: Vector,
+    /// Centre of mass to reference point, body axes, m.
+    offset: Vector,
     gravity: Vector,
     pattern: Pattern,
     constraint_pattern: Pattern,
@@ -33,6 +41,14 @@ impl Top {
         )
     }
 
+    /// The heavy top with unknowns of another point: `r = centre + A offset`.
+    pub(super) fn heavy_from(offset: Vector) -> Self {
+        Self {
+            offset,
+            ..Self::heavy()
+        }
+    }
+
     /// A free asymmetric top without loads.
     pub(super) fn free() -> Self {
         Self::new([1.0, 2.0, 3.0], [0.0; 3], 0, [])
@@ -47,6 +63,7 @@ impl Top {
         Self {
             mass: 15.0,
             inertia,
+            offset: [0.0; 3],
             gravity,
             pattern: Pattern::new(6, 6, (0..36).map(|place| (place / 6, place % 6))),
             constraint_pattern: Pattern::new(6, constraints, entries),
@@ -56,9 +73,33 @@ impl Top {
     /// State of the heavy top at t = 0.
     pub(super) fn start(&self) -> State {
         let mut state = State::of(self, 0.0);
-        state.x[..3].copy_from_slice(&ARM);
-        state.v.copy_from_slice(&[4.61538, 0.0, 0.0, 0.0, 150.0, -4.61538]);
+        let w = [0.0, 150.0, -4.61538];
+        state.x[..3].copy_from_slice(&self.arm());
+        state.v[..3].copy_from_slice(&add([4.61538, 0.0, 0.0], cross(w, self.offset)));
+        state.v[3..].copy_from_slice(&w);
         state
+    }
+
+    /// Fixed point to reference point, body axes, m.
+    fn arm(&self) -> Vector {
+        add(ARM, self.offset)
+    }
+
+    /// The state with the centre of mass in place of the reference point.
+    pub(super) fn centred(&self, state: &State) -> State {
+        let mut centred = state.clone();
+        let offset = apply(&attitude(state), self.offset);
+        centred.x[..3].copy_from_slice(&subtract([state.x[0], state.x[1], state.x[2]], offset));
+        centred
+    }
+
+    /// Acceleration of the reference point less gravity, body axes, and acceleration relative to it of
+    /// the centre of mass, reversed.
+    fn accelerations(&self, state: &State) -> (Vector, Vector) {
+        let (w, dw) = (angular(&state.v), angular(&state.a));
+        let point = subtract([state.a[0], state.a[1], state.a[2]], self.gravity);
+        let turning = add(cross(dw, self.offset), cross(w, cross(w, self.offset)));
+        (apply_transposed(&attitude(state), point), turning)
     }
 
     /// Angular momentum about the centre of mass, inertial axes, N m s.
@@ -74,10 +115,11 @@ impl Top {
         6 * j + i
     }
 
-    fn set_rotation_block(&self, values: &mut [f64], block: &Matrix) {
+    /// Adds `factor * block` from the given row and column on.
+    fn add_block(&self, values: &mut [f64], (first, second): (usize, usize), factor: f64, block: &Matrix) {
         for (i, row) in block.iter().enumerate() {
             for (j, &value) in row.iter().enumerate() {
-                values[self.place(3 + i, 3 + j)] = value;
+                values[self.place(first + i, second + j)] += factor * value;
             }
         }
     }
@@ -144,48 +186,63 @@ impl System for Top {
     fn constraint_pattern(&self) -> &Pattern {
         &self.constraint_pattern
     }
-    fn mass(&mut self, _state: &State, values: &mut [f64]) {
+    fn mass(&mut self, state: &State, values: &mut [f64]) {
         values.fill(0.0);
         for i in 0..3 {
             values[self.place(i, i)] = self.mass;
             values[self.place(3 + i, 3 + i)] = self.inertia[i];
         }
+        let p = skew(self.offset);
+        let coupling = multiply(&attitude(state), &p);
+        self.add_block(values, (0, 3), self.mass, &coupling);
+        self.add_block(values, (3, 0), self.mass, &transpose(&coupling));
+        self.add_block(values, (3, 3), -self.mass, &multiply(&p, &p));
     }
     fn residual(&mut self, state: &State, out: &mut [f64]) {
         let w = angular(&state.v);
+        let (point, turning) = self.accelerations(state);
+        let inertial = scale(self.mass, subtract(point, turning));
+        let force = apply(&attitude(state), inertial);
         let gyroscopic = cross(w, self.times_inertia(w));
         let moment = add(self.times_inertia(angular(&state.a)), gyroscopic);
-        for i in 0..3 {
-            out[i] = self.mass * (state.a[i] - self.gravity[i]);
-            out[3 + i] = moment[i];
-        }
+        let moment = subtract(moment, cross(self.offset, inertial));
+        out[..3].copy_from_slice(&force);
+        out[3..].copy_from_slice(&moment);
     }
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
         self.mass(state, &mut out.mass);
         out.stiffness.fill(0.0);
         out.damping.fill(0.0);
-        let w = angular(&state.v);
-        let (turn, momentum) = (skew(w), skew(self.times_inertia(w)));
-        let damping: Matrix =
-            std::array::from_fn(|i| std::array::from_fn(|j| turn[i][j] * self.inertia[j] - momentum[i][j]));
-        self.set_rotation_block(&mut out.damping, &damping);
+        let (w, a, p) = (angular(&state.v), attitude(state), skew(self.offset));
+        self.add_block(&mut out.damping, (3, 3), -1.0, &skew(self.times_inertia(w)));
+        let turn = skew(w);
+        let gyroscopic: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| turn[i][j] * self.inertia[j]));
+        self.add_block(&mut out.damping, (3, 3), 1.0, &gyroscopic);
+        // d(w x (w x p)) = -([w x p] + [w][p]) dw
+        for centrifugal in [skew(cross(w, self.offset)), multiply(&turn, &p)] {
+            self.add_block(&mut out.damping, (0, 3), self.mass, &multiply(&a, &centrifugal));
+            self.add_block(&mut out.damping, (3, 3), -self.mass, &multiply(&p, &centrifugal));
+        }
+        let (point, turning) = self.accelerations(state);
+        self.add_block(&mut out.stiffness, (0, 3), self.mass, &multiply(&a, &skew(turning)));
+        self.add_block(&mut out.stiffness, (3, 3), -self.mass, &multiply(&p, &skew(point)));
         if let &[x, y, z] = &state.lambda[..] {
-            let force = skew(apply_transposed(&attitude(state), [x, y, z]));
-            self.set_rotation_block(&mut out.stiffness, &multiply(&skew(scale(-1.0, ARM)), &force));
+            let force = skew(apply_transposed(&a, [x, y, z]));
+            self.add_block(&mut out.stiffness, (3, 3), -1.0, &multiply(&skew(self.arm()), &force));
         }
     }
     fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]) {
         if out.is_empty() {
             return;
         }
-        let (w, dw) = (angular(&state.v), angular(&state.a));
-        let wx = cross(w, ARM);
+        let (w, dw, held) = (angular(&state.v), angular(&state.a), self.arm());
+        let wx = cross(w, held);
         let arm = match level {
-            ConstraintLevel::Position => ARM,
+            ConstraintLevel::Position => held,
             ConstraintLevel::Velocity => [0.0; 3],
             ConstraintLevel::Acceleration => cross(w, wx),
             ConstraintLevel::Jerk => add(
-                add(scale(2.0, cross(w, cross(dw, ARM))), cross(dw, wx)),
+                add(scale(2.0, cross(w, cross(dw, held))), cross(dw, wx)),
                 cross(w, cross(w, wx)),
             ),
         };
@@ -202,13 +259,13 @@ impl System for Top {
     fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
         if !values.is_empty() {
             // d(A X) = A (dpi x X)
-            self.write_border(1.0, &multiply(&attitude(state), &skew(ARM)), values);
+            self.write_border(1.0, &multiply(&attitude(state), &skew(self.arm())), values);
         }
     }
     fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
         if !values.is_empty() {
             // d(-A (w x X)) = -A (dpi x (w x X))
-            let velocity = cross(angular(&state.v), ARM);
+            let velocity = cross(angular(&state.v), self.arm());
             self.write_border(0.0, &multiply(&attitude(state), &skew(velocity)), values);
         }
     }
@@ -229,8 +286,11 @@ impl System for Top {
         vec![]
     }
     fn energy(&mut self, state: &State) -> Option<f64> {
-        let (w, v) = (angular(&state.v), [state.v[0], state.v[1], state.v[2]]);
-        let r = [state.x[0], state.x[1], state.x[2]];
+        let (w, a) = (angular(&state.v), attitude(state));
+        let point = [state.v[0], state.v[1], state.v[2]];
+        let v = subtract(point, apply(&a, cross(w, self.offset)));
+        let centre = self.centred(state).x;
+        let r = [centre[0], centre[1], centre[2]];
         let kinetic = 0.5 * (self.mass * dot(v, v) + dot(w, self.times_inertia(w)));
         Some(kinetic - self.mass * dot(self.gravity, r))
     }
@@ -239,7 +299,7 @@ impl System for Top {
 #[test]
 fn hand_written_derivatives_are_those_of_the_functions() {
     use ConstraintLevel::{Acceleration, Jerk, Position, Velocity};
-    let mut top = Top::heavy();
+    let mut top = Top::heavy_from(OFFSET);
     let mut state = top.start();
     state.turns[0] = Rotation::exp([0.3, -0.4, 0.9]);
     state.v.copy_from_slice(&[0.1, -0.7, 0.4, 1.3, -0.8, 0.6]);
@@ -280,6 +340,56 @@ fn hand_written_derivatives_are_those_of_the_functions() {
         };
         for i in 0..3 {
             assert!(((up[i] - down[i]) / (2.0 * step) - exact[i]).abs() < 1e-8, "{next:?}");
+        }
+    }
+    tangents_are_derivatives(&mut top, &state);
+}
+
+/// `M a + f + C_x^T lambda` and `C_x v` against differences, at theta = 0.
+fn tangents_are_derivatives(top: &mut Top, state: &State) {
+    let pattern = top.constraint_pattern().clone();
+    let sum = |top: &mut Top, state: &State| {
+        let (mut out, mut border) = (vec![0.0; 9], vec![0.0; pattern.entries()]);
+        top.residual(state, &mut out[..6]);
+        top.constraint_jacobian(state, &mut border);
+        pattern.multiply_add(1.0, &border, &state.lambda, &mut out[..6]);
+        pattern.transpose_multiply_add(1.0, &border, &state.v, &mut out[6..]);
+        out
+    };
+    let mut tangent = Tangent {
+        mass: vec![0.0; 36],
+        stiffness: vec![0.0; 36],
+        damping: vec![0.0; 36],
+    };
+    top.tangent(state, &mut tangent);
+    let (mut border, mut rate) = (vec![0.0; pattern.entries()], vec![0.0; pattern.entries()]);
+    top.constraint_jacobian(state, &mut border);
+    top.constraint_rate_tangent(state, &mut rate);
+    let step = 1e-5;
+    type Part = fn(&mut State) -> &mut Vec<f64>;
+    let parts: [(Part, &[f64], Option<&[f64]>); 3] = [
+        (|state| &mut state.x, &tangent.stiffness, Some(&rate)),
+        (|state| &mut state.v, &tangent.damping, Some(&border)),
+        (|state| &mut state.a, &tangent.mass, None),
+    ];
+    for (part, derivative, constraint) in parts {
+        for j in 0..6 {
+            let mut at = |h: f64| {
+                let mut moved = state.clone();
+                part(&mut moved)[j] += h;
+                sum(top, &moved)
+            };
+            let (up, down) = (at(step), at(-step));
+            for i in 0..9 {
+                let exact = if i < 6 {
+                    derivative[6 * j + i]
+                } else {
+                    let place = pattern.find(j, i - 6);
+                    constraint.zip(place).map_or(0.0, |(values, place)| values[place])
+                };
+                let found = (up[i] - down[i]) / (2.0 * step);
+                assert!((found - exact).abs() < 1e-7, "{i} {j}: {found} {exact}");
+            }
         }
     }
 }

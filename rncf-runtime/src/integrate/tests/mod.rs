@@ -7,5 +7,6 @@ mod lie;
 mod order;
 mod radau;
 mod radau_lie;
+mod start;
 mod swarm;
 mod systems;

@@ -275,6 +275,33 @@ fn corrected_start_reaches_the_published_accuracy() {
 }
 
 #[test]
+fn stabilised_start_reaches_the_published_accuracy() {
+    // THEORY 7.4: rho = 0.8, largest early error of the multiplier; velocities on the constraints.
+    for (h, published) in [(0.02, 4.6e-2), (0.01, 6.5e-3), (0.005, 1.3e-3)] {
+        let (mut system, reference) = (Pendulum::at_rest(), Pendulum::at_rest());
+        let options = Options {
+            step: StepSize::Fixed(h),
+            stabilised: true,
+            ..Options::default()
+        };
+        let (mut statistics, mut y) = (Statistics::default(), [0.0, -3.0]);
+        let mut scheme = Alpha::new(&mut system, Coefficients::generalized_alpha(0.8), &options);
+        let start = reference.state(0.0, y[0], y[1]);
+        scheme.begin(&mut system, &start, h, &mut statistics).unwrap();
+        let mut early = 0.0_f64;
+        for step in 0..(0.1 / h) as usize {
+            scheme.attempt(&mut system, h, &mut statistics);
+            let state = scheme.state();
+            y = reference.advance(y, step as f64 * h, state.t);
+            early = early.max((state.lambda[0] - reference.state(state.t, y[0], y[1]).lambda[0]).abs());
+            let slip = state.x[0] * state.v[0] + state.x[1] * state.v[1];
+            assert!(slip.abs() < 1e-11, "{slip}");
+        }
+        assert!((published / 2.0..published * 2.0).contains(&early), "{h}: {early}");
+    }
+}
+
+#[test]
 fn corrected_step_change_reaches_the_published_accuracy() {
     // THEORY 10: ratio 1.5 every four steps, h the smaller step.
     let published = [

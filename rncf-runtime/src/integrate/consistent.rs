@@ -1,0 +1,145 @@
+//! Consistent initial positions and velocities: small violations of the constraints are projected
+//! away, large ones are refused by name.
+//!
+//! The correction is the smallest one relative to the sizes of the unknowns (Gauss-Newton with
+//! `[[1/size^2, C_x^T], [C_x, 0]]`); inertia has no say in where a body was meant to be.
+
+use super::Statistics;
+use super::bordered::{Bordered, add};
+use super::charts::Charts;
+use crate::linalg::Singular;
+use crate::system::{ConstraintLevel, State, System};
+
+/// Largest violation that is corrected, relative to the change of the constraint when every unknown
+/// changes by its size.
+const NEAR: f64 = 1e-2;
+/// Violations up to here are round-off, in the same measure.
+const EXACT: f64 = 1e-14;
+/// Largest violation that may be left.
+const CONSISTENT: f64 = 1e-7;
+/// Most corrections; convergence is quadratic.
+const ITERATIONS: usize = 10;
+
+/// Why a state cannot be made consistent.
+pub(super) enum Inconsistent {
+    /// Violation of the worst constraint, in its unit, and its index.
+    Far(f64, usize),
+    /// The constraints contradict or depend on each other.
+    Singular(Singular),
+}
+
+/// Projects positions, then velocities, onto the constraints, and notes the largest corrections.
+///
+/// Velocities are measured by the terms of the constraint and by the sizes over `span` (s).
+pub(super) fn project<S: System + ?Sized>(
+    system: &mut S,
+    state: &mut State,
+    span: f64,
+    statistics: &mut Statistics,
+) -> Result<(), Inconsistent> {
+    if system.constraints() == 0 {
+        return Ok(());
+    }
+    let mut projection = Projection::new(system, span);
+    statistics.position_correction = projection.run(system, state, ConstraintLevel::Position)?;
+    statistics.velocity_correction = projection.run(system, state, ConstraintLevel::Velocity)?;
+    Ok(())
+}
+
+/// Constraint values, their scales, and the matrix.
+struct Projection {
+    bordered: Bordered,
+    charts: Charts,
+    span: f64,
+    jacobian: Vec<f64>,
+    value: Vec<f64>,
+    change: Vec<f64>,
+}
+
+impl Projection {
+    fn new<S: System + ?Sized>(system: &S, span: f64) -> Self {
+        Self {
+            bordered: Bordered::by_sizes(system),
+            charts: Charts::new(system.turns(), system.pattern()),
+            span,
+            jacobian: vec![0.0; system.constraint_pattern().entries()],
+            value: vec![0.0; system.constraints()],
+            change: vec![0.0; system.unknowns()],
+        }
+    }
+
+    /// Corrects one level; returns the largest change relative to the sizes of the unknowns (velocities:
+    /// over the span).
+    fn run<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        state: &mut State,
+        level: ConstraintLevel,
+    ) -> Result<f64, Inconsistent> {
+        let (mut largest, mut before) = (0.0_f64, f64::INFINITY);
+        for iteration in 0..=ITERATIONS {
+            let (violation, worst) = self.violation(system, state, level);
+            let far = Inconsistent::Far(self.value[worst].abs(), worst);
+            if iteration == 0 && violation > NEAR || !violation.is_finite() {
+                return Err(far);
+            }
+            let stagnates = violation > 0.5 * before || iteration == ITERATIONS;
+            if violation <= EXACT || stagnates && violation <= CONSISTENT {
+                break;
+            }
+            if stagnates {
+                return Err(far);
+            }
+            before = violation;
+            // Solutions for a start are not counted.
+            self.bordered.move_to(system, state);
+            self.bordered
+                .least_change(&self.value, &mut self.change, &mut Statistics::default())
+                .map_err(Inconsistent::Singular)?;
+            let sizes = system.sizes();
+            let unit = if level == ConstraintLevel::Position {
+                self.charts.to_chart(state, &mut self.change);
+                add(&mut state.x, &self.change);
+                1.0
+            } else {
+                add(&mut state.v, &self.change);
+                self.span
+            };
+            let moved = self.change.iter().zip(sizes).map(|(change, size)| change.abs() / size);
+            largest = moved.fold(largest, |largest, moved| largest.max(unit * moved));
+        }
+        Ok(largest)
+    }
+
+    /// The largest violation of a constraint, relative to its scale, and its index; values on the way.
+    fn violation<S: System + ?Sized>(&mut self, system: &mut S, state: &State, level: ConstraintLevel) -> (f64, usize) {
+        system.constraint_jacobian(state, &mut self.jacobian);
+        system.constraint(level, state, &mut self.value);
+        let (pattern, sizes) = (system.constraint_pattern(), system.sizes());
+        let mut worst = (0.0, 0);
+        for (column, value) in self.value.iter_mut().enumerate() {
+            let mut scale = 0.0;
+            let mut rate = value.abs();
+            for place in pattern.starts()[column]..pattern.starts()[column + 1] {
+                let row = pattern.indices()[place];
+                scale += (self.jacobian[place] * sizes[row]).abs();
+                if level == ConstraintLevel::Velocity {
+                    let term = self.jacobian[place] * state.v[row];
+                    rate += term.abs();
+                    *value += term;
+                }
+            }
+            if level == ConstraintLevel::Velocity {
+                scale = rate + scale / self.span;
+            }
+            let violation = if *value == 0.0 { 0.0 } else { value.abs() / scale };
+            if violation.is_nan() {
+                return (violation, column);
+            }
+            if violation > worst.0 {
+                worst = (violation, column);
+            }
+        }
+        worst
+    }
+}
