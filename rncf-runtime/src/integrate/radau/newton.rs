@@ -47,8 +47,9 @@ pub(super) struct Newton {
     patient: bool,
     /// Relative tolerance behind the weights.
     rtol: f64,
-    /// theta / (1 - theta) of the last step.
+    /// theta / (1 - theta) of the last step, and its size.
     amplification: f64,
+    seen_at: f64,
     dynamics: [Vec<f64>; 3],
     constraints: [Vec<f64>; 3],
     /// Right sides of the constraints' rates; empty with index 3.
@@ -78,6 +79,7 @@ impl Newton {
             patient,
             rtol,
             amplification: 1.0,
+            seen_at: 0.0,
             dynamics: std::array::from_fn(|_| vec![0.0; n]),
             constraints: std::array::from_fn(|_| vec![0.0; m]),
             rates: std::array::from_fn(|_| vec![0.0; rates]),
@@ -105,8 +107,9 @@ impl Newton {
         statistics: &mut Statistics,
     ) -> Result<Converged, Failure> {
         let floor = ROUND_OFF / self.rtol * (1.0 + norm(&start.x, &self.inverse_sizes));
-        // The estimate of the last step, made cautious.
-        let mut amplification = self.amplification.max(f64::EPSILON).powf(0.8);
+        // The estimate of the last step, made cautious; contraction is of second order in the step.
+        let growth = (stages.h / self.seen_at).clamp(1.0, 1e3);
+        let mut amplification = self.amplification.max(f64::EPSILON).powf(0.8) * growth.powi(2);
         let (mut last, mut last_ratio, mut contraction) = (0.0, 0.0, 0.0);
         let most = if self.patient { PATIENT } else { ITERATIONS };
         for iteration in 1..=most {
@@ -131,6 +134,7 @@ impl Newton {
             }
             let at_noise = size <= floor || contraction > STAGNANT && size <= AMPLIFIED * floor;
             if at_noise || contraction < DIVERGING && amplification * size <= self.tolerance {
+                self.seen_at = stages.h;
                 self.amplification = if contraction < DIVERGING { amplification } else { 1.0 };
                 if !self.rates[0].is_empty() {
                     self.differentiate(system, coefficients, matrices, start, stages);

@@ -280,7 +280,7 @@ fn coarse_tolerances_find_their_way_back_to_the_constraints() {
         for rtol in [1.0, 0.1, 1e-2] {
             let (errors, statistics) = heavy(1, adaptive(rtol, stabilised));
             println!("{rtol:e} {stabilised}: {errors:?}, {} steps", statistics.steps);
-            assert!(errors[0] < 1.0 && statistics.max_constraint_residual < 1e-3);
+            assert!(errors[0] < 0.3 && statistics.max_constraint_residual < 1e-3);
         }
     }
 }
