@@ -102,7 +102,7 @@ pub struct MeshScene<P> {
     /// For every frame its index among the free ones.
     pub(super) free_of: Vec<Option<usize>>,
     /// Frames that stay at their start: those of mean axes where the bodies are absolute.
-    pub(super) fixed: Vec<(usize, FrameMotion)>,
+    pub(super) fixed: Vec<FreeFrame>,
     /// First unknowns of orientations.
     pub(super) turns: Vec<usize>,
     pub(super) markers: Vec<Marker>,
@@ -287,7 +287,7 @@ impl<P: Parts> MeshScene<P> {
         for (name, markers) in users {
             for &marker in markers {
                 let frame = self.marker_frame(&self.markers[marker]);
-                if self.fixed.iter().any(|&(fixed, _)| fixed == frame) {
+                if self.fixed.iter().any(|fixed| fixed.spec.frame == frame) {
                     let frame = self.parts.frame_name(frame);
                     return Err(ModelError::new(format!(
                         "`{name}` acts on frame `{frame}`, which follows mean axes and has no pose in absolute coordinates: use the referenced formulation, or let `{name}` act on the body"
