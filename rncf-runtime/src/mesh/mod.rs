@@ -4,6 +4,7 @@
 //! here is the same for all models: numbering, assembly, elimination, initial states.
 
 mod assembly;
+mod build;
 mod carried;
 mod checks;
 mod conditions;

@@ -3,8 +3,9 @@
 use super::super::free::{Motions, RigidSpec};
 use super::super::parts::{JointKind, LoadKind, LoadSpec, ObservedSpec, Place};
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, MeshScene, When};
-use super::model::{Hand, Law, Quadratic, body, everything, free, joint, stone};
+use super::model::{Hand, Law, Quadratic};
 use super::random::Random;
+use super::scenery::{body, everything, free, joint, stone};
 use crate::linalg::{Lu, Pattern};
 use crate::model::{Formulation, Joints, Scene};
 use crate::system::{ConstraintLevel, State, System};
@@ -324,15 +325,24 @@ fn reactions_do_not_depend_on_the_formulation() {
             moment,
             component,
         };
-        hand.observed = [false, true].into_iter().flat_map(|moment| [0, 1, 2].map(|i| component(moment, i))).collect();
+        hand.observed = [false, true]
+            .into_iter()
+            .flat_map(|moment| [0, 1, 2].map(|i| component(moment, i)))
+            .collect();
         let mut scene = hand.scene(formulation);
         let mut state = scene.rest(0.0);
         solve(&mut scene, &mut state);
         outputs(&mut scene, &state)
     };
     let [referenced, absolute] = [Formulation::Rncf, Formulation::Ancf].map(|f| reactions(stone(), f));
-    assert!(norm([referenced[0], referenced[1], referenced[2]]) > 0.1, "{referenced:?}");
-    assert!(norm([referenced[3], referenced[4], referenced[5]]) > 0.1, "{referenced:?}");
+    assert!(
+        norm([referenced[0], referenced[1], referenced[2]]) > 0.1,
+        "{referenced:?}"
+    );
+    assert!(
+        norm([referenced[3], referenced[4], referenced[5]]) > 0.1,
+        "{referenced:?}"
+    );
     for (a, b) in referenced.iter().zip(&absolute) {
         assert!((a - b).abs() < 1e-9, "{referenced:?} {absolute:?}");
     }
@@ -354,7 +364,10 @@ fn outputs_of_relative_equilibria_find_their_multipliers() {
     hand.fixtures.clear();
     hand.forces.clear();
     hand.markers = vec![
-        MarkerSpec::BodyPoint { body: 0, at: Place::Start },
+        MarkerSpec::BodyPoint {
+            body: 0,
+            at: Place::Start,
+        },
         MarkerSpec::Point { frame: 2, at: [0.0; 3] },
     ];
     let unit = |axis: usize| std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 });
@@ -365,9 +378,14 @@ fn outputs_of_relative_equilibria_find_their_multipliers() {
     hand.constraints.truncate(1);
     hand.constraints[0].0.markers = &[0, 1];
     hand.constraints[0].1 = vec![row(0), row(1), row(2)];
-    hand.observed = (0..3).map(|row| ObservedSpec::Multiplier { constraint: 0, row }).collect();
+    hand.observed = (0..3)
+        .map(|row| ObservedSpec::Multiplier { constraint: 0, row })
+        .collect();
     let mut scene = hand.scene(Formulation::Rncf);
-    assert_eq!(scene.steady_obstacle(0.0).map(|text| text.contains("uniformly")), Some(true));
+    assert_eq!(
+        scene.steady_obstacle(0.0).map(|text| text.contains("uniformly")),
+        Some(true)
+    );
     let mut state = scene.rest(0.4);
     Random(3).shake(&scene, &mut state, 0.1);
     let mut out = vec![0.0; 3];
@@ -377,7 +395,9 @@ fn outputs_of_relative_equilibria_find_their_multipliers() {
     // The constraints are on the first node's position: its forces must vanish.
     let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
     scene.constraint_jacobian(&state, &mut jacobian);
-    scene.constraint_pattern().multiply_add(1.0, &jacobian, &out, &mut forces);
+    scene
+        .constraint_pattern()
+        .multiply_add(1.0, &jacobian, &out, &mut forces);
     assert!(norm([forces[0], forces[1], forces[2]]) < 1e-12 && norm([out[0], out[1], out[2]]) > 0.1);
     assert!(refused_steady(&everything().scene(Formulation::Rncf)).contains("`ship` moves freely"));
 }

@@ -1,8 +1,9 @@
 //! Every block of the derivatives against central differences along right increments.
 
 use super::super::MeshScene;
-use super::model::{Hand, everything};
+use super::model::Hand;
 use super::random::{Random, moved};
+use super::scenery::everything;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Scene};
 use crate::system::{ConstraintLevel, State, System, Tangent};

@@ -1,8 +1,9 @@
 //! Levels of the constraints against time differences along a smooth motion.
 
 use super::super::MeshScene;
-use super::model::{Hand, everything};
+use super::model::Hand;
 use super::random::Random;
+use super::scenery::everything;
 use crate::model::{Formulation, Scene};
 use crate::rotation::Rotation;
 use crate::system::{ConstraintLevel, State, System};

@@ -6,3 +6,4 @@ mod inertia;
 mod levels;
 mod model;
 mod random;
+mod scenery;
