@@ -38,8 +38,8 @@ impl<P: Parts> MeshScene<P> {
             let parent = buffers.frames[frame.spec.parent];
             buffers.frames[frame.spec.frame] = frame.motion(&parent, turn, x, v, a);
         }
-        for &(frame, motion) in &self.fixed {
-            buffers.frames[frame] = motion;
+        for frame in &self.fixed {
+            buffers.frames[frame.spec.frame] = frame.fixed();
         }
         if let Regime::Steady(scale) = regime {
             for frame in &mut buffers.frames {

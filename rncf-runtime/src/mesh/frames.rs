@@ -28,6 +28,8 @@ pub struct Direction {
 pub struct FreeFrame {
     /// As declared.
     pub spec: FreeSpec,
+    /// Its place among the declared free frames.
+    pub place: usize,
     /// First of its unknowns among those of all free frames.
     pub first: usize,
     /// What every unknown moves.
@@ -64,17 +66,11 @@ fn directions(motions: Motions) -> Vec<Direction> {
 }
 
 impl FreeFrame {
-    /// A free frame whose parent moves as given at t = 0; `first` and `turn` number its unknowns.
+    /// A free frame whose parent moves as given at t = 0; its unknowns are not numbered yet.
     ///
     /// # Errors
     /// A start out of the plane that the frame keeps, by name.
-    pub fn new(
-        spec: FreeSpec,
-        name: &str,
-        parent: &FrameMotion,
-        first: usize,
-        turn: Option<usize>,
-    ) -> Result<Self, ModelError> {
+    pub fn new(spec: FreeSpec, place: usize, name: &str, parent: &FrameMotion) -> Result<Self, ModelError> {
         let carrier = Rotation::from_matrix(&parent.rotation);
         let relative = Rotation::exp(scale(spec.angle, spec.axis));
         let (mut base, mut rotation) = (carrier, carrier.times(&relative));
@@ -104,9 +100,10 @@ impl FreeFrame {
         }
         Ok(Self {
             spec,
-            first,
+            place,
+            first: 0,
             directions,
-            turn,
+            turn: None,
             start,
             base,
         })
@@ -245,7 +242,7 @@ pub struct Frames {
     /// For every frame its index among the free ones.
     pub free_of: Vec<Option<usize>>,
     /// Free frames that are no unknowns and stay at their start.
-    pub fixed: Vec<(usize, FrameMotion)>,
+    pub fixed: Vec<FreeFrame>,
     /// Motions of all frames at t = 0.
     pub motions: Vec<FrameMotion>,
 }
@@ -266,11 +263,10 @@ impl Frames {
         };
         let specs = parts.free();
         let (mut first, mut turns) = (0, 0);
-        for spec in &specs {
+        for (place, spec) in specs.iter().enumerate() {
             check_parent(parts, &specs, spec)?;
             let name = parts.frame_name(spec.frame);
-            let turn = matches!(spec.motions, Motions::Spatial | Motions::Turning).then_some(turns);
-            let frame = FreeFrame::new(spec.clone(), name, &frames.motions[spec.parent], first, turn)?;
+            let mut frame = FreeFrame::new(spec.clone(), place, name, &frames.motions[spec.parent])?;
             let mut averaged = false;
             for body in bodies.iter().filter(|body| body.frame == spec.frame) {
                 check_plane_of(body, name, spec.motions)?;
@@ -279,14 +275,17 @@ impl Frames {
                     averaged = true;
                 }
             }
+            frames.motions[spec.frame] = frame.started();
             if averaged && formulation == Formulation::Ancf && !frame.has_rigid_parts() {
-                frames.motions[spec.frame] = frame.fixed();
-                frames.fixed.push((spec.frame, frame.fixed()));
+                frames.fixed.push(frame);
                 continue;
             }
+            frame.first = first;
             first += frame.count();
-            turns += usize::from(turn.is_some());
-            frames.motions[spec.frame] = frame.started();
+            if matches!(spec.motions, Motions::Spatial | Motions::Turning) {
+                frame.turn = Some(turns);
+                turns += 1;
+            }
             frames.free_of[spec.frame] = Some(frames.free.len());
             frames.free.push(frame);
         }

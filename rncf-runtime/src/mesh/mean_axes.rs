@@ -1,6 +1,7 @@
 //! Free frames that follow the mean axes of a body (THEORY 6, Buckens): linear conditions on its
 //! nodal vectors, `d^a (q_a - q0_a) = 0` and `M^ab q0_a x q_b = 0`, kept with multipliers.
 
+use super::line::Line;
 use super::parts::{BodySpec, Parts};
 use super::scene::{MeshBody, MeshScene};
 use crate::error::ModelError;
@@ -86,8 +87,14 @@ fn product(row: &[f64], values: &[f64]) -> f64 {
     row.iter().zip(values).map(|(a, b)| a * b).sum()
 }
 
-/// Refuses mean axes of a body whose frame cannot follow them.
+/// Refuses mean axes of a body whose frame cannot follow them, or that do not tie its frame.
 pub(super) fn check(spec: &BodySpec, frame: &str, unknowns: usize) -> Result<(), ModelError> {
+    if spec.dimension() == 3 && matches!(spec.line, Line::Straight { .. }) {
+        return Err(ModelError::new(format!(
+            "body `{}` is straight: its mean axes do not tie the turning of frame `{frame}` about its line: use joints to the frame, or a curved line",
+            spec.name
+        )));
+    }
     let needed = if spec.dimension() == 2 { 3 } else { 6 };
     if unknowns == needed {
         return Ok(());

@@ -4,6 +4,7 @@
 //! here is the same for all models: numbering, assembly, elimination, initial states.
 
 mod assembly;
+mod build;
 mod carried;
 mod checks;
 mod conditions;
@@ -36,3 +37,6 @@ pub use parts::{
     Parts, Place, PointQuantity, Prescribed,
 };
 pub use scene::MeshScene;
+
+#[cfg(test)]
+mod tests;

@@ -299,7 +299,8 @@ pub trait Parts: Clone + Send + Sync + 'static {
     /// A material or section that makes no physical sense, by name.
     fn prepare(&mut self, body: usize, length: f64, shape: &[f64]) -> Result<(), ModelError>;
 
-    /// Motion of every frame at `t`.
+    /// Motion of every prescribed frame at `t`, jerks included where there are constraints on
+    /// markers; entries of free frames are not read.
     fn frames(&self, t: f64, motions: &mut [FrameMotion]);
     /// Whether a load's components depend on time.
     fn load_varies(&self, load: usize) -> bool;

@@ -1,7 +1,6 @@
 //! States of a scene in the declared frames and back.
 
 use super::frame::FrameMotion;
-use super::frames::FreeFrame;
 use super::parts::{Parts, PointQuantity};
 use super::scene::{MeshBody, MeshScene};
 use crate::model::Pose;
@@ -59,27 +58,43 @@ impl<P: Parts> MeshScene<P> {
     fn motions_with(&self, t: f64, poses: &[Pose]) -> Vec<FrameMotion> {
         let mut frames = vec![FrameMotion::INERTIAL; self.parts.frame_count()];
         self.parts.frames(t, &mut frames);
-        for (index, frame) in self.free.iter().enumerate() {
+        for frame in &self.free {
             let (mut x, mut v) = (vec![0.0; frame.count()], vec![0.0; frame.count()]);
             let a = x.clone();
-            let pose = poses.get(index).unwrap_or(&frame.start);
+            let pose = poses.get(frame.place).unwrap_or(&frame.start);
             frame.unknowns(pose, &mut x, &mut v);
             frames[frame.spec.frame] = frame.motion(&frames[frame.spec.parent], pose.rotation, &x, &v, &a);
         }
-        for &(frame, motion) in &self.fixed {
-            frames[frame] = motion;
+        for frame in &self.fixed {
+            let pose = poses.get(frame.place).unwrap_or(&frame.start);
+            frames[frame.spec.frame] = FrameMotion {
+                position: pose.position,
+                velocity: pose.velocity,
+                rotation: pose.rotation.matrix(),
+                spin: pose.spin,
+                ..FrameMotion::INERTIAL
+            };
         }
         frames
     }
 
-    /// Poses of the free frames at the loaded state.
+    /// Poses of all declared free frames at the loaded state; those that are no unknowns are at rest
+    /// at their start.
     pub(super) fn poses(&self) -> Vec<Pose> {
+        let mut poses = vec![Pose::default(); self.free.len() + self.fixed.len()];
         let border = self.layout.vector_components();
-        let pose = |frame: &FreeFrame| {
+        for frame in &self.free {
             let motion = &self.buffers.frames[frame.spec.frame];
-            frame.pose(motion, &self.buffers.q[border + frame.first..])
-        };
-        self.free.iter().map(pose).collect()
+            poses[frame.place] = frame.pose(motion, &self.buffers.q[border + frame.first..]);
+        }
+        for frame in &self.fixed {
+            poses[frame.place] = Pose {
+                velocity: [0.0; 3],
+                spin: [0.0; 3],
+                ..frame.start
+            };
+        }
+        poses
     }
 
     /// The unknowns of nodal vectors in declared frames and of the poses of free frames (as
@@ -108,9 +123,9 @@ impl<P: Parts> MeshScene<P> {
         self.layout.project(&full_q, &mut state.x);
         self.layout.project(&full_v, &mut state.v);
         let border = self.layout.unknowns() - self.layout.border();
-        for (index, frame) in self.free.iter().enumerate() {
+        for frame in &self.free {
             let own = border + frame.first..border + frame.first + frame.count();
-            let pose = poses.get(index).unwrap_or(&frame.start);
+            let pose = poses.get(frame.place).unwrap_or(&frame.start);
             frame.unknowns(pose, &mut state.x[own.clone()], &mut state.v[own]);
             if let Some(turn) = frame.turn {
                 state.turns[turn] = pose.rotation;

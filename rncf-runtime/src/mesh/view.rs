@@ -2,8 +2,9 @@
 
 use super::parts::{ObservedSpec, Parts};
 use super::scene::{MeshScene, Regime};
+use crate::linalg::{Lu, Pattern};
 use crate::model::{FrameState, Scene};
-use crate::system::State;
+use crate::system::{State, System};
 use crate::vector::norm;
 
 impl<P: Parts> Scene for MeshScene<P> {
@@ -67,8 +68,9 @@ impl<P: Parts> Scene for MeshScene<P> {
 
     fn steady_outputs(&mut self, t: f64, scale: f64, x: &[f64], out: &mut [f64]) {
         let zeros = vec![0.0; x.len()];
+        let lambda = self.steady_multipliers(t, scale, x);
         self.load(t, &[], [x, &zeros, &zeros], Regime::Steady(scale));
-        self.evaluate_outputs(t, scale * scale, &[], out);
+        self.evaluate_outputs(t, scale * scale, &lambda, out);
     }
 
     fn steady_obstacle(&self, t: f64) -> Option<String> {
@@ -81,5 +83,42 @@ impl<P: Parts> Scene for MeshScene<P> {
             .iter()
             .map(|body| norm(frames[body.spec.frame].spin))
             .fold(0.0, f64::max)
+    }
+}
+
+impl<P: Parts> MeshScene<P> {
+    /// Multipliers of a relative equilibrium: `f + C_x^T lambda = 0` in the sense of least squares,
+    /// exact where `x` is one.
+    fn steady_multipliers(&mut self, t: f64, scale: f64, x: &[f64]) -> Vec<f64> {
+        let m = self.constraints();
+        let mut lambda = vec![0.0; m];
+        if self.constraints.is_empty() {
+            return lambda;
+        }
+        let mut forces = vec![0.0; x.len()];
+        self.steady_residual(t, scale, x, &mut forces);
+        let state = State {
+            x: x.to_vec(),
+            ..State::of(self, t)
+        };
+        let mut jacobian = vec![0.0; self.constraint_pattern.entries()];
+        self.constraint_jacobian(&state, &mut jacobian);
+        let pattern = &self.constraint_pattern;
+        pattern.transpose_multiply_add(-1.0, &jacobian, &forces, &mut lambda);
+        let whole = Pattern::new(m, m, (0..m * m).map(|place| (place % m, place / m)));
+        let mut normal = vec![0.0; m * m];
+        for (column, values) in normal.chunks_exact_mut(m).enumerate() {
+            let mut unit = vec![0.0; m];
+            unit[column] = 1.0;
+            let mut along = vec![0.0; x.len()];
+            pattern.multiply_add(1.0, &jacobian, &unit, &mut along);
+            pattern.transpose_multiply_add(1.0, &jacobian, &along, values);
+        }
+        let mut lu = Lu::new(&whole);
+        // Constraints that depend on each other have no equilibrium to begin with.
+        if lu.factor(&normal).is_ok() {
+            lu.solve(&mut lambda);
+        }
+        lambda
     }
 }

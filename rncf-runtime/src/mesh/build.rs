@@ -1,0 +1,401 @@
+//! Building a scene: checks, numbering, patterns, constant matrices.
+
+use super::assembly::{Connectivity, Scatter};
+use super::conditions::{Condition, condition, joint_data, vector_kinds};
+use super::fixtures::Fixture;
+use super::frames::{Frames, FreeFrame, declared_free};
+use super::layout::Layout;
+use super::linked::{Linked, MarkedLoad, Marker, markers};
+use super::markers::When;
+use super::mean_axes::MeanAxes;
+use super::parts::{BodySpec, JointSpec, LoadKind, Parts};
+use super::scene::{Buffers, MeshBody, MeshScene, Row, undeformed};
+use crate::error::ModelError;
+use crate::linalg::Pattern;
+use crate::model::{Formulation, Joints};
+
+impl<P: Parts> MeshScene<P> {
+    /// Builds the scene: geometry, numbering, patterns.
+    ///
+    /// In absolute coordinates a frame that follows the mean axes of its bodies is no unknown: it
+    /// stays at its start, and what refers to it reads that pose.
+    ///
+    /// # Errors
+    /// A count, length, material or section that makes no sense, a frame whose parent or plane does
+    /// not fit its motions, or something that acts where it cannot, by name.
+    pub fn new(mut parts: P, formulation: Formulation, joints: Joints) -> Result<Self, ModelError> {
+        let specs = parts.bodies();
+        let Frames {
+            free,
+            free_of,
+            fixed,
+            motions,
+        } = Frames::new(&parts, &specs, formulation)?;
+        let declared_free: Vec<bool> = declared_free(&parts);
+        let joint_specs = parts.joints();
+        let firsts = prepare(&mut parts, &specs)?;
+        let absolute = |body: &BodySpec| formulation == Formulation::Ancf || body.frame == 0;
+        let mut conditions = Vec::new();
+        for (index, joint) in joint_specs.iter().enumerate() {
+            let body = &specs[joint.body];
+            check_joint(&parts, joint, body, &declared_free)?;
+            // In absolute coordinates constraints on markers stand for a joint to the body's own free frame.
+            if declared_free[body.frame] && absolute(body) {
+                continue;
+            }
+            let (first, data) = (firsts[joint.body], joint_data(joint, body, &motions));
+            conditions.push(condition(index, joint, body, first, data, absolute(body), joints));
+        }
+        let border = free.iter().map(FreeFrame::count).sum();
+        let layout = numbering(&specs, &conditions, border);
+        let bodies = specs.iter().zip(&firsts).map(|(spec, &first)| MeshBody {
+            first_vector: first,
+            frame: if absolute(spec) { 0 } else { spec.frame },
+            connectivity: connectivity(spec, first, &layout),
+            scatter: Scatter::default(),
+            mass: Vec::new(),
+            spec: spec.clone(),
+        });
+        let first_turn = layout.unknowns() - border;
+        let turns = free.iter().filter(|frame| frame.turn.is_some());
+        let turns = turns.map(|frame| first_turn + frame.first + frame.shifts()).collect();
+        let mut scene = Self {
+            formulation,
+            joints: joint_specs,
+            loads: parts.loads(),
+            load_points: Vec::new(),
+            observed: parts.observed(),
+            observed_points: Vec::new(),
+            constraint_pattern: Pattern::new(layout.unknowns(), 0, []),
+            constraint_rows: Vec::new(),
+            sizes: Vec::new(),
+            mass: Vec::new(),
+            buffers: Buffers::new(layout.components(), motions),
+            bodies: bodies.collect(),
+            markers: markers(&parts, &specs, &free_of)?,
+            free,
+            free_of,
+            fixed,
+            turns,
+            constraints: linked(&parts, &specs, absolute),
+            forces: parts.forces(),
+            marked_loads: Vec::new(),
+            fixtures: Vec::new(),
+            mean_axes: Vec::new(),
+            borders: Vec::new(),
+            pattern: Pattern::new(0, 0, []),
+            parts,
+            conditions,
+            layout,
+        };
+        scene.place()?;
+        scene.tabulate();
+        scene.load_rest();
+        scene.resolve_markers()?;
+        scene.sizes = scene.unknown_sizes();
+        Ok(scene)
+    }
+
+    /// Finds the places of loads, fixtures and outputs.
+    fn place(&mut self) -> Result<(), ModelError> {
+        self.load_points = self
+            .loads
+            .iter()
+            .map(|load| self.load_point(load))
+            .collect::<Result<_, _>>()?;
+        let observed = self.observed.iter().map(|observed| self.observed_point(observed));
+        self.observed_points = observed.collect::<Result<_, _>>()?;
+        for (index, load) in self.loads.iter().enumerate() {
+            let turned = self.free_of[load.frame].is_some();
+            match (load.kind, &self.load_points[index]) {
+                (LoadKind::Gravity, _) if turned => {
+                    return Err(ModelError::new(format!(
+                        "gravity `{}` is along the axes of frame `{}`, which is free: give it in the inertial frame",
+                        load.name,
+                        self.parts.frame_name(load.frame)
+                    )));
+                }
+                (kind, Some(point)) if turned || self.free_of[self.bodies[point.body].frame].is_some() => {
+                    let marker = Marker::Body {
+                        point: point.clone(),
+                        is_point: matches!(kind, LoadKind::Force { .. }),
+                    };
+                    self.marked_loads.push(MarkedLoad { load: index, marker });
+                }
+                _ => {}
+            }
+        }
+        for spec in self.parts.fixtures() {
+            let point = self.point(spec.body, spec.at, spec.name)?;
+            self.fixtures.push(Fixture { spec, point });
+        }
+        self.check_fixed()
+    }
+
+    /// Refuses constraints and forces on frames that stay at their start.
+    fn check_fixed(&self) -> Result<(), ModelError> {
+        let users = self
+            .constraints
+            .iter()
+            .map(|linked| (linked.spec.name, linked.spec.markers));
+        let users = users.chain(self.forces.iter().map(|force| (force.name, force.markers)));
+        for (name, markers) in users {
+            for &marker in markers {
+                let frame = self.marker_frame(&self.markers[marker]);
+                if self.fixed.iter().any(|fixed| fixed.spec.frame == frame) {
+                    let frame = self.parts.frame_name(frame);
+                    return Err(ModelError::new(format!(
+                        "`{name}` acts on frame `{frame}`, which follows mean axes and has no pose in absolute coordinates: use the referenced formulation, or let `{name}` act on the body"
+                    )));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Patterns, places on them, and constant matrices.
+    fn tabulate(&mut self) {
+        self.pattern = Pattern::new(self.layout.unknowns(), self.layout.unknowns(), self.entries());
+        for index in 0..self.bodies.len() {
+            let body = &mut self.bodies[index];
+            body.scatter = Scatter::new(&body.connectivity, &self.layout, &self.pattern);
+            body.mass = vec![0.0; body.spec.orders.len().pow(2)];
+            self.parts.mass(index, &mut body.mass);
+        }
+        self.borders = (0..self.bodies.len()).map(|body| self.border_of(body)).collect();
+        self.set_undeformed();
+        self.find_mean_axes();
+        self.number_constraints();
+        self.assemble_mass();
+    }
+
+    /// Entries of the pattern: elements, the diagonal, what constraints and forces couple, frames.
+    fn entries(&self) -> Vec<(usize, usize)> {
+        let layout = &self.layout;
+        let mut entries: Vec<(usize, usize)> = (0..layout.unknowns()).map(|unknown| (unknown, unknown)).collect();
+        for body in &self.bodies {
+            entries.extend(body.connectivity.entries(layout));
+        }
+        let of_markers = |markers: &[usize]| {
+            let components = markers
+                .iter()
+                .flat_map(|&marker| self.marker_components(&self.markers[marker]));
+            self.unknowns_of(components)
+        };
+        let mut groups: Vec<Vec<usize>> = self
+            .constraints
+            .iter()
+            .map(|linked| of_markers(linked.spec.markers))
+            .collect();
+        groups.extend(self.forces.iter().map(|force| of_markers(force.markers)));
+        for marked in &self.marked_loads {
+            let turn = Marker::Turn {
+                frame: self.loads[marked.load].frame,
+            };
+            let components = [&marked.marker, &turn]
+                .into_iter()
+                .flat_map(|marker| self.marker_components(marker));
+            groups.push(self.unknowns_of(components));
+        }
+        groups.push((layout.unknowns() - layout.border()..layout.unknowns()).collect());
+        for group in groups {
+            entries.extend(group.iter().flat_map(|&i| group.iter().map(move |&j| (i, j))));
+        }
+        for body in &self.bodies {
+            if let Some(free) = self.free_of[body.frame] {
+                let first = layout.unknowns() - layout.border() + self.free[free].first;
+                let unknowns = self.unknowns_of(body.connectivity.components.iter().copied());
+                for unknown in unknowns {
+                    let frame = first..first + self.free[free].count();
+                    entries.extend(frame.flat_map(|border| [(unknown, border), (border, unknown)]));
+                }
+            }
+        }
+        entries
+    }
+
+    /// Unknowns of components, ascending, each once.
+    fn unknowns_of(&self, components: impl Iterator<Item = usize>) -> Vec<usize> {
+        let mut unknowns: Vec<usize> = components
+            .filter_map(|component| self.layout.unknown(component).map(|(unknown, _)| unknown))
+            .collect();
+        unknowns.sort_unstable();
+        unknowns.dedup();
+        unknowns
+    }
+
+    /// Held components keep the values that are set here.
+    fn set_undeformed(&mut self) {
+        let shape = self.shape();
+        self.buffers.q[..shape.len()].copy_from_slice(&shape);
+    }
+
+    fn find_mean_axes(&mut self) {
+        for (index, body) in self.bodies.iter().enumerate() {
+            if body.spec.mean_axes && self.free_of[body.frame].is_some() {
+                let first = self.layout.offset(body.first_vector);
+                let count = body.spec.vectors() * body.spec.dimension();
+                let shape = &self.buffers.q[first..first + count];
+                self.mean_axes.push(MeanAxes::new(index, body, first, shape));
+            }
+        }
+    }
+
+    fn number_constraints(&mut self) {
+        let mut entries = Vec::new();
+        for (index, condition) in self.conditions.iter_mut().enumerate() {
+            let dimension = self.bodies[self.joints[condition.joint].body].spec.dimension();
+            let layout = &self.layout;
+            let of = |vector: usize| (0..dimension).map(move |component| layout.offset(vector) + component);
+            condition.components = of(condition.position).chain(of(condition.slope)).collect();
+            for &row in &condition.rows {
+                let column = self.constraint_rows.len();
+                self.constraint_rows.push(Row::Condition { condition: index, row });
+                for &component in &condition.components {
+                    if let Some((unknown, _)) = self.layout.unknown(component) {
+                        entries.push((unknown, column));
+                    }
+                }
+            }
+        }
+        for (index, axes) in self.mean_axes.iter().enumerate() {
+            for row in &axes.rows {
+                let unknowns = self.unknowns_of(axes.first..axes.first + row.len());
+                let column = self.constraint_rows.len();
+                entries.extend(unknowns.into_iter().map(|unknown| (unknown, column)));
+                self.constraint_rows.push(Row::MeanAxes { axes: index });
+            }
+        }
+        for (index, linked) in self.constraints.iter().enumerate() {
+            let markers = linked.spec.markers.iter();
+            let components = markers.flat_map(|&marker| self.marker_components(&self.markers[marker]));
+            let unknowns = self.unknowns_of(components);
+            for row in 0..linked.spec.rows.len() {
+                let column = self.constraint_rows.len();
+                entries.extend(unknowns.iter().map(|&unknown| (unknown, column)));
+                self.constraint_rows.push(Row::Linked { linked: index, row });
+            }
+        }
+        self.constraint_pattern = Pattern::new(self.layout.unknowns(), self.constraint_rows.len(), entries);
+    }
+
+    fn assemble_mass(&mut self) {
+        self.mass = vec![0.0; self.pattern.entries()];
+        for body in &self.bodies {
+            let local = spread_mass(&body.mass, &body.spec);
+            for element in 0..body.spec.count {
+                body.scatter.add(element, &local, &mut self.mass);
+            }
+        }
+        for fixture in &self.fixtures {
+            let body = &self.bodies[fixture.point.body];
+            let local = spread_mass(&fixture.mass(), &body.spec);
+            body.scatter.add(fixture.point.element, &local, &mut self.mass);
+        }
+    }
+}
+
+/// Prepares the elements of all bodies; the first nodal vector of each.
+fn prepare<P: Parts>(parts: &mut P, specs: &[BodySpec]) -> Result<Vec<usize>, ModelError> {
+    let mut next = 0;
+    let mut firsts = Vec::new();
+    for (index, spec) in specs.iter().enumerate() {
+        check_body(spec)?;
+        let length = spec.line.length() / spec.count as f64;
+        parts.prepare(index, length, &element_shapes(spec))?;
+        firsts.push(next);
+        next += spec.vectors();
+    }
+    Ok(firsts)
+}
+
+/// The constraints on markers that are there.
+fn linked<P: Parts>(parts: &P, specs: &[BodySpec], absolute: impl Fn(&BodySpec) -> bool) -> Vec<Linked> {
+    let constraints = parts.constraints().into_iter().enumerate();
+    let there = constraints.filter(|(_, spec)| match spec.when {
+        When::Always => true,
+        When::Absolute(body) => absolute(&specs[body]),
+    });
+    there.map(|(index, spec)| Linked { index, spec }).collect()
+}
+
+/// Mass of an element's components from that of its vectors.
+fn spread_mass(mass: &[f64], spec: &BodySpec) -> Vec<f64> {
+    let (vectors, dimension) = (spec.orders.len(), spec.dimension());
+    let size = vectors * dimension;
+    let mut local = vec![0.0; size * size];
+    for a in 0..vectors {
+        for b in 0..vectors {
+            for c in 0..dimension {
+                local[(a * dimension + c) * size + b * dimension + c] = mass[a * vectors + b];
+            }
+        }
+    }
+    local
+}
+
+/// Numbers the unknowns that the joints leave, and those of free frames.
+fn numbering(specs: &[BodySpec], conditions: &[Condition], border: usize) -> Layout {
+    let dimensions = specs
+        .iter()
+        .flat_map(|spec| std::iter::repeat_n(spec.dimension(), spec.vectors()));
+    let dimensions: Vec<usize> = dimensions.collect();
+    let kinds = vector_kinds(dimensions.len(), conditions);
+    Layout::new(&dimensions, kinds, border)
+}
+
+/// A joint may tie a body to its own free frame; everything else between free frames is a constraint.
+fn check_joint<P: Parts>(parts: &P, joint: &JointSpec, body: &BodySpec, free: &[bool]) -> Result<(), ModelError> {
+    if joint.frame == body.frame || !free[joint.frame] && !free[body.frame] {
+        return Ok(());
+    }
+    Err(ModelError::new(format!(
+        "joint `{}` ties body `{}` to frame `{}`, and one of them moves freely: give it as a constraint",
+        joint.name,
+        body.name,
+        parts.frame_name(joint.frame)
+    )))
+}
+
+fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
+    let length = spec.line.length();
+    if !(length.is_finite() && length > 0.0) {
+        return Err(ModelError::new(format!(
+            "body `{}` has the length {length} m: give its line two ends",
+            spec.name
+        )));
+    }
+    if spec.count == 0 {
+        return Err(ModelError::new(format!(
+            "body `{}` has no elements: its mesh needs at least one",
+            spec.name
+        )));
+    }
+    Ok(())
+}
+
+/// Nodal vectors of all elements in the stress-free shape, in local order and body axes.
+fn element_shapes(spec: &BodySpec) -> Vec<f64> {
+    let mut shapes = Vec::with_capacity(spec.count * spec.element_size());
+    for element in 0..spec.count {
+        for (local, &order) in spec.orders.iter().enumerate() {
+            let node = element + spec.connectivity[local] / spec.vectors_per_node;
+            shapes.extend(undeformed(spec, node, order));
+        }
+    }
+    shapes
+}
+
+fn connectivity(spec: &BodySpec, first_vector: usize, layout: &Layout) -> Connectivity {
+    let mut components = Vec::with_capacity(spec.count * spec.element_size());
+    for element in 0..spec.count {
+        for &place in spec.connectivity {
+            let offset = layout.offset(first_vector + element * spec.vectors_per_node + place);
+            components.extend(offset..offset + spec.dimension());
+        }
+    }
+    Connectivity {
+        size: spec.element_size(),
+        components,
+    }
+}
