@@ -10,9 +10,6 @@ use super::markers::{Marked, describe, function_name, list, localise};
 use crate::model::{Expr, Model};
 use crate::symbolic::Id;
 
-/// Formulas longer than this are not repeated in the documentation.
-const LONGEST_FORMULA: usize = 200;
-
 /// The functions of one or more constraints.
 #[derive(Clone, Debug)]
 pub struct ConstraintKernels {
@@ -36,8 +33,6 @@ struct Rows<'m> {
     /// Last word of the functions' names, and what they belong to.
     name: String,
     title: String,
-    /// Formulas in words.
-    formulas: Vec<String>,
     /// What z is.
     markers: String,
 }
@@ -66,17 +61,14 @@ pub fn constraint_kernels(model: &Model) -> Vec<ConstraintKernels> {
         let name = function_name(&first.name, &names);
         names.push(name.clone());
         let members = of.iter().map(|&other| model.constraints[other].name.as_str());
-        let mut rows = Rows {
+        let rows = Rows {
             model,
             count: rows.0,
             rows: rows.1.clone(),
             name,
             title: format!("Constraint {} ({})", list(members), first.kind),
-            formulas: Vec::new(),
-            markers: String::new(),
+            markers: describe(model, &first.name, &first.markers),
         };
-        rows.formulas = rows.formulas(&first.rows);
-        rows.markers = describe(model, &first.name, &first.markers);
         kernels.push(rows.kernels(of));
     }
     kernels
@@ -96,21 +88,6 @@ impl Rows<'_> {
     /// The rows in a graph whose markers are `z[marker][component]`.
     fn in_graph(&self, marked: &mut Marked) -> Vec<Id> {
         self.rows.iter().map(|row| marked.time.expression(row)).collect()
-    }
-
-    /// `what it fixes: formula` for every row.
-    fn formulas(&self, rows: &[(String, Expr)]) -> Vec<String> {
-        let mut marked = Marked::values_and_rates(self.model, self.count);
-        let ids = self.in_graph(&mut marked);
-        let line = |((what, _), &id): (&(String, Expr), &Id)| {
-            let formula = crate::emit::expression::inline(&marked.time.graph, id);
-            if formula.len() > LONGEST_FORMULA {
-                format!("* {what}")
-            } else {
-                format!("* {what}: `{formula}`")
-            }
-        };
-        rows.iter().zip(&ids).map(line).collect()
     }
 
     fn kernel(
@@ -160,7 +137,6 @@ impl Rows<'_> {
         let arguments = ["z: &[[[f64; 3]; 4]]", "rows: &mut [f64]"];
         let mut kernel = self.kernel(marked, LEVELS[level], what[level], values(&rows, "rows"), &arguments);
         if level == 0 {
-            kernel.doc.push(self.formulas.join("\n"));
             kernel.doc.push(self.markers.clone());
         }
         kernel
