@@ -3,9 +3,8 @@
 
 use std::collections::HashMap;
 
-use super::carried::{derivatives, values};
 use super::joints::LEVELS;
-use super::kernel::Kernel;
+use super::kernel::{Kernel, derivatives, values};
 use super::markers::{Marked, describe, function_name, list, localise};
 use crate::model::{Expr, Model};
 use crate::symbolic::Id;
