@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use super::joints::LEVELS;
 use super::kernel::{Kernel, derivatives, values};
-use super::markers::{Marked, describe, function_name, list, localise};
+use super::markers::{Marked, describe, function_name, localise};
 use crate::model::{Expr, Model};
 use crate::symbolic::Id;
 
@@ -59,18 +59,31 @@ pub fn constraint_kernels(model: &Model) -> Vec<ConstraintKernels> {
         let first = &model.constraints[index];
         let name = function_name(&first.name, &names);
         names.push(name.clone());
-        let members = of.iter().map(|&other| model.constraints[other].name.as_str());
         let rows = Rows {
             model,
             count: rows.0,
             rows: rows.1.clone(),
             name,
-            title: format!("Constraint {} ({})", list(members), first.kind),
+            title: format!("Constraint {}", members(model, &of)),
             markers: describe(model, &first.name, &first.markers),
         };
         kernels.push(rows.kernels(of));
     }
     kernels
+}
+
+/// Names of constraints with their kinds, and where they are not always there.
+pub fn members(model: &Model, of: &[usize]) -> String {
+    let names = of.iter().map(|&index| {
+        let constraint = &model.constraints[index];
+        let place = if constraint.absolute.is_some() {
+            " in absolute coordinates"
+        } else {
+            ""
+        };
+        format!("`{}` ({}{place})", constraint.name, constraint.kind)
+    });
+    names.collect::<Vec<_>>().join(", ")
 }
 
 impl Rows<'_> {
