@@ -6,6 +6,7 @@ use super::equations::Equations;
 use super::kernel::documentation;
 use super::number::number;
 use super::{module_name, visibility};
+use crate::lower::constraints::members;
 use crate::lower::markers::list;
 use crate::model::{Body, Fidelity, INERTIAL, Model, Motions, Space};
 
@@ -221,18 +222,14 @@ fn moving(model: &Model, equations: &Equations) -> Vec<String> {
         }
     }
     for kernels in &equations.constraints {
-        let names = list(kernels.of.iter().map(|&index| model.constraints[index].name.as_str()));
-        let first = &model.constraints[kernels.of[0]];
+        let names = members(model, &kernels.of);
         let form = match kernels.hessian {
             Some(_) => "gradient and second derivatives are derived",
             None => "linear in its vectors, no second derivatives",
         };
-        let count = first.rows.len();
+        let count = kernels.levels[0].outputs.len();
         let multipliers = if count == 1 { "multiplier" } else { "multipliers" };
-        notes.push(format!(
-            "Constraint {names} ({}): {count} {multipliers}; {form}.",
-            first.kind
-        ));
+        notes.push(format!("Constraint {names}: {count} {multipliers}; {form}."));
     }
     for kernels in &equations.forces {
         let names = list(kernels.of.iter().map(|&index| model.forces[index].name.as_str()));

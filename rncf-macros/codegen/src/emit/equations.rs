@@ -1,6 +1,7 @@
 //! All kernels of a model, derived once.
 
 use super::kernel::{documentation, function};
+use super::moving::document_rows;
 use crate::elements::Library;
 use crate::lower::carried::{self, CarriedKernels, FixtureKernels};
 use crate::lower::constraints::{ConstraintKernels, constraint_kernels};
@@ -113,6 +114,8 @@ impl Equations {
         let prescribed = frames.clone().filter(|(_, frame)| frame.free.is_none());
         let free = frames.filter_map(|(index, frame)| Some((index, frame, frame.free.as_ref()?)));
         let parts = free.clone().any(|(_, _, free)| !free.parts.is_empty());
+        let mut constraints = constraint_kernels(model);
+        constraints.iter_mut().for_each(|kernels| document_rows(kernels, model));
         Self {
             conservative: conservative(model, &variants, &variant_of),
             variant_of,
@@ -125,7 +128,7 @@ impl Equations {
             rigid: parts.then(carried::rigid_kernels),
             fixtures,
             joints: model.joints.iter().map(|joint| conditions(model, joint)).collect(),
-            constraints: constraint_kernels(model),
+            constraints,
             forces: force_kernels(model),
             loads: model.loads.iter().map(|load| loads::load_kernel(model, load)).collect(),
             moments,

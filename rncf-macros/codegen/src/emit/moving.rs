@@ -5,16 +5,37 @@
 use std::fmt::Write;
 
 use super::equations::is_free;
+use super::expression::inline;
 use super::parts::Parts;
 use crate::lower::Kernel;
 use crate::lower::camel_case;
 use crate::lower::carried::{CarriedKernels, FixtureKernels};
+use crate::lower::constraints::ConstraintKernels;
 use crate::lower::joints::LEVELS;
-use crate::model::{Marker, Motions};
+use crate::model::{Marker, Model, Motions};
 
 const ACTION: &str = "frame: &::rncf::mesh::FrameAction";
 const STATES: &str = "q: &[f64], v: &[f64], a: &[f64]";
 const VECTORS: &str = "&[[f64; 3]]";
+
+/// Formulas longer than this are not repeated in the documentation.
+const LONGEST_FORMULA: usize = 250;
+
+/// Adds to the documentation what each row of a constraint fixes, and by which formula.
+pub(super) fn document_rows(kernels: &mut ConstraintKernels, model: &Model) {
+    let kernel = &mut kernels.levels[0];
+    let rows = model.constraints[kernels.of[0]].rows.iter().zip(&kernel.outputs);
+    let lines = rows.map(|((what, _), &(_, id))| {
+        let formula = inline(&kernel.graph, id);
+        if formula.len() > LONGEST_FORMULA {
+            format!("* {what}")
+        } else {
+            format!("* {what}: `{formula}`")
+        }
+    });
+    let lines: Vec<String> = lines.collect();
+    kernel.doc.push(lines.join("\n"));
+}
 
 /// `0 | 2 | 5` for the indices that share a function.
 fn pattern(of: &[usize]) -> String {

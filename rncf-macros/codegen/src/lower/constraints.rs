@@ -3,15 +3,11 @@
 
 use std::collections::HashMap;
 
-use super::carried::{derivatives, values};
 use super::joints::LEVELS;
-use super::kernel::Kernel;
-use super::markers::{Marked, describe, function_name, list, localise};
+use super::kernel::{Kernel, derivatives, values};
+use super::markers::{Marked, describe, function_name, localise};
 use crate::model::{Expr, Model};
 use crate::symbolic::Id;
-
-/// Formulas longer than this are not repeated in the documentation.
-const LONGEST_FORMULA: usize = 200;
 
 /// The functions of one or more constraints.
 #[derive(Clone, Debug)]
@@ -36,8 +32,6 @@ struct Rows<'m> {
     /// Last word of the functions' names, and what they belong to.
     name: String,
     title: String,
-    /// Formulas in words.
-    formulas: Vec<String>,
     /// What z is.
     markers: String,
 }
@@ -65,21 +59,31 @@ pub fn constraint_kernels(model: &Model) -> Vec<ConstraintKernels> {
         let first = &model.constraints[index];
         let name = function_name(&first.name, &names);
         names.push(name.clone());
-        let members = of.iter().map(|&other| model.constraints[other].name.as_str());
-        let mut rows = Rows {
+        let rows = Rows {
             model,
             count: rows.0,
             rows: rows.1.clone(),
             name,
-            title: format!("Constraint {} ({})", list(members), first.kind),
-            formulas: Vec::new(),
-            markers: String::new(),
+            title: format!("Constraint {}", members(model, &of)),
+            markers: describe(model, &first.name, &first.markers),
         };
-        rows.formulas = rows.formulas(&first.rows);
-        rows.markers = describe(model, &first.name, &first.markers);
         kernels.push(rows.kernels(of));
     }
     kernels
+}
+
+/// Names of constraints with their kinds, and where they are not always there.
+pub fn members(model: &Model, of: &[usize]) -> String {
+    let names = of.iter().map(|&index| {
+        let constraint = &model.constraints[index];
+        let place = if constraint.absolute.is_some() {
+            " in absolute coordinates"
+        } else {
+            ""
+        };
+        format!("`{}` ({}{place})", constraint.name, constraint.kind)
+    });
+    names.collect::<Vec<_>>().join(", ")
 }
 
 impl Rows<'_> {
@@ -96,21 +100,6 @@ impl Rows<'_> {
     /// The rows in a graph whose markers are `z[marker][component]`.
     fn in_graph(&self, marked: &mut Marked) -> Vec<Id> {
         self.rows.iter().map(|row| marked.time.expression(row)).collect()
-    }
-
-    /// `what it fixes: formula` for every row.
-    fn formulas(&self, rows: &[(String, Expr)]) -> Vec<String> {
-        let mut marked = Marked::values_and_rates(self.model, self.count);
-        let ids = self.in_graph(&mut marked);
-        let line = |((what, _), &id): (&(String, Expr), &Id)| {
-            let formula = crate::emit::expression::inline(&marked.time.graph, id);
-            if formula.len() > LONGEST_FORMULA {
-                format!("* {what}")
-            } else {
-                format!("* {what}: `{formula}`")
-            }
-        };
-        rows.iter().zip(&ids).map(line).collect()
     }
 
     fn kernel(
@@ -160,7 +149,6 @@ impl Rows<'_> {
         let arguments = ["z: &[[[f64; 3]; 4]]", "rows: &mut [f64]"];
         let mut kernel = self.kernel(marked, LEVELS[level], what[level], values(&rows, "rows"), &arguments);
         if level == 0 {
-            kernel.doc.push(self.formulas.join("\n"));
             kernel.doc.push(self.markers.clone());
         }
         kernel

@@ -1,8 +1,7 @@
 //! Forces on markers: f(z, z', t) with both tangents, and the potential. Forces that differ in
 //! nothing but their markers share their functions.
 
-use super::carried::derivatives;
-use super::kernel::Kernel;
+use super::kernel::{Kernel, derivatives};
 use super::markers::{Marked, describe, function_name, list, localise};
 use crate::model::{Expr, Model};
 use crate::symbolic::Id;

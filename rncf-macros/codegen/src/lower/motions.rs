@@ -241,7 +241,10 @@ pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
         );
     }
     let declaration = &model.frames[frame.0];
-    let title = format!("Motion of frame `{}` and its first three derivatives.", declaration.name);
+    let title = format!(
+        "Motion of frame `{}` and its first three derivatives.",
+        declaration.name
+    );
     let mut kernel = time.kernel(format!("frame_{}", declaration.name), title, outputs);
     kernel
         .arguments

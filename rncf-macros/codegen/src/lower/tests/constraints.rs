@@ -153,7 +153,11 @@ fn what_differs_only_in_its_markers_is_one_function() {
     let kernels = constraint_kernels(&moving());
     let of: Vec<&[usize]> = kernels.iter().map(|kernels| &kernels.of[..]).collect();
     assert_eq!(of, [&[0, 2][..], &[1]]);
-    assert!(kernels[0].levels[0].doc[0].contains("`pin`, `link`"));
+    let title = &kernels[0].levels[0].doc[0];
+    assert!(
+        title.contains("`pin` (spherical), `link` (spherical in absolute coordinates)"),
+        "{title}"
+    );
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod carried;
 mod constraints;
 mod emitted;
 pub mod model;
+mod motions;
 
 use std::collections::HashMap;
 
