@@ -18,6 +18,7 @@ pub mod emit;
 pub mod errors;
 pub mod expand;
 pub mod generate;
+pub mod joints;
 pub mod lower;
 pub mod model;
 pub mod parse;

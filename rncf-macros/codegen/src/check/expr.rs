@@ -1,6 +1,7 @@
 //! Expressions: names, dimensions, functions.
 
 use super::quantity::{Nature, Typed, bare_literal, behind_number};
+use super::vector::{Quantity, is_function};
 use super::{Check, fold, say};
 use crate::model::{self, Binary, Function, ParamId};
 use crate::parse::ascii;
@@ -17,6 +18,10 @@ pub enum Scope {
     Parameter,
     /// Prescribed: time and motions, too; smooth.
     Prescribed,
+    /// Positions and directions, too; smooth.
+    Constraint,
+    /// Velocities, too; smooth.
+    Force,
     /// Everything, bodies and joints included.
     Output,
 }
@@ -39,6 +44,17 @@ pub fn function(name: &str) -> Option<(Function, usize)> {
         .map(|(_, function, arity)| (*function, *arity))
 }
 
+/// What can be asked of a thing, where a number is needed.
+fn example(keyword: Keyword) -> Option<&'static str> {
+    match keyword {
+        Keyword::Body => Some("end.x"),
+        Keyword::Joint => Some("force.x"),
+        Keyword::Constraint => Some("multiplier"),
+        Keyword::Rigid | Keyword::Frame => Some("x"),
+        _ => None,
+    }
+}
+
 /// Most expressions inside each other, those of the names that they use included: recursion stays
 /// far from the stack's end.
 const DEEPEST: usize = 400;
@@ -53,14 +69,19 @@ const TIME: super::quantity::Wanted = super::quantity::Wanted {
 impl<'a> Check<'a> {
     /// Resolves an expression; `None` where something in it has been reported.
     pub(super) fn expr(&mut self, expr: &'a Expr, scope: Scope) -> Option<Typed> {
+        self.nested(expr, |check| check.node(expr, scope))
+    }
+
+    /// Resolves what stands inside of something else; too deep is refused.
+    pub(super) fn nested<T>(&mut self, expr: &Expr, resolve: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
         if self.depth > DEEPEST {
             self.errors.at(expr.area, say::TOO_DEEP);
             return None;
         }
         self.depth += 1;
-        let typed = self.node(expr, scope);
+        let result = resolve(self);
         self.depth -= 1;
-        typed
+        result
     }
 
     fn node(&mut self, expr: &'a Expr, scope: Scope) -> Option<Typed> {
@@ -94,7 +115,10 @@ impl<'a> Check<'a> {
                     ..inner
                 })
             }
-            ExprKind::Binary(operator, left, right) => self.binary(*operator, left, right, scope),
+            ExprKind::Binary(operator, left, right) => {
+                let quantity = self.operation(*operator, left, right, scope)?;
+                self.scalar(expr, quantity)
+            }
             ExprKind::Power(base, exponent) => self.power(base, exponent, scope),
             ExprKind::If(inner) => self.conditional(inner, scope),
             ExprKind::Vector { .. } => {
@@ -106,6 +130,9 @@ impl<'a> Check<'a> {
 
     fn name(&mut self, name: &'a Name, scope: Scope) -> Option<Typed> {
         let text = name.text.as_str();
+        if let Some(local) = self.locals.get(text) {
+            return Some(local.clone());
+        }
         if text == "pi" {
             let nature = Nature {
                 angle: true,
@@ -145,14 +172,9 @@ impl<'a> Check<'a> {
                 None
             }
             _ if Self::is_broken(item) => None,
-            Keyword::Body | Keyword::Joint if scope == Scope::Output => {
-                let example = if item.keyword == Keyword::Body {
-                    "end.x"
-                } else {
-                    "force.x"
-                };
-                self.errors
-                    .at(name.span, say::whole_thing(text, item.keyword.word(), example));
+            keyword if scope >= Scope::Constraint && example(keyword).is_some() => {
+                let message = say::whole_thing(text, keyword.noun(), example(keyword).unwrap_or_default());
+                self.errors.at(name.span, message);
                 None
             }
             keyword => {
@@ -237,6 +259,16 @@ impl<'a> Check<'a> {
             self.errors.at(named.span, say::named_argument(name));
             return None;
         }
+        if scope >= Scope::Constraint && is_function(name) {
+            let quantity = self.vector_function(call, scope)?;
+            return match quantity {
+                Quantity::Scalar(typed) => Some(typed),
+                Quantity::Vector(vector) => {
+                    self.errors.at(call.area, say::vector_as_number(&vector.axis_list()));
+                    None
+                }
+            };
+        }
         if let Some((function, arity)) = function(name) {
             return self.function(call, function, arity, scope);
         }
@@ -277,7 +309,7 @@ impl<'a> Check<'a> {
             function,
             Function::Abs | Function::Min | Function::Max | Function::Atan2
         );
-        if has_kink && matches!(scope, Scope::Prescribed | Scope::Parameter) {
+        if has_kink && (Scope::Parameter..=Scope::Force).contains(&scope) {
             self.errors.at(call.name.span, say::kink(name));
             return None;
         }
@@ -344,9 +376,13 @@ impl<'a> Check<'a> {
         })
     }
 
-    fn binary(&mut self, operator: Binary, left: &'a Expr, right: &'a Expr, scope: Scope) -> Option<Typed> {
-        let (a, b) = (self.expr(left, scope), self.expr(right, scope));
-        let (a, b) = (a?, b?);
+    /// Two numbers.
+    pub(super) fn combine(
+        &mut self,
+        operator: Binary,
+        (left, a): (&Expr, Typed),
+        (right, b): (&Expr, Typed),
+    ) -> Option<Typed> {
         if operator == Binary::Divide && fold::constant(&b.value) == Some(0.0) {
             self.errors.at(right.area, say::DIVISION_BY_ZERO);
             return None;
@@ -457,7 +493,7 @@ impl<'a> Check<'a> {
             return None;
         }
         let is_linear = fold::is_linear_in_time(&left.value) && fold::is_linear_in_time(&right.value);
-        if scope == Scope::Prescribed && !is_linear {
+        if (Scope::Prescribed..=Scope::Force).contains(&scope) && !is_linear {
             self.errors.at(inner.left.area.to(inner.right.area), say::CONDITION);
             return None;
         }

@@ -1,20 +1,51 @@
-//! Joints between the ends of bodies and frames.
+//! Joints: eliminated ones of flexible ends, and those with multipliers from the library.
 
 use super::expr::Scope;
-use super::plane::normal;
+use super::place::{Hold, Place, Spot};
+use super::plane::{AXES, is_parallel, normal, plane};
 use super::quantity::Wanted;
-use super::{Check, Shape, body, fold, say};
+use super::{Arguments, Check, Shape, body, fold, say};
 use crate::errors::Area;
-use crate::model::{BodyId, Joint, JointId, JointKind, Location};
+use crate::joints::{self, Axis, Builder, KINDS, Kind, Party, Rows, unit};
+use crate::model::{
+    BodyId, Constraint, ConstraintId, Expr as Value, FrameId, INERTIAL, Joint, JointId, JointKind, Location,
+};
 use crate::parse::tree::{Call, Expr, ExprKind, Item, ItemKind, Keyword};
 use crate::suggest;
 
-/// What other items need to know of a joint; `None`: reported.
-#[derive(Clone, Copy, Debug)]
+/// What other items need to know of a joint; `None`: reported, or not of this sort.
+#[derive(Clone, Debug)]
 pub struct Known {
     pub id: JointId,
+    /// Of an eliminated one.
     pub kind: Option<JointKind>,
     pub body: Option<body::Known>,
+    pub frame: Option<FrameId>,
+    /// Of one with multipliers.
+    pub built: Option<Built>,
+}
+
+/// A joint with multipliers.
+#[derive(Clone, Debug)]
+pub struct Built {
+    pub constraint: ConstraintId,
+    /// Its word in the language.
+    pub word: String,
+    /// Of the library; `None`: a clamp or drive.
+    pub kind: Option<&'static Kind>,
+    pub parties: [Party; 2],
+    pub normal: Option<usize>,
+    pub axis: [f64; 3],
+    pub has_moment: bool,
+}
+
+/// An end that an eliminated joint holds.
+pub struct Held {
+    body: BodyId,
+    at: Location,
+    line: usize,
+    /// The coordinate that alone is held.
+    only: Option<(usize, usize)>,
 }
 
 const POINT: Wanted = Wanted {
@@ -22,178 +53,499 @@ const POINT: Wanted = Wanted {
     dimension: [1, 0, 0, 0, 0, 0],
     unit: "m",
 };
-const PLACE: Wanted = Wanted {
-    what: "the place on a body",
+const LENGTH: Wanted = Wanted {
+    what: "the length of a joint",
     dimension: [1, 0, 0, 0, 0, 0],
     unit: "m",
 };
-
-/// A place on a body, as written.
-pub struct Place {
-    pub body: body::Known,
-    pub at: Location,
-}
+/// Joints of flexible ends, and what is written.
+const ENDS: &[(&str, &str)] = &[
+    ("clamp", "clamp(beam.start, hub)"),
+    ("clamp_full", "clamp_full(beam.start, hub)"),
+    ("pin", "pin(beam.end, inertial, at = [8, 0, 0] m)"),
+];
+/// Cosine of the angle between axes that count as normal to each other.
+const NORMAL: f64 = 1e-9;
 
 impl<'a> Check<'a> {
     pub(super) fn joints(&mut self) {
-        let mut ends: Vec<(BodyId, Location, usize)> = Vec::new();
-        let mut tied: Vec<BodyId> = Vec::new();
-        let mut complete = self.tree.complete;
-        for (at, item) in self.items(Keyword::Joint).into_iter().enumerate() {
+        let mut held: Vec<Held> = Vec::new();
+        if !self.tree.complete {
+            self.tied = None;
+        }
+        let items = self.items(Keyword::Joint);
+        let is_drive = |item: &&Item| matches!(&item.kind, ItemKind::Joint(call) if call.name.text == "drive");
+        // Drives of coordinates stand behind the joints that have them.
+        let (drives, joints): (Vec<&Item>, Vec<&Item>) = items.into_iter().partition(is_drive);
+        for item in joints.into_iter().chain(drives) {
             let mut known = Known {
-                id: JointId(at),
+                id: JointId(self.model.joints.len()),
                 kind: None,
                 body: None,
+                frame: None,
+                built: None,
             };
+            let before = self.errors.len();
             if let ItemKind::Joint(call) = &item.kind {
-                self.joint(item, call, &mut known, &mut ends);
+                self.joint(item, call, &mut known, &mut held);
             }
-            match known.body {
-                Some(body) => tied.push(body.id),
-                None => complete = false,
+            if let Some(body) = known.body {
+                self.note_held(body.id);
+            } else if self.errors.len() > before || Self::is_broken(item) {
+                self.tied = None;
             }
             self.joints.insert(item.name.text.as_str(), known);
         }
-        if complete {
-            self.floating(&tied);
+    }
+
+    /// Notes that something holds a body.
+    pub(super) fn note_held(&mut self, body: BodyId) {
+        if let Some(tied) = &mut self.tied {
+            tied.push(body);
         }
     }
 
-    fn floating(&mut self, tied: &[BodyId]) {
+    /// Reports bodies in prescribed frames that nothing holds.
+    pub(super) fn floating(&mut self) {
+        let Some(tied) = self.tied.clone() else { return };
         for (at, item) in self.items(Keyword::Body).into_iter().enumerate() {
-            if !tied.contains(&BodyId(at)) {
+            let is_carried = self
+                .bodies
+                .get(item.name.text.as_str())
+                .and_then(|body| body.frame)
+                .is_none_or(|frame| self.is_free(frame));
+            if !tied.contains(&BodyId(at)) && !is_carried {
                 let ItemKind::Body { frame, .. } = &item.kind else {
                     continue;
                 };
-                // A free frame needs ties of its own.
-                let carrier = self.bodies.get(item.name.text.as_str()).and_then(|body| body.frame);
-                if carrier.is_none_or(|frame| self.model.frames[frame.0].free.is_some()) {
-                    continue;
-                }
                 let frame = frame.as_ref().map_or("inertial", |frame| frame.text.as_str());
                 self.errors.at(item.name.span, say::floating(&item.name.text, frame));
             }
         }
     }
 
-    fn joint(&mut self, item: &Item, call: &'a Call, known: &mut Known, ends: &mut Vec<(BodyId, Location, usize)>) {
-        let (kind, usage) = match call.name.text.as_str() {
-            "clamp" => (JointKind::Clamp, "clamp(beam.start, hub)"),
-            "clamp_full" => (JointKind::ClampFull, "clamp_full(beam.start, hub)"),
-            "pin" => (JointKind::Pin, "pin(beam.end, inertial, at = [8, 0, 0] m)"),
-            other => {
-                let message = suggest::unknown("joint", other, ["clamp", "clamp_full", "pin"]);
-                self.errors.at(call.name.span, message);
-                return;
+    fn joint(&mut self, item: &Item, call: &'a Call, known: &mut Known, held: &mut Vec<Held>) {
+        let word = call.name.text.as_str();
+        match word {
+            "hold" => self.hold(item, call, known, held).unwrap_or_default(),
+            "drive" => self.drive(item, call, known).unwrap_or_default(),
+            _ => {
+                let kind = KINDS.iter().find(|kind| kind.name == word);
+                let end = ENDS.iter().find(|(end, _)| *end == word);
+                let usage = match (kind, end) {
+                    (Some(kind), _) => kind.usage,
+                    (_, Some((_, usage))) => usage,
+                    _ => {
+                        let words = ENDS.iter().map(|(end, _)| *end);
+                        let words = words.chain(KINDS.iter().map(|kind| kind.name)).chain(["hold", "drive"]);
+                        self.errors.at(call.name.span, suggest::unknown("joint", word, words));
+                        return;
+                    }
+                };
+                let shape = Shape {
+                    positional: 2,
+                    named: kind.map_or(&["at"], named),
+                    required: &[],
+                    usage,
+                };
+                let Some(arguments) = self.arguments(call, &shape) else {
+                    return;
+                };
+                self.between(item, word, kind, &arguments, known, held)
+                    .unwrap_or_default();
             }
-        };
-        known.kind = Some(kind);
-        let shape = Shape {
-            positional: 2,
-            named: &["at"],
-            required: &[],
-            usage,
-        };
-        let Some(arguments) = self.arguments(call, &shape) else {
-            return;
-        };
-        let place = self.place(arguments.positional[0]);
-        let frame = self.frame_argument(arguments.positional[1]);
+        }
+    }
+
+    /// A joint between two parties.
+    fn between(
+        &mut self,
+        item: &Item,
+        word: &str,
+        kind: Option<&'static Kind>,
+        arguments: &Arguments<'a>,
+        known: &mut Known,
+        held: &mut Vec<Held>,
+    ) -> Option<()> {
+        let first = self.hold_on(arguments.positional[0]);
+        if let Some(Spot::Flexible(place)) = first.as_ref().map(|first| &first.spot) {
+            known.body = Some(place.body);
+        }
+        let second = self.second_party(arguments.positional[1]);
         let point = arguments
             .named
             .get("at")
             .map(|point| self.vector(point, Scope::Parameter, POINT));
-        let Some(Place { body, at }) = place else {
-            return;
+        let (first, mut second) = (first?, second?);
+        for hold in [&first, &second] {
+            if let Spot::Flexible(place) = &hold.spot {
+                self.note_held(place.body.id);
+            }
+        }
+        if let (Some(kind), Some(frame)) = (self.eliminated(word, &first, &second), second.frame()) {
+            let at = match (&second.spot, second.is_bare, point) {
+                (_, _, Some(point)) => {
+                    let point = point?;
+                    if let Some(space) = known.body.and_then(|body| body.space) {
+                        self.in_plane(&point, space, "the point of the joint", true);
+                    }
+                    Some(point.values)
+                }
+                (Spot::Rigid { at, .. }, false, None) => Some(at.clone()),
+                _ => None,
+            };
+            let area = [first.area, second.area];
+            let Spot::Flexible(place) = first.spot else { return None };
+            return self.tie_end(item, kind, place, frame, at, area, known, held);
+        }
+        if let (Some(point), Spot::Rigid { at, .. }) = (point, &mut second.spot) {
+            *at = point?.values;
+            second.is_bare = false;
+        }
+        self.with_multipliers(item, word, kind, arguments, [first, second], known)
+    }
+
+    /// The other thing: a frame's name has the messages of frames.
+    fn second_party(&mut self, expr: &'a Expr) -> Option<Hold> {
+        match &expr.kind {
+            ExprKind::Name(_) | ExprKind::Member { .. } => self.hold_on(expr),
+            _ => {
+                self.errors.at(expr.area, say::FRAME_EXPECTED);
+                None
+            }
+        }
+    }
+
+    /// What is eliminated: a flexible end in a prescribed frame, or in the body's own one.
+    fn eliminated(&self, word: &str, first: &Hold, second: &Hold) -> Option<JointKind> {
+        let Spot::Flexible(place) = &first.spot else { return None };
+        let (frame, own) = (second.frame()?, place.body.frame?);
+        let is_linear = frame == own || !self.is_free(frame) && !self.is_free(own);
+        let is_planar = place.body.space.and_then(normal).is_some();
+        let kind = match word {
+            "clamp" | "weld" => JointKind::Clamp,
+            "clamp_full" => JointKind::ClampFull,
+            "pin" | "spherical" => JointKind::Pin,
+            "revolute" if is_planar => JointKind::Pin,
+            _ => return None,
         };
-        known.body = Some(body);
+        let is_end = !matches!(place.at, Location::At(_)) || ENDS.iter().any(|(end, _)| *end == word);
+        (is_linear && is_end).then_some(kind)
+    }
+
+    /// A joint that is eliminated.
+    #[allow(clippy::too_many_arguments)]
+    fn tie_end(
+        &mut self,
+        item: &Item,
+        kind: JointKind,
+        Place { body, at }: Place,
+        frame: FrameId,
+        point: Option<[Value; 3]>,
+        area: [Area; 2],
+        known: &mut Known,
+        held: &mut Vec<Held>,
+    ) -> Option<()> {
+        (known.kind, known.body, known.frame) = (Some(kind), Some(body), Some(frame));
         if let Location::At(_) = at {
-            self.errors.at(arguments.positional[0].area, say::JOINT_INSIDE);
-            return;
+            self.errors.at(area[0], say::JOINT_INSIDE);
+            return None;
         }
-        let line = Area::from(item.name.span).line();
-        if let Some((.., first)) = ends.iter().find(|(other, end, _)| *other == body.id && *end == at) {
-            self.errors
-                .at(arguments.positional[0].area, say::end_twice(&first.to_string()));
-        } else {
-            ends.push((body.id, at.clone(), line));
-        }
-        if let (Some(frame), Some(normal)) = (frame, body.space.and_then(normal)) {
-            self.keeps_plane(frame, normal, arguments.positional[1].area);
-        }
-        if let (Some(Some(point)), Some(space)) = (&point, body.space) {
-            self.in_plane(point, space, "the point of the joint", true);
-        }
-        let point = match point {
-            Some(None) => return,
-            Some(Some(point)) => Some(point.values),
-            None => None,
+        let only = match kind {
+            JointKind::Hold { order, axis } => Some((order, axis)),
+            _ => None,
         };
-        if let Some(frame) = frame {
-            let (name, doc) = (item.name.text.clone(), item.doc.clone());
-            self.model.joints.push(Joint {
-                name,
-                doc,
-                kind,
+        let is_same = |other: &&Held| {
+            let overlaps = other.only.is_none() || only.is_none() || other.only == only;
+            other.body == body.id && other.at == at && overlaps
+        };
+        if let Some(first) = held.iter().find(is_same) {
+            self.errors.at(area[0], say::end_twice(&first.line.to_string()));
+        } else {
+            held.push(Held {
                 body: body.id,
-                at,
-                frame,
-                point,
+                at: at.clone(),
+                line: Area::from(item.name.span).line(),
+                only,
             });
         }
+        if let Some(normal) = body.space.and_then(normal) {
+            self.keeps_plane(frame, normal, area[1]);
+        }
+        if self.is_free(frame) {
+            self.stand_in(item, kind, &Place { body, at: at.clone() }, frame, point.clone())?;
+        }
+        known.id = JointId(self.model.joints.len());
+        self.model.joints.push(Joint {
+            name: item.name.text.clone(),
+            doc: item.doc.clone(),
+            kind,
+            body: body.id,
+            at,
+            frame,
+            point,
+        });
+        Some(())
     }
 
-    /// `beam.start`, `beam.end` or `beam.at(4 m)`.
-    pub(super) fn place(&mut self, expr: &'a Expr) -> Option<Place> {
-        let ExprKind::Member { base, field, arguments } = &expr.kind else {
-            self.errors.at(expr.area, say::PLACE_EXPECTED);
+    /// The same joint with multipliers, for where the nodal vectors are in the inertial frame.
+    fn stand_in(
+        &mut self,
+        item: &Item,
+        kind: JointKind,
+        place: &Place,
+        frame: FrameId,
+        point: Option<[Value; 3]>,
+    ) -> Option<()> {
+        let parties = [
+            Party::Place {
+                body: place.body.id,
+                at: place.at.clone(),
+            },
+            Party::Frame { frame, point },
+        ];
+        let normal = normal(place.body.space?);
+        let mut builder = Builder::new(&mut self.model.markers, parties, normal);
+        let word = match kind {
+            JointKind::Clamp | JointKind::ClampFull => {
+                joints::clamp(&mut builder, kind == JointKind::ClampFull);
+                "clamp"
+            }
+            JointKind::Pin => {
+                let points = builder.points();
+                builder.s(points);
+                "pin"
+            }
+            JointKind::Hold { order, axis } => {
+                joints::hold(&mut builder, order, axis);
+                "hold"
+            }
+        };
+        let rows = builder.finish();
+        self.push_constraint(item, word, rows, Some(place.body.id));
+        Some(())
+    }
+
+    pub(super) fn push_constraint(&mut self, item: &Item, kind: &str, rows: Rows, absolute: Option<BodyId>) -> ConstraintId {
+        self.model.constraints.push(Constraint {
+            name: item.name.text.clone(),
+            doc: item.doc.clone(),
+            kind: kind.into(),
+            markers: rows.markers,
+            first_party: rows.first_party,
+            rows: rows.rows,
+            absolute,
+        });
+        ConstraintId(self.model.constraints.len() - 1)
+    }
+
+    /// `hold(beam.end.z)` or `hold(beam.end.slope.y)`.
+    fn hold(&mut self, item: &Item, call: &'a Call, known: &mut Known, held: &mut Vec<Held>) -> Option<()> {
+        let shape = Shape {
+            positional: 1,
+            named: &[],
+            required: &[],
+            usage: "hold(beam.end.z)",
+        };
+        let arguments = self.arguments(call, &shape)?;
+        let expr = arguments.positional[0];
+        let usage = || say::usage("hold", "hold(beam.end.z)");
+        let ExprKind::Member { base, field, .. } = &expr.kind else {
+            self.errors.at(expr.area, usage());
             return None;
         };
-        let ExprKind::Name(name) = &base.kind else {
-            self.errors.at(expr.area, say::PLACE_EXPECTED);
+        let (order, place) = match &base.kind {
+            ExprKind::Member { base, field, .. } if field.text == "slope" => (1, base.as_ref()),
+            ExprKind::Member { .. } => (0, base.as_ref()),
+            _ => {
+                self.errors.at(expr.area, usage());
+                return None;
+            }
+        };
+        let place = self.place(place)?;
+        known.body = Some(place.body);
+        let Some(axis) = AXES.iter().position(|axis| *axis == field.text) else {
+            self.errors.at(field.span, suggest::unknown("component", &field.text, AXES));
             return None;
         };
-        let item = self.item(name, Keyword::Body)?;
-        let body = *self.bodies.get(item.name.text.as_str())?;
-        let at = match (field.text.as_str(), arguments) {
-            ("start", None) => Location::Start,
-            ("end", None) => Location::End,
-            ("at", Some(arguments)) => match arguments.as_slice() {
-                [argument] if argument.name.is_none() => {
-                    let at = self.quantity(&argument.value, Scope::Parameter, PLACE)?;
-                    self.on_axis(&argument.value, fold::constant(&at), body.length);
-                    Location::At(Box::new(at))
-                }
-                _ => {
-                    self.errors.at(expr.area, say::usage("at", "beam.at(4 m)"));
+        if let Some(normal) = place.body.space.and_then(normal).filter(|normal| *normal == axis) {
+            self.errors.at(field.span, say::always_zero(AXES[axis], plane(normal)));
+            return None;
+        }
+        let frame = place.body.frame?;
+        let area = [expr.area; 2];
+        let kind = JointKind::Hold { order, axis };
+        self.tie_end(item, kind, place, frame, None, area, known, held)
+    }
+
+    /// A joint of the library, or of a flexible end to something free.
+    fn with_multipliers(
+        &mut self,
+        item: &Item,
+        word: &str,
+        kind: Option<&'static Kind>,
+        arguments: &Arguments<'a>,
+        holds: [Hold; 2],
+        known: &mut Known,
+    ) -> Option<()> {
+        self.are_two(&holds)?;
+        let plane = self.common_plane([&holds[0], &holds[1]])?;
+        let parties = [holds[0].party(), holds[1].party()];
+        let is_end = |hold: &Hold| matches!(hold.spot, Spot::Flexible(_));
+        let ends = holds.iter().filter(|hold| is_end(hold)).count();
+        // With a flexible end there is a tangent, and no more.
+        let is_clamp = matches!(word, "clamp" | "clamp_full") || word == "weld" && ends > 0;
+        let orients = is_clamp || kind.is_some_and(|kind| kind.orients && !(kind.name == "revolute" && plane.is_some()));
+        if matches!(word, "clamp" | "clamp_full") && ends == 0 {
+            self.errors.at(holds[0].area, say::PLACE_EXPECTED);
+            return None;
+        }
+        if orients {
+            self.have_orientation(word, is_clamp, &holds)?;
+        }
+        let given = match kind {
+            Some(kind) => self.joint_arguments(kind, arguments, plane, holds[0].area)?,
+            None => joints::Arguments::default(),
+        };
+        if let (Some(kind), Some(normal)) = (kind, plane)
+            && let Err(advice) = kind.planar
+        {
+            self.errors.at(holds[0].area, say::not_in_plane(word, super::plane::plane(normal), advice));
+            return None;
+        }
+        let mut builder = Builder::new(&mut self.model.markers, parties.clone(), plane);
+        match (kind, plane) {
+            _ if is_clamp => joints::clamp(&mut builder, word == "clamp_full"),
+            (Some(kind), Some(_)) => kind.planar.ok()?(&mut builder, &given),
+            (Some(kind), None) => (kind.spatial)(&mut builder, &given),
+            (None, _) => {
+                let points = builder.points();
+                builder.s(points);
+            }
+        }
+        let rows = builder.finish();
+        let constraint = self.push_constraint(item, word, rows, None);
+        known.built = Some(Built {
+            constraint,
+            word: word.into(),
+            has_moment: is_clamp || kind.is_some_and(|kind| kind.has_moment[usize::from(plane.is_some())]),
+            kind: kind.filter(|_| !is_clamp),
+            parties,
+            normal: plane,
+            axis: given.axis,
+        });
+        Some(())
+    }
+
+    /// Two different things, and one of them free to move.
+    pub(super) fn are_two(&mut self, holds: &[Hold; 2]) -> Option<()> {
+        let [first, second] = holds;
+        let message = match (&first.spot, &second.spot) {
+            (Spot::Rigid { frame: a, .. }, Spot::Rigid { frame: b, .. }) if a == b => say::SAME_PARTY,
+            (Spot::Flexible(a), Spot::Flexible(b)) if a.body.id == b.body.id && a.at == b.at => say::SAME_PARTY,
+            (Spot::Rigid { frame: a, .. }, Spot::Rigid { frame: b, .. }) if !self.is_free(*a) && !self.is_free(*b) => {
+                say::BOTH_PRESCRIBED
+            }
+            _ => return Some(()),
+        };
+        self.errors.at(second.area, message);
+        None
+    }
+
+    fn have_orientation(&mut self, word: &str, is_clamp: bool, holds: &[Hold; 2]) -> Option<()> {
+        let ends = holds.iter().filter(|hold| hold.frame().is_none()).count();
+        if ends == 2 {
+            self.errors.at(holds[1].area, say::two_ends(word));
+            return None;
+        }
+        for hold in holds {
+            match hold.frame() {
+                Some(frame) if self.is_point_mass(frame) => {
+                    let name = self.model.frames[frame.0].name.clone();
+                    self.errors.at(hold.area, say::point_mass_joint(&name, word));
                     return None;
                 }
-            },
-            ("at", None) => {
-                self.errors.at(field.span, say::usage("at", "beam.at(4 m)"));
-                return None;
+                None if !is_clamp => {
+                    self.errors.at(hold.area, say::end_orientation(word));
+                    return None;
+                }
+                _ => {}
             }
-            ("start" | "end", Some(_)) => {
-                self.errors.at(expr.area, say::no_arguments(&field.text));
-                return None;
-            }
-            (other, _) => {
-                self.errors.at(
-                    field.span,
-                    suggest::unknown("place on a body", other, ["start", "end", "at"]),
-                );
-                return None;
-            }
-        };
-        Some(Place { body, at })
+        }
+        Some(())
     }
 
-    fn on_axis(&mut self, expr: &Expr, at: Option<f64>, length: Option<f64>) {
-        if let Some(at) = at
-            && (at < 0.0 || length.is_some_and(|length| at > length * (1.0 + 1e-12)))
-        {
-            let length = length.map_or("its length".into(), |length| format!("{length} m"));
-            self.errors.at(expr.area, say::beyond(&length));
+    fn joint_arguments(
+        &mut self,
+        kind: &Kind,
+        arguments: &Arguments<'a>,
+        plane: Option<usize>,
+        area: Area,
+    ) -> Option<joints::Arguments> {
+        let mut given = joints::Arguments::default();
+        let axis = match arguments.named.get("axis") {
+            Some(expr) => Some((self.axis(expr)?, expr.area)),
+            None => None,
+        };
+        let is_needed = kind.axis == Axis::Always || kind.axis == Axis::InSpace && plane.is_none();
+        match (axis, plane) {
+            (Some((axis, area)), Some(normal)) => {
+                let is_normal = is_parallel(axis, unit(normal));
+                let fits = if kind.axis == Axis::InSpace { is_normal } else { axis[normal] == 0.0 };
+                if !fits && kind.planar.is_ok() {
+                    let message = if kind.axis == Axis::InSpace {
+                        say::axis_along_normal(kind.name, super::plane::plane(normal), AXES[normal])
+                    } else {
+                        say::axis_in_plane(kind.name, super::plane::plane(normal), AXES[normal])
+                    };
+                    self.errors.at(area, message);
+                    return None;
+                }
+                given.axis = axis;
+            }
+            (Some((axis, _)), None) => given.axis = axis,
+            (None, Some(normal)) if !is_needed => given.axis = unit(normal),
+            (None, _) if is_needed => {
+                self.errors.at(area, say::needs_axis(kind.name, kind.usage));
+                return None;
+            }
+            (None, _) => {}
         }
+        if kind.has_cross {
+            let Some(expr) = arguments.named.get("cross") else {
+                self.errors.at(area, say::usage(kind.name, kind.usage));
+                return None;
+            };
+            given.cross = self.axis(expr)?;
+            let product: f64 = (0..3).map(|i| given.axis[i] * given.cross[i]).sum();
+            if product.abs() > NORMAL {
+                self.errors.at(expr.area, say::CROSS_NOT_NORMAL);
+                return None;
+            }
+        }
+        if let Some(expr) = arguments.named.get("length") {
+            let length = self.quantity(expr, Scope::Parameter, LENGTH)?;
+            if fold::constant(&length).is_some_and(|length| length <= 0.0) {
+                self.errors.at(expr.area, say::positive("the length of a joint"));
+                return None;
+            }
+            given.length = Some(length);
+        }
+        Some(given)
     }
+}
+
+/// Named arguments of a kind.
+fn named(kind: &'static Kind) -> &'static [&'static str] {
+    match (kind.axis, kind.has_cross, kind.name) {
+        (Axis::None, _, "distance") => &["length"],
+        (Axis::None, ..) => &[],
+        (_, true, _) => &["axis", "cross"],
+        _ => &["axis"],
+    }
+}
+
+/// Whether a party is prescribed or inertial.
+pub fn is_inertial(party: &Party) -> bool {
+    matches!(party, Party::Frame { frame, .. } if *frame == INERTIAL)
 }

@@ -1,7 +1,7 @@
 //! Loads: gravity, dead forces and moments.
 
 use super::expr::Scope;
-use super::joint::Place;
+use super::place::Place;
 use super::plane::{AXES, is_parallel, normal, plane};
 use super::quantity::{Vector, Wanted};
 use super::{Check, Shape, fold, say};

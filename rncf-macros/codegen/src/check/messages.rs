@@ -35,6 +35,36 @@ pub const TORSION: &str = "a moment along the axis would twist the body, and a c
 pub const OBSERVED_OUTSIDE_OUTPUT: &str = "only an `output` can observe bodies and joints";
 pub const NOTHING_OBSERVED: &str =
     "this observes nothing: write e.g. `beam.end.x`, `beam.at(4 m).velocity.y` or `root.moment.z`";
+pub const PRODUCT_OF_VECTORS: &str = "both are vectors: write `dot(a, b)` or `cross(a, b)`";
+pub const DIVISION_BY_VECTOR: &str = "nothing can be divided by a vector: take its `norm(..)`";
+pub const THREE_COMPONENTS: &str = "a vector has three components `[x, y, z]`";
+pub const RIGID_PLACE: &str =
+    "a place on a frame or rigid body is expected here: `arm`, `arm.at([1, 0, 0] m)` or `arm.center`";
+pub const PLANAR_AND_SPATIAL: &str = "one of the two moves in a plane and the other one in space or another plane: give both the same `plane`, or make both spatial";
+pub const SAME_PARTY: &str = "both are the same: a joint or spring holds two different things";
+pub const BOTH_PRESCRIBED: &str = "both move in a prescribed way: between them nothing is left to a joint or spring";
+pub const CROSS_NOT_NORMAL: &str = "the two axes of a `universal` must be perpendicular";
+pub const COORDINATE_EXPECTED: &str =
+    "a coordinate is expected here: `hinge.angle`, `slider.slide` or, of a planar or hinged frame, `arm.angle`";
+pub const ANGLE_OF_END: &str = "a flexible end has a tangent and no angle of its own: use e.g. `atan2(beam.end.slope.y, beam.end.slope.x)` in an output";
+pub const IN_TWICE: &str =
+    "`.in(FRAME)` stands once, right behind the place or direction: `beam.end.in(inertial).velocity`";
+pub const INERTIAL_ACCELERATION: &str =
+    "an acceleration is known in the inertial frame: write `.in(inertial).acceleration`";
+pub const RIGID_SLOPE: &str = "only flexible bodies have a slope: use a direction such as `arm.ex`";
+pub const NOTHING_CONSTRAINED: &str =
+    "nothing that moves freely stands in this: a constraint ties positions, directions or angles";
+pub const SPRING_LENGTH: &str = "this spring needs its length without force: `length = 1 m`";
+pub const TORSIONAL_EXPECTED: &str =
+    "the name of a joint with an angle, or of a planar or hinged frame, is expected here";
+pub const FORCE_ON_PRESCRIBED: &str = "this place moves in a prescribed way: a load on it would do nothing";
+pub const FOLLOWER_ON_FRAME: &str =
+    "a follower goes along the tangent of a flexible body: on a frame write `force(arm.at(..), [..] N, in = arm)`";
+pub const FOLLOWER_COMPONENTS: &str =
+    "a follower has one component along the tangent, and in a plane a second one across it: `[1 N, 2 N]`";
+pub const FOLLOWER_IN_SPACE: &str =
+    "in space nothing says where across the tangent is: give the component along it only, `follower(beam.end, 3 N)`";
+pub const AXES_OF_LOAD: &str = "the components stand in the axes of another frame already: leave out `in`, or make them components in it with `.in(..)`";
 pub const NO_OUTPUT: &str = "the model has no output: add e.g. `output u = beam.end.x;`";
 
 pub const FIXTURE_PLACE: &str =
@@ -115,6 +145,7 @@ messages! {
     carries_nothing(frame) = "`{frame}` moves freely but carries nothing: put a body in it (`body .. in {frame}`), a `fixture .. on {frame}`, or leave it out";
     not_held(body, motions, frame) = "nothing holds `{body}` against {motions} of its free frame `{frame}`: tie it with `clamp(..)`, `pin(..)` or `hold(..)` to `{frame}`, with `mean_axes;`, or add a constraint that turns or moves `{frame}`";
     lacks_inertia(frame, motions) = "`{frame}` has no inertia against {motions}, and nothing holds it: give it `inertia`, or tie what it carries to it";
+    rigid_lacks_inertia(frame, motions) = "`{frame}` has no inertia against {motions}, and nothing holds it: add a `fixture .. on {frame}` with `inertia`, or a constraint that holds it";
     tied_twice(what, name, frame) = "`{frame}` is held a second time, by {what} `{name}`: a free frame without mass of its own needs exactly as many ties as it has motions; join the bodies with each other instead, or give the frame mass with a `fixture .. on {frame}`";
     lacks_field(kind, name, field, example) = "{kind} `{name}` has no `{field}`: write e.g. `{example}`";
     rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body `spatial`";
@@ -131,4 +162,25 @@ messages! {
     moment_always_zero(axis, plane, normal) = "the {axis} component is always zero for a body in the {plane} plane: its moment is `{normal}`";
     pin_moment(name) = "`{name}` is a pin, and a pin carries no moment";
     after_component(word) = "nothing can follow a component: leave out `.{word}`";
+    number_as_vector(what) = "`{what}` takes vectors, but this is a number";
+    different_axes(first, second) = "these have components in the axes of `{first}` and of `{second}`: write `.in(..)` behind one of them";
+    no_center(name) = "`{name}` has no centre of mass of its own: only a `rigid` body has";
+    no_component(axis) = "this vector has no {axis} component";
+    only_in_outputs(word) = "`{word}` is known when the motion is: only an `output` can observe it";
+    rate_in_constraint(word) = "a constraint ties positions, directions and angles: `{word}` has no place in it";
+    point_mass_turns(name) = "`{name}` is a point mass and has no orientation: give it an `inertia`";
+    point_mass_joint(name, word) = "`{name}` is a point mass and has no orientation for a `{word}`: give it an `inertia`, or use `spherical` or `distance`";
+    end_orientation(word) = "a flexible end has a tangent and no orientation for a `{word}`: use `clamp`, `clamp_full` or `spherical`, and a `constraint` for more";
+    two_ends(word) = "a `{word}` needs a frame or rigid body on one side: between two flexible ends use `spherical`, and a `constraint` on their slopes";
+    not_in_plane(word, plane, advice) = "a `{word}` makes no sense in the {plane} plane: {advice}";
+    axis_along_normal(word, plane, axis) = "in the {plane} plane the axis of a `{word}` is `{axis}`: leave it out";
+    axis_in_plane(word, plane, axis) = "the axis of this `{word}` leaves the {plane} plane: its {axis} component must be 0";
+    needs_axis(word, usage) = "a `{word}` needs its axis: write e.g. `{usage}`";
+    no_coordinate(word, coordinate, has) = "a {word} has no `{coordinate}`{has}";
+    no_coordinates(name) = "`{name}` holds a flexible end: it has no coordinates";
+    not_driven(name, word) = "`{name}` has no coordinate `{word}`: a planar or hinged frame has its `angle`";
+    no_angle_in_space(name, word) = "`{name}` turns in space and has no single `{word}`: use its directions `ex`, `ey`, `ez` or its `angular_velocity`";
+    angle_of_prescribed(name, word) = "`{name}` moves in a prescribed way: its `{word}` stands in its declaration";
+    no_moment(name, word) = "`{name}` is a {word}, which carries no moment";
+    spring_stiffness(word, unit) = "`{word}` needs a stiffness: for a damper alone write `stiffness = 0 [{unit}]`";
 }

@@ -2,6 +2,8 @@
 //! mistakes are reported at once; what depends on something already reported stays silent.
 
 mod body;
+mod constraint;
+mod drive;
 mod eigen;
 mod expr;
 mod fidelity;
@@ -11,16 +13,21 @@ mod frame;
 mod free;
 mod joint;
 mod load;
+mod marker;
 mod messages;
 mod observe;
 mod output;
 mod param;
+mod place;
 mod plane;
 mod quantity;
 mod rigid;
+mod spring;
 mod start;
+mod thing;
 mod ties;
 mod unit;
+mod vector;
 
 #[cfg(test)]
 mod tests;
@@ -31,7 +38,7 @@ use proc_macro2::Span;
 
 use crate::elements::Library;
 use crate::errors::{Area, Errors};
-use crate::model::{Frame, FrameId, Model, MotionId};
+use crate::model::{BodyId, Frame, FrameId, Model, MotionId};
 use crate::parse::tree::{Argument, Call, Expr, Item, ItemKind, Keyword, Name, Tree};
 use crate::suggest;
 use messages as say;
@@ -69,6 +76,9 @@ pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Mode
     check.bodies();
     check.fixtures();
     check.joints();
+    check.constraints();
+    check.springs();
+    check.floating();
     check.loads();
     check.outputs();
     check.run();
@@ -92,6 +102,11 @@ struct Check<'a> {
     frames: HashMap<&'a str, Option<FrameId>>,
     bodies: HashMap<&'a str, body::Known>,
     joints: HashMap<&'a str, joint::Known>,
+    constraints: HashMap<&'a str, constraint::Known>,
+    /// Bodies that something holds; `None`: something unreadable may hold any.
+    tied: Option<Vec<BodyId>>,
+    /// Names of a law, such as `length` and `rate`.
+    locals: HashMap<&'static str, Typed>,
     /// Unknown names that have been reported.
     unknown: HashSet<String>,
     /// Frames that have been reported for leaving the plane with this normal.
@@ -129,6 +144,9 @@ impl<'a> Check<'a> {
             frames: HashMap::new(),
             bodies: HashMap::new(),
             joints: HashMap::new(),
+            constraints: HashMap::new(),
+            tied: Some(Vec::new()),
+            locals: HashMap::new(),
             unknown: HashSet::new(),
             out_of_plane: HashSet::new(),
             stack: Vec::new(),
@@ -142,7 +160,7 @@ impl<'a> Check<'a> {
         let mut outputs: HashMap<&str, &Item> = HashMap::new();
         for item in &self.tree.items {
             let name = item.name.text.as_str();
-            if RESERVED.contains(&name) || expr::function(name).is_some() {
+            if RESERVED.contains(&name) || expr::function(name).is_some() || vector::is_function(name) {
                 self.errors.at(item.name.span, say::reserved(name));
             }
             let names = if item.keyword == Keyword::Output {

@@ -1,10 +1,13 @@
-//! What outputs observe: points of bodies, reactions of joints.
+//! What outputs observe: points of bodies and reactions of joints in their own frames; all else in `thing`.
 
-use super::joint::Place;
+use super::expr::Scope;
+use super::place::Place;
 use super::plane::{AXES, normal, plane};
-use super::quantity::Typed;
+use super::quantity::{Nature, Typed};
+use super::vector::{Quantity, Vectorial};
 use super::{Check, say};
-use crate::model::{self, JointKind, Observable, PointQuantity, Space};
+use crate::joints::algebra;
+use crate::model::{self, FrameId, JointKind, Observable, PointQuantity, Space};
 use crate::parse::tree::{Expr, ExprKind, Keyword, Name};
 use crate::suggest;
 use crate::units::Dimension;
@@ -37,23 +40,65 @@ fn chain(expr: &Expr) -> (&Expr, Vec<&Name>) {
 
 impl<'a> Check<'a> {
     /// A member expression as a scalar.
-    pub(super) fn member(&mut self, expr: &'a Expr, scope: super::expr::Scope) -> Option<Typed> {
-        if scope != super::expr::Scope::Output {
+    pub(super) fn member(&mut self, expr: &'a Expr, scope: Scope) -> Option<Typed> {
+        if scope < Scope::Constraint {
             self.errors.at(expr.area, say::OBSERVED_OUTSIDE_OUTPUT);
             return None;
         }
-        let seen = self.observe(expr)?;
-        if !seen.is_scalar {
-            let axes: Vec<&str> = seen.components.iter().map(|(axis, _)| *axis).collect();
-            self.errors.at(expr.area, say::vector_as_number(&suggest::list(&axes)));
-            return None;
-        }
-        let (_, observable) = seen.components.into_iter().next()?;
-        Some(Typed::new(model::Expr::Observed(observable), seen.dimension))
+        let quantity = self.observe(expr, scope)?;
+        self.scalar(expr, quantity)
     }
 
-    /// Resolves what is observed.
-    pub(super) fn observe(&mut self, expr: &'a Expr) -> Option<Seen> {
+    /// What a member expression, or the name of a frame, is.
+    pub(super) fn observe(&mut self, expr: &'a Expr, scope: Scope) -> Option<Quantity> {
+        if scope == Scope::Output && self.is_plain(expr) {
+            return self.observe_plain(expr);
+        }
+        let thing = self.thing(expr, scope)?;
+        self.seen(thing, expr, scope)
+    }
+
+    /// Whether something is observed that the body or eliminated joint has in its own frame.
+    fn is_plain(&self, expr: &Expr) -> bool {
+        let (first, fields) = chain(expr);
+        let ExprKind::Member { base, field, .. } = &first.kind else {
+            return false;
+        };
+        let ExprKind::Name(name) = &base.kind else {
+            return false;
+        };
+        let words = fields.iter().chain([&field]).map(|word| word.text.as_str()).collect::<Vec<_>>();
+        let is_elsewhere = words.contains(&"in") || words.contains(&"acceleration");
+        let name = name.text.as_str();
+        let has_rows = self.joints.get(name).is_some_and(|joint| joint.built.is_some());
+        !is_elsewhere && !self.is_frame(name) && !has_rows && !self.constraints.contains_key(name)
+    }
+
+    /// A point of a body or a reaction of a joint, in the own frame.
+    fn observe_plain(&mut self, expr: &'a Expr) -> Option<Quantity> {
+        let (seen, frame) = self.plain(expr)?;
+        let mut values = algebra::numbers([0.0; 3]);
+        let mut axes = Vec::new();
+        for (name, observable) in seen.components {
+            let axis = AXES.iter().position(|axis| *axis == name)?;
+            values[axis] = model::Expr::Observed(observable);
+            axes.push(axis);
+        }
+        let vector = Vectorial {
+            values,
+            dimension: seen.dimension,
+            nature: Nature::default(),
+            frame,
+            axes,
+        };
+        Some(if seen.is_scalar {
+            Quantity::Scalar(vector.component(vector.axes[0]))
+        } else {
+            Quantity::Vector(vector)
+        })
+    }
+
+    fn plain(&mut self, expr: &'a Expr) -> Option<(Seen, Option<FrameId>)> {
         let (first, fields) = chain(expr);
         let ExprKind::Member { base, field, arguments } = &first.kind else {
             self.errors.at(expr.area, say::NOTHING_OBSERVED);
@@ -71,23 +116,35 @@ impl<'a> Check<'a> {
             Some(Keyword::Joint) if arguments.is_none() => {
                 let mut fields = fields;
                 fields.insert(0, field);
-                self.reaction(name, &fields)
+                let frame = self.joints.get(name.text.as_str()).and_then(|joint| joint.frame);
+                Some((self.reaction(name, &fields)?, frame))
             }
             Some(Keyword::Body) => {
                 let place = self.place(first)?;
-                self.point(place, &fields)
+                let frame = place.body.frame;
+                Some((self.point(place, &fields)?, frame))
             }
-            Some(other) => {
-                self.errors.at(name.span, say::not_observable(&name.text, other.word()));
+            _ => {
+                self.no_thing(name);
                 None
+            }
+        }
+    }
+
+    /// Reports a name that nothing can be observed of.
+    pub(super) fn no_thing(&mut self, name: &Name) {
+        match self.names.get(name.text.as_str()).copied() {
+            Some(item) if Self::is_broken(item) => {}
+            Some(item) => {
+                let message = say::not_observable(&name.text, item.keyword.noun());
+                self.errors.at(name.span, message);
             }
             None => {
                 if self.is_news(&name.text) {
-                    let known = self.known(&[Keyword::Body, Keyword::Joint]);
+                    let known = self.known(&[Keyword::Body, Keyword::Rigid, Keyword::Joint, Keyword::Constraint]);
                     self.errors
                         .at(name.span, suggest::unknown("body or joint", &name.text, known));
                 }
-                None
             }
         }
     }
@@ -131,8 +188,8 @@ impl<'a> Check<'a> {
         })
     }
 
-    fn reaction(&mut self, name: &Name, fields: &[&'a Name]) -> Option<Seen> {
-        let known = *self.joints.get(name.text.as_str())?;
+    pub(super) fn reaction(&mut self, name: &Name, fields: &[&'a Name]) -> Option<Seen> {
+        let known = self.joints.get(name.text.as_str())?.clone();
         let (first, rest) = fields.split_first()?;
         let is_moment = match first.text.as_str() {
             "force" => false,
@@ -176,7 +233,7 @@ impl<'a> Check<'a> {
     }
 
     /// The axis that the last word asks for, or all that there are.
-    fn axes(
+    pub(super) fn axes(
         &mut self,
         fields: &[&'a Name],
         valid: &[usize],

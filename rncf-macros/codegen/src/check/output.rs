@@ -1,9 +1,11 @@
 //! Outputs: expressions of what the simulated system does.
 
 use super::expr::Scope;
+use super::plane::AXES;
+use super::vector::Quantity;
 use super::{Check, say};
 use crate::model::{Expr as Value, Output};
-use crate::parse::tree::{Expr, ExprKind, ItemKind, Keyword};
+use crate::parse::tree::{Expr, ItemKind, Keyword};
 
 impl<'a> Check<'a> {
     pub(super) fn outputs(&mut self) {
@@ -28,23 +30,14 @@ impl<'a> Check<'a> {
     }
 
     fn output(&mut self, value: &'a Expr) -> Option<(String, Vec<(String, Value)>)> {
-        // A vector stands alone; in an expression only components do.
-        if let ExprKind::Member { .. } = &value.kind {
-            let seen = self.observe(value)?;
-            let suffix = |axis: &str| {
-                if seen.is_scalar {
-                    String::new()
-                } else {
-                    axis.to_string()
-                }
-            };
-            let components = seen
-                .components
-                .iter()
-                .map(|(axis, it)| (suffix(axis), Value::Observed(it.clone())));
-            return Some((seen.dimension.symbol(false), components.collect()));
-        }
-        let typed = self.expr(value, Scope::Output)?;
+        let typed = match self.value(value, Scope::Output)? {
+            Quantity::Scalar(typed) => typed,
+            Quantity::Vector(vector) => {
+                let component = |axis: &usize| (AXES[*axis].to_string(), vector.values[*axis].clone());
+                let unit = vector.dimension.symbol(vector.nature.angle);
+                return Some((unit, vector.axes.iter().map(component).collect()));
+            }
+        };
         Some((
             typed.dimension.symbol(typed.nature.angle),
             vec![(String::new(), typed.value)],

@@ -118,7 +118,8 @@ fn is_hertz(unit: &crate::parse::tree::UnitText) -> bool {
     unit.factors.iter().any(|(name, _)| name.text.ends_with("Hz"))
 }
 
-fn is_bare_zero(expr: &Expr) -> bool {
+/// Whether it is a zero without unit, which fits any dimension.
+pub fn is_bare_zero(expr: &Expr) -> bool {
     bare_literal(expr).is_some_and(|text| text.parse::<f64>().is_ok_and(|value| value == 0.0))
 }
 
@@ -273,7 +274,8 @@ impl<'a> Check<'a> {
         self.quantity(expr, scope, wanted)
     }
 
-    fn scaled_literal(&mut self, expr: &Expr, unit: crate::units::Compound) -> Option<model::Expr> {
+    /// A literal times the unit behind the brackets.
+    pub(super) fn scaled_literal(&mut self, expr: &Expr, unit: crate::units::Compound) -> Option<model::Expr> {
         match &expr.kind {
             ExprKind::Number { text, unit: None } => self.number(text, unit, expr.area).map(model::Expr::Number),
             ExprKind::Negate(inner) => {

@@ -195,7 +195,7 @@ fn member(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
     while cursor.eat_punct('.') {
         let field = cursor.expect_name("a word such as `end` or `x` after the dot")?;
         let arguments = match cursor.eat_group(Delimiter::Parenthesis) {
-            Some(group) => Some(arguments(&mut Cursor::of(&group), depth + 1)?),
+            Some(group) => Some(arguments(&mut Cursor::of(&group), depth + 1, &[3])?),
             None => None,
         };
         let (area, height) = (base.area.to(cursor.before().into()), 1 + base.height);
@@ -361,12 +361,15 @@ pub fn call(cursor: &mut Cursor, name: Name, depth: usize) -> Parsed<Call> {
     let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
         return Err(cursor.expected(&format!("`(` after `{}`", name.text)));
     };
-    let arguments = arguments(&mut Cursor::of(&group), depth + 1)?;
+    // Along and across: the only vector of two components.
+    let counts: &[usize] = if name.text == "follower" { &[2, 3] } else { &[3] };
+    let arguments = arguments(&mut Cursor::of(&group), depth + 1, counts)?;
     let area = cursor.since(name.span);
     Ok(Call { name, arguments, area })
 }
 
-fn arguments(cursor: &mut Cursor, depth: usize) -> Parsed<Vec<Argument>> {
+/// Arguments; those that are vectors have one of these numbers of components.
+fn arguments(cursor: &mut Cursor, depth: usize, counts: &[usize]) -> Parsed<Vec<Argument>> {
     let mut arguments = Vec::new();
     while !cursor.is_empty() {
         let is_named = cursor.word().is_some() && cursor.is_second_punct('=');
@@ -382,10 +385,19 @@ fn arguments(cursor: &mut Cursor, depth: usize) -> Parsed<Vec<Argument>> {
                 continue;
             }
         }
-        arguments.push(Argument {
-            name,
-            value: nested(cursor, depth)?,
-        });
+        let mark = cursor.mark();
+        let pair = match cursor.eat_group(Delimiter::Bracket) {
+            Some(group) if counts.contains(&2) => Some(components(cursor, &group, depth, counts)?),
+            _ => None,
+        };
+        let value = match pair.filter(|_| cursor.is_empty() || cursor.is_punct(',')) {
+            Some(value) => value,
+            None => {
+                cursor.reset(mark);
+                nested(cursor, depth)?
+            }
+        };
+        arguments.push(Argument { name, value });
         if !cursor.is_empty() && !cursor.eat_punct(',') {
             return Err(cursor.expected("`,` or `)`"));
         }

@@ -140,6 +140,8 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
         Keyword::Material => ItemKind::Material(fields(cursor, area, errors)?),
         Keyword::Section => ItemKind::Section(fields(cursor, area, errors)?),
         Keyword::Joint => ItemKind::Joint(assigned_call(cursor, "`clamp(..)`, `clamp_full(..)` or `pin(..)`")?),
+        Keyword::Constraint => ItemKind::Constraint(assignment(cursor)?),
+        Keyword::Spring => ItemKind::Spring(assigned_call(cursor, "a spring such as `linear(..)`")?),
         Keyword::Load => ItemKind::Load(assigned_call(cursor, "`gravity(..)`, `force(..)` or `moment(..)`")?),
         Keyword::Frame => {
             let parent = in_frame(cursor)?;

@@ -4,7 +4,7 @@
 //! ```text
 //! declaration = { doc } [ visibility ] "model" NAME "{" { item } "}"
 //! item        = { doc } ( param | const | material | section | motion | frame | rigid | body
-//!                       | fixture | joint | load | output | run )
+//!                       | fixture | joint | constraint | spring | load | output | run )
 //! param       = "param" NAME [ ":" "count" ] "=" right ";"
 //! const       = "const" NAME "=" right ";"
 //! material    = "material" NAME fields          // density young poisson damping
@@ -30,7 +30,13 @@
 //! fixture     = "fixture" NAME "on" PLACE fields
 //!                   // FRAME[.at(vector)]: mass inertia; BODY.end|..: mass offset gyration
 //! joint       = "joint" NAME "=" call ";"       // clamp|clamp_full|pin(BODY.end, FRAME [, at = vector])
-//! load        = "load" NAME "=" call ";"        // gravity(vector)
+//!                   // KIND(PLACE, PLACE [, axis = .., cross = .., length = expr]), hold(BODY.end.z),
+//!                   // drive(JOINT.angle|JOINT.slide|FRAME.angle, expr)
+//! constraint  = "constraint" NAME "=" expr ";"  // scalar or vector, = 0
+//! spring      = "spring" NAME "=" call ";"      // linear(PLACE, PLACE, stiffness = .., length = .. [, damping = ..])
+//!                   // law(PLACE, PLACE, force = expr), torsional(JOINT|FRAME, stiffness = .. [, damping = .., angle = ..])
+//!                   // torsional_law(JOINT|FRAME, moment = expr)
+//! load        = "load" NAME "=" call ";"        // gravity(vector), follower(BODY.end, expr | [expr, expr])
 //!                   // force|moment(BODY.end|BODY.at(expr), vector [, in = FRAME])
 //! output      = "output" NAME "=" right ";"
 //! run         = "run" fields                    // t_end every

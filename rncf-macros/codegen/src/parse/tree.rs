@@ -58,13 +58,15 @@ pub enum Keyword {
     Body,
     Fixture,
     Joint,
+    Constraint,
+    Spring,
     Load,
     Output,
 }
 
 impl Keyword {
     /// All of them, in the order a user needs them.
-    pub const ALL: [Keyword; 12] = [
+    pub const ALL: [Keyword; 14] = [
         Keyword::Param,
         Keyword::Const,
         Keyword::Material,
@@ -75,6 +77,8 @@ impl Keyword {
         Keyword::Body,
         Keyword::Fixture,
         Keyword::Joint,
+        Keyword::Constraint,
+        Keyword::Spring,
         Keyword::Load,
         Keyword::Output,
     ];
@@ -92,6 +96,8 @@ impl Keyword {
             Keyword::Body => "body",
             Keyword::Fixture => "fixture",
             Keyword::Joint => "joint",
+            Keyword::Constraint => "constraint",
+            Keyword::Spring => "spring",
             Keyword::Load => "load",
             Keyword::Output => "output",
         }
@@ -174,6 +180,10 @@ pub enum ItemKind {
     },
     /// `joint name = call;`
     Joint(Call),
+    /// `constraint name = value;`
+    Constraint(Expr),
+    /// `spring name = call;`
+    Spring(Call),
     /// `load name = call;`
     Load(Call),
     /// `output name = value;`

@@ -1,6 +1,7 @@
 mod free;
 mod precedence;
 mod right;
+mod tied;
 mod truncated;
 mod wrong;
 

@@ -1,0 +1,270 @@
+//! Coordinates of joints and frames, and their drives.
+
+use super::expr::Scope;
+use super::joint::{Built, Known};
+use super::quantity::{Typed, Wanted};
+use super::thing::{Thing, angular};
+use super::vector::{Quantity, Vectorial};
+use super::{Check, Shape, say};
+use crate::errors::Area;
+use crate::joints::{Angle, Party, Rows, Slide, Turned, algebra};
+use crate::model::{Expr as Value, FrameId, INERTIAL, Marker, Motions};
+use crate::parse::tree::{Call, Expr, ExprKind, Item, Keyword, Name};
+use crate::suggest;
+use crate::units::Dimension;
+
+const SLIDE: Wanted = Wanted {
+    what: "a driven slide",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+
+/// What can be driven.
+pub enum Coordinate {
+    Angle(Angle, Option<usize>),
+    Slide(Slide, Option<usize>),
+}
+
+impl<'a> Check<'a> {
+    /// `drive(J.angle, f)`, `drive(J.slide, f)` or `drive(arm.angle, f)`.
+    pub(super) fn drive(&mut self, item: &Item, call: &'a Call, known: &mut Known) -> Option<()> {
+        let shape = Shape {
+            positional: 2,
+            named: &[],
+            required: &[],
+            usage: "drive(crank.angle, omega * t)",
+        };
+        let arguments = self.arguments(call, &shape)?;
+        let coordinate = self.coordinate(arguments.positional[0]);
+        let f = arguments.positional[1];
+        let (rows, has_moment, normal) = match coordinate? {
+            Coordinate::Angle(angle, normal) => {
+                let f = self.angle(f, Scope::Prescribed, "a driven angle")?;
+                (driven("angle", angle.drive(&f), angle.parties()), true, normal)
+            }
+            Coordinate::Slide(slide, normal) => {
+                let f = self.quantity(f, Scope::Prescribed, SLIDE)?;
+                let row = algebra::subtract(slide.value(), f);
+                (driven("slide", row, slide.parties()), false, normal)
+            }
+        };
+        let constraint = self.push_constraint(item, "drive", rows, None);
+        let party = || Party::Frame {
+            frame: INERTIAL,
+            point: None,
+        };
+        known.built = Some(Built {
+            constraint,
+            word: "drive".into(),
+            kind: None,
+            parties: [party(), party()],
+            normal,
+            axis: [0.0; 3],
+            has_moment,
+        });
+        Some(())
+    }
+
+    /// `J.angle`, `J.slide` or `arm.angle`.
+    fn coordinate(&mut self, expr: &'a Expr) -> Option<Coordinate> {
+        let ExprKind::Member {
+            base,
+            field,
+            arguments: None,
+        } = &expr.kind
+        else {
+            self.errors.at(expr.area, say::COORDINATE_EXPECTED);
+            return None;
+        };
+        let ExprKind::Name(name) = &base.kind else {
+            self.errors.at(expr.area, say::COORDINATE_EXPECTED);
+            return None;
+        };
+        if self.is_frame(&name.text) {
+            let frame = self.frame(name)?;
+            if field.text != "angle" {
+                let message = say::not_driven(&name.text, &field.text);
+                self.errors.at(field.span, message);
+                return None;
+            }
+            let turned = self.own_angle(frame, field)?;
+            let normal = self.frame_normal(frame);
+            return Some(Coordinate::Angle(turned, normal));
+        }
+        let built = self.built_joint(name)?;
+        self.coordinate_of(&built, field)
+    }
+
+    /// A joint with multipliers.
+    pub(super) fn built_joint(&mut self, name: &Name) -> Option<Built> {
+        self.item(name, Keyword::Joint)?;
+        let known = self.joints.get(name.text.as_str())?;
+        if known.built.is_none() && known.kind.is_some() {
+            self.errors.at(name.span, say::no_coordinates(&name.text));
+        }
+        self.joints.get(name.text.as_str())?.built.clone()
+    }
+
+    fn coordinate_of(&mut self, built: &Built, field: &Name) -> Option<Coordinate> {
+        let coordinates = built
+            .kind
+            .map_or(&[][..], |kind| kind.coordinates[usize::from(built.normal.is_some())]);
+        let word = field.text.as_str();
+        if !coordinates.contains(&word) {
+            let message = say::no_coordinate(&built.word, word, &has(coordinates));
+            self.errors.at(field.span, message);
+            return None;
+        }
+        if word == "slide" {
+            let markers = &mut self.model.markers;
+            let slide = Slide::new(markers, built.parties.clone(), built.normal, built.axis);
+            return Some(Coordinate::Slide(slide, built.normal));
+        }
+        self.angle_between(built, field)
+            .map(|angle| Coordinate::Angle(angle, built.normal))
+    }
+
+    /// The angle of a joint.
+    pub(super) fn angle_between(&mut self, built: &Built, field: &Name) -> Option<Angle> {
+        let mut frames = Vec::new();
+        for party in &built.parties {
+            match party {
+                Party::Frame { frame, .. } => frames.push(*frame),
+                Party::Place { .. } => {
+                    self.errors.at(field.span, say::ANGLE_OF_END);
+                    return None;
+                }
+            }
+        }
+        let (first, second) = (*frames.first()?, *frames.get(1)?);
+        if let Some(normal) = built.normal {
+            let area = field.span.into();
+            let (first, second) = (self.turned(first, normal, area)?, self.turned(second, normal, area)?);
+            return Some(Angle::Counted { first, second });
+        }
+        let along = algebra::numbers(built.axis);
+        let axis = self.marker(Marker::Direction { frame: first, along });
+        Some(Angle::spatial(&mut self.model.markers, first, second, axis))
+    }
+
+    fn turned(&mut self, frame: FrameId, normal: usize, area: Area) -> Option<Turned> {
+        match self.motions_of(frame) {
+            Some(Motions::Shifting | Motions::ShiftingPlanar { .. }) => {
+                let message = say::point_mass_turns(&self.model.frames[frame.0].name);
+                self.errors.at(area, message);
+                None
+            }
+            Some(motions) => {
+                let is_opposite = matches!(motions, Motions::Hinged { axis } if axis[normal] < 0.0);
+                let sign = if is_opposite { -1.0 } else { 1.0 };
+                let marker = self.marker(Marker::Angle { frame });
+                Some(Turned::Free { marker, sign })
+            }
+            None => {
+                let angle = Box::new(self.prescribed_angle(frame, normal));
+                let turn = self.marker(Marker::Turn { frame });
+                Some(Turned::Prescribed { angle, turn, normal })
+            }
+        }
+    }
+
+    /// The own angle of a planar or hinged frame.
+    pub(super) fn own_angle(&mut self, frame: FrameId, word: &Name) -> Option<Angle> {
+        let name = self.model.frames[frame.0].name.clone();
+        let message = match self.motions_of(frame) {
+            Some(Motions::Planar { .. } | Motions::Hinged { .. }) => {
+                let turn = self.marker(Marker::Turn { frame: INERTIAL });
+                let marker = self.marker(Marker::Angle { frame });
+                return Some(Angle::Counted {
+                    first: Turned::Prescribed {
+                        angle: Box::new(Value::Number(0.0)),
+                        turn,
+                        normal: 2,
+                    },
+                    second: Turned::Free { marker, sign: 1.0 },
+                });
+            }
+            Some(Motions::Shifting | Motions::ShiftingPlanar { .. }) => say::point_mass_turns(&name),
+            Some(_) => say::no_angle_in_space(&name, "angle"),
+            None => say::angle_of_prescribed(&name, "angle"),
+        };
+        self.errors.at(word.span, message);
+        None
+    }
+
+    /// `J.angle`, `J.slide`, `J.force` or `J.moment`.
+    pub(super) fn of_joint(&mut self, name: &'a Name, field: &'a Name, scope: Scope) -> Option<Thing<'a>> {
+        let known = self.joints.get(name.text.as_str())?.clone();
+        let word = field.text.as_str();
+        let is_coordinate = matches!(word, "angle" | "slide");
+        if is_coordinate {
+            let built = self.built_joint(name)?;
+            let typed = match self.coordinate_of(&built, field)? {
+                Coordinate::Angle(angle, _) => Typed {
+                    nature: angular(),
+                    ..Typed::new(angle.value(), Dimension::NONE)
+                },
+                Coordinate::Slide(slide, _) => Typed::new(slide.value(), Dimension::of([1, 0, 0, 0, 0, 0])),
+            };
+            return Some(Thing::Value(Quantity::Scalar(typed)));
+        }
+        if scope != Scope::Output {
+            self.errors.at(field.span, say::only_in_outputs(word));
+            return None;
+        }
+        let Some(built) = known.built else {
+            let seen = self.reaction(name, &[field])?;
+            let mut vector = Vectorial {
+                values: algebra::numbers([0.0; 3]),
+                axes: Vec::new(),
+                dimension: seen.dimension,
+                nature: crate::check::quantity::Nature::default(),
+                frame: known.frame,
+            };
+            for (axis, observable) in seen.components {
+                let axis = super::plane::AXES.iter().position(|name| *name == axis)?;
+                vector.values[axis] = Value::Observed(observable);
+                vector.axes.push(axis);
+            }
+            let plane = known.body.and_then(|body| super::plane::normal(body.space?));
+            let shown = known.frame?;
+            return Some(Thing::Shown { vector, plane, shown });
+        };
+        let is_moment = match word {
+            "force" => false,
+            "moment" => true,
+            _ => {
+                let mut words = vec!["force", "moment"];
+                words.extend(built.kind.map_or(&[][..], |kind| kind.coordinates[usize::from(built.normal.is_some())]));
+                self.errors
+                    .at(field.span, suggest::unknown("quantity of a joint", word, words));
+                return None;
+            }
+        };
+        if is_moment && !built.has_moment {
+            self.errors.at(field.span, say::no_moment(&name.text, &built.word));
+            return None;
+        }
+        Some(self.exerted(built.constraint, is_moment, built.normal))
+    }
+}
+
+/// `; it has a and b`, or nothing.
+fn has(coordinates: &[&str]) -> String {
+    if coordinates.is_empty() {
+        return String::new();
+    }
+    let quoted: Vec<String> = coordinates.iter().map(|word| format!("`{word}`")).collect();
+    format!("; it has {}", quoted.join(" and "))
+}
+
+fn driven(what: &str, row: Value, [first, second]: [Vec<crate::model::MarkerId>; 2]) -> Rows {
+    let mut markers = first;
+    let first_party = markers.len();
+    markers.extend(second);
+    Rows {
+        markers,
+        first_party,
+        rows: vec![(what.into(), row)],
+    }
+}

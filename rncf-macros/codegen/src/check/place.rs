@@ -1,0 +1,252 @@
+//! Places: on flexible bodies, on frames and rigid bodies.
+
+use super::expr::Scope;
+use super::plane::normal;
+use super::quantity::Wanted;
+use super::{Check, body, fold, say};
+use crate::errors::Area;
+use crate::joints::{Party, algebra};
+use crate::model::{Expr as Value, FrameId, Location, Motions, Space};
+use crate::parse::tree::{Argument, Expr, ExprKind, Keyword};
+use crate::suggest;
+
+const PLACE: Wanted = Wanted {
+    what: "the place on a body",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+const POINT: Wanted = Wanted {
+    what: "a point of a frame",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+
+/// A place on a flexible body, as written.
+#[derive(Clone, Debug)]
+pub struct Place {
+    pub body: body::Known,
+    pub at: Location,
+}
+
+/// A place on anything.
+#[derive(Clone, Debug)]
+pub enum Spot {
+    /// On a flexible body.
+    Flexible(Place),
+    /// Fixed in a frame or rigid body, m, frame axes.
+    Rigid { frame: FrameId, at: [Value; 3] },
+}
+
+/// A place as one of the two that a joint or spring holds on to.
+#[derive(Clone, Debug)]
+pub struct Hold {
+    pub spot: Spot,
+    /// Whether it is a frame or rigid body, named without a point of it.
+    pub is_bare: bool,
+    pub area: Area,
+}
+
+impl Hold {
+    /// As the joint library has it.
+    pub fn party(&self) -> Party {
+        match self.spot.clone() {
+            Spot::Flexible(place) => Party::Place {
+                body: place.body.id,
+                at: place.at,
+            },
+            Spot::Rigid { frame, at } => Party::Frame {
+                frame,
+                point: (!self.is_bare).then_some(at),
+            },
+        }
+    }
+
+    /// Its frame, where it is one.
+    pub fn frame(&self) -> Option<FrameId> {
+        match self.spot {
+            Spot::Rigid { frame, .. } => Some(frame),
+            Spot::Flexible(_) => None,
+        }
+    }
+}
+
+impl<'a> Check<'a> {
+    /// A place that something holds on to.
+    pub(super) fn hold_on(&mut self, expr: &'a Expr) -> Option<Hold> {
+        let area = expr.area;
+        match &expr.kind {
+            ExprKind::Name(name) => {
+                if self
+                    .names
+                    .get(name.text.as_str())
+                    .is_some_and(|item| item.keyword == Keyword::Body)
+                {
+                    self.errors.at(area, say::PLACE_EXPECTED);
+                    return None;
+                }
+                let frame = self.frame(name)?;
+                let at = algebra::numbers([0.0; 3]);
+                let spot = Spot::Rigid { frame, at };
+                Some(Hold {
+                    spot,
+                    is_bare: true,
+                    area,
+                })
+            }
+            ExprKind::Member { base, field, arguments } => {
+                if let ExprKind::Name(name) = &base.kind
+                    && self.is_frame(&name.text)
+                {
+                    let frame = self.frame(name)?;
+                    let at = match (field.text.as_str(), arguments) {
+                        ("at", Some(arguments)) => self.point_of(frame, expr, arguments)?,
+                        ("center", None) => self.center_of(frame, field.span.into())?,
+                        _ => {
+                            self.errors.at(area, say::RIGID_PLACE);
+                            return None;
+                        }
+                    };
+                    return Some(Hold {
+                        spot: Spot::Rigid { frame, at },
+                        is_bare: false,
+                        area,
+                    });
+                }
+                let place = self.place(expr)?;
+                Some(Hold {
+                    spot: Spot::Flexible(place),
+                    is_bare: false,
+                    area,
+                })
+            }
+            _ => {
+                self.errors.at(area, say::PLACE_EXPECTED);
+                None
+            }
+        }
+    }
+
+    /// `arm.at([..] m)`: the point.
+    pub(super) fn point_of(&mut self, frame: FrameId, expr: &Expr, arguments: &'a [Argument]) -> Option<[Value; 3]> {
+        let [Argument { name: None, value }] = arguments else {
+            self.errors.at(expr.area, say::usage("at", "arm.at([1, 0, 0] m)"));
+            return None;
+        };
+        let vector = self.vector(value, Scope::Parameter, POINT)?;
+        if let Some(Motions::Planar { normal } | Motions::ShiftingPlanar { normal }) = self.motions_of(frame) {
+            let space = Space::Planar { normal: *normal };
+            self.in_plane(&vector, space, "the point", true);
+        }
+        Some(vector.values)
+    }
+
+    /// `arm.center`
+    pub(super) fn center_of(&mut self, frame: FrameId, area: Area) -> Option<[Value; 3]> {
+        let declared = &self.model.frames[frame.0];
+        let own = declared
+            .free
+            .as_ref()
+            .filter(|free| free.is_body)
+            .and_then(|free| free.parts.first());
+        if own.is_none() {
+            let message = say::no_center(&declared.name);
+            self.errors.at(area, message);
+        }
+        own.map(|part| part.center.clone())
+    }
+
+    /// The plane that two things move in, `Some(None)` in space; things that do not fit are reported.
+    pub(super) fn common_plane(&mut self, holds: [&Hold; 2]) -> Option<Option<usize>> {
+        let spaces = holds.map(|hold| match &hold.spot {
+            Spot::Flexible(place) => place.body.space,
+            Spot::Rigid { frame, .. } => match self.motions_of(*frame)? {
+                Motions::Planar { normal } | Motions::ShiftingPlanar { normal } => {
+                    Some(Space::Planar { normal: *normal })
+                }
+                Motions::Spatial | Motions::Turning | Motions::Shifting => Some(Space::Spatial),
+                Motions::Hinged { .. } => None,
+            },
+        });
+        match spaces {
+            [Some(first), Some(second)] if first == second => Some(normal(first)),
+            [Some(_), Some(_)] => {
+                self.errors.at(holds[1].area, say::PLANAR_AND_SPATIAL);
+                None
+            }
+            [None, None] => {
+                let plane = self.scene_normal();
+                let frames = holds.map(Hold::frame);
+                let stays = |check: &mut Self, normal| {
+                    let mut frames = frames.into_iter().flatten();
+                    frames.all(|frame| check.stays_in(frame, normal))
+                };
+                Some(plane.filter(|normal| stays(self, *normal)))
+            }
+            [Some(space), None] | [None, Some(space)] => {
+                let Some(normal) = normal(space) else {
+                    return Some(None);
+                };
+                let other = if spaces[0].is_none() { holds[0] } else { holds[1] };
+                match other.frame() {
+                    Some(frame) => self.keeps_plane(frame, normal, other.area).then_some(Some(normal)),
+                    // A body whose space has been reported.
+                    None => None,
+                }
+            }
+        }
+    }
+
+    /// `beam.start`, `beam.end` or `beam.at(4 m)`.
+    pub(super) fn place(&mut self, expr: &'a Expr) -> Option<Place> {
+        let ExprKind::Member { base, field, arguments } = &expr.kind else {
+            self.errors.at(expr.area, say::PLACE_EXPECTED);
+            return None;
+        };
+        let ExprKind::Name(name) = &base.kind else {
+            self.errors.at(expr.area, say::PLACE_EXPECTED);
+            return None;
+        };
+        let item = self.item(name, Keyword::Body)?;
+        let body = *self.bodies.get(item.name.text.as_str())?;
+        let at = match (field.text.as_str(), arguments) {
+            ("start", None) => Location::Start,
+            ("end", None) => Location::End,
+            ("at", Some(arguments)) => match arguments.as_slice() {
+                [argument] if argument.name.is_none() => {
+                    let at = self.quantity(&argument.value, Scope::Parameter, PLACE)?;
+                    self.on_axis(&argument.value, fold::constant(&at), body.length);
+                    Location::At(Box::new(at))
+                }
+                _ => {
+                    self.errors.at(expr.area, say::usage("at", "beam.at(4 m)"));
+                    return None;
+                }
+            },
+            ("at", None) => {
+                self.errors.at(field.span, say::usage("at", "beam.at(4 m)"));
+                return None;
+            }
+            ("start" | "end", Some(_)) => {
+                self.errors.at(expr.area, say::no_arguments(&field.text));
+                return None;
+            }
+            (other, _) => {
+                self.errors.at(
+                    field.span,
+                    suggest::unknown("place on a body", other, ["start", "end", "at"]),
+                );
+                return None;
+            }
+        };
+        Some(Place { body, at })
+    }
+
+    fn on_axis(&mut self, expr: &Expr, at: Option<f64>, length: Option<f64>) {
+        if let Some(at) = at
+            && (at < 0.0 || length.is_some_and(|length| at > length * (1.0 + 1e-12)))
+        {
+            let length = length.map_or("its length".into(), |length| format!("{length} m"));
+            self.errors.at(expr.area, say::beyond(&length));
+        }
+    }
+}

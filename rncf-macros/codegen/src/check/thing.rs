@@ -1,0 +1,535 @@
+//! What stands before the dots: frames, places, directions, joints, constraints; and what they show.
+
+use super::expr::Scope;
+use super::place::{Place, Spot};
+use super::plane::{AXES, normal, plane};
+use super::quantity::{Nature, Typed, Wanted};
+use super::vector::{Quantity, Vectorial};
+use super::{Check, say};
+use crate::errors::Area;
+use crate::joints::algebra::{self, Vector, divide, norm, number, observed};
+use crate::joints::unit;
+use crate::model::{self, ConstraintId, FrameId, INERTIAL, Marker, Motions, Observable};
+use crate::parse::tree::{Argument, Expr, ExprKind, Keyword, Name};
+use crate::suggest;
+use crate::units::Dimension;
+
+const DIRECTION: Wanted = Wanted {
+    what: "a direction",
+    dimension: [0; 6],
+    unit: "1",
+};
+
+/// Something that can be observed, or asked further.
+pub enum Thing<'a> {
+    /// A frame or rigid body.
+    Frame(FrameId),
+    /// A place and the frame that it is seen in, where that is written.
+    Place(Spot, Option<FrameId>),
+    /// A vector with components in a frame, to be shown in the axes of another.
+    Shown {
+        /// Components in the axes of `frame`.
+        vector: Vectorial,
+        /// The plane that it is in.
+        plane: Option<usize>,
+        /// Where it is shown.
+        shown: FrameId,
+    },
+    /// A joint, by name.
+    Joint(&'a Name),
+    /// A declared constraint.
+    Constraint(&'a Name),
+    /// A value.
+    Value(Quantity),
+}
+
+const LENGTH: [i8; 6] = [1, 0, 0, 0, 0, 0];
+
+impl<'a> Check<'a> {
+    /// Resolves what stands before a dot.
+    pub(super) fn thing(&mut self, expr: &'a Expr, scope: Scope) -> Option<Thing<'a>> {
+        self.nested(expr, |check| match &expr.kind {
+            ExprKind::Name(name) => check.named_thing(name, scope),
+            ExprKind::Member { base, field, arguments } => {
+                if let ExprKind::Name(name) = &base.kind
+                    && check.keyword_of(name) == Some(Keyword::Body)
+                {
+                    return check.place(expr).map(|place| Thing::Place(Spot::Flexible(place), None));
+                }
+                let thing = check.thing(base, scope)?;
+                check.part(thing, expr, field, arguments.as_deref(), scope)
+            }
+            _ => check.value(expr, scope).map(Thing::Value),
+        })
+    }
+
+    fn keyword_of(&self, name: &Name) -> Option<Keyword> {
+        self.names.get(name.text.as_str()).map(|item| item.keyword)
+    }
+
+    fn named_thing(&mut self, name: &'a Name, scope: Scope) -> Option<Thing<'a>> {
+        if self.is_frame(&name.text) {
+            return self.frame(name).map(Thing::Frame);
+        }
+        match self.keyword_of(name) {
+            Some(Keyword::Joint) => Some(Thing::Joint(name)),
+            Some(Keyword::Constraint) => Some(Thing::Constraint(name)),
+            _ if self.locals.contains_key(name.text.as_str()) => {
+                let local = self.locals[name.text.as_str()].clone();
+                Some(Thing::Value(Quantity::Scalar(local)))
+            }
+            _ => {
+                let _ = scope;
+                self.no_thing(name);
+                None
+            }
+        }
+    }
+
+    /// `thing.field` or `thing.field(arguments)`
+    fn part(
+        &mut self,
+        thing: Thing<'a>,
+        expr: &'a Expr,
+        field: &'a Name,
+        arguments: Option<&'a [Argument]>,
+        scope: Scope,
+    ) -> Option<Thing<'a>> {
+        let takes = matches!(field.text.as_str(), "in" | "at" | "direction");
+        if arguments.is_some() && !takes {
+            self.errors.at(expr.area, say::no_arguments(&field.text));
+            return None;
+        }
+        match (thing, arguments) {
+            (Thing::Value(quantity), _) => self.one_component(quantity, field).map(Thing::Value),
+            (Thing::Constraint(name), None) => self.of_constraint(name, field, scope),
+            (Thing::Joint(name), None) => self.of_joint(name, field, scope),
+            (Thing::Place(spot, None), Some(arguments)) if field.text == "in" => {
+                let frame = self.in_argument(expr, arguments)?;
+                Some(Thing::Place(spot, Some(frame)))
+            }
+            (Thing::Frame(frame), Some(arguments)) if field.text == "in" => {
+                let seen = self.in_argument(expr, arguments)?;
+                Some(Thing::Place(origin(frame), Some(seen)))
+            }
+            (Thing::Shown { vector, plane, .. }, Some(arguments)) if field.text == "in" => {
+                let shown = self.in_argument(expr, arguments)?;
+                Some(Thing::Shown { vector, plane, shown })
+            }
+            (Thing::Frame(frame), arguments) => self.of_frame(frame, expr, field, arguments, scope),
+            (Thing::Place(spot, frame), None) => self.of_place(spot, frame, field, scope),
+            (shown @ Thing::Shown { .. }, None) => {
+                let quantity = self.seen(shown, expr, scope)?;
+                self.one_component(quantity, field).map(Thing::Value)
+            }
+            (_, Some(_)) => {
+                let message = if field.text == "in" { say::IN_TWICE } else { say::NOTHING_OBSERVED };
+                self.errors.at(expr.area, message);
+                None
+            }
+        }
+    }
+
+    /// The frame in `.in(FRAME)`.
+    fn in_argument(&mut self, expr: &Expr, arguments: &'a [Argument]) -> Option<FrameId> {
+        match arguments {
+            [Argument { name: None, value }] => self.frame_argument(value),
+            _ => {
+                self.errors.at(expr.area, say::usage("in", "beam.end.in(inertial)"));
+                None
+            }
+        }
+    }
+
+    fn one_component(&mut self, quantity: Quantity, field: &'a Name) -> Option<Quantity> {
+        let Quantity::Vector(vector) = quantity else {
+            self.errors.at(field.span, say::after_component(&field.text));
+            return None;
+        };
+        let zero = |axis: usize| match (0..3).find(|normal| vector.axes.len() == 2 && !vector.axes.contains(normal)) {
+            Some(normal) => say::always_zero(AXES[axis], plane(normal)),
+            None => say::no_component(AXES[axis]),
+        };
+        let (axes, _) = self.axes(&[field], &vector.axes, zero)?;
+        Some(Quantity::Scalar(vector.component(axes[0])))
+    }
+
+    /// The value of what is observed.
+    pub(super) fn seen(&mut self, thing: Thing<'a>, expr: &Expr, scope: Scope) -> Option<Quantity> {
+        match thing {
+            Thing::Value(quantity) => Some(quantity),
+            Thing::Frame(frame) => self.position(&origin(frame), None).map(Quantity::Vector),
+            Thing::Place(spot, frame) => self.position(&spot, frame).map(Quantity::Vector),
+            Thing::Joint(name) | Thing::Constraint(name) => {
+                let (kind, example) = match self.keyword_of(name) {
+                    Some(Keyword::Constraint) => ("constraint", "multiplier"),
+                    _ => ("joint", "force.x"),
+                };
+                let _ = scope;
+                self.errors
+                    .at(expr.area, say::whole_thing(&name.text, kind, example));
+                None
+            }
+            Thing::Shown { vector, plane, shown } => {
+                let from = vector.frame.unwrap_or(INERTIAL);
+                if from == shown {
+                    return Some(Quantity::Vector(vector));
+                }
+                let plane = plane.filter(|normal| self.stays_in(from, *normal) && self.stays_in(shown, *normal));
+                let inertial = self.to_inertial(&vector.values, from, plane);
+                let values = self.to_frame(&inertial, shown, plane);
+                let axes = if plane.is_some() { vector.axes.clone() } else { vec![0, 1, 2] };
+                Some(Quantity::Vector(Vectorial {
+                    values,
+                    axes,
+                    frame: Some(shown),
+                    ..vector
+                }))
+            }
+        }
+    }
+
+    /// The frame that a place is seen in where nothing is written.
+    fn default_frame(spot: &Spot) -> Option<FrameId> {
+        match spot {
+            Spot::Flexible(place) => place.body.frame,
+            Spot::Rigid { .. } => Some(INERTIAL),
+        }
+    }
+
+    fn position(&mut self, spot: &Spot, frame: Option<FrameId>) -> Option<Vectorial> {
+        self.motion_of(spot, frame, 0, LENGTH)
+    }
+
+    fn motion_of(
+        &mut self,
+        spot: &Spot,
+        frame: Option<FrameId>,
+        derivative: usize,
+        dimension: [i8; 6],
+    ) -> Option<Vectorial> {
+        let frame = match frame {
+            Some(frame) => frame,
+            None => Self::default_frame(spot)?,
+        };
+        let values = self.place_in(spot, frame, derivative);
+        let axes = self.moving_axes(spot, frame);
+        Some(Vectorial {
+            values,
+            axes,
+            dimension: Dimension::of(dimension),
+            nature: Nature::default(),
+            frame: Some(frame),
+        })
+    }
+
+    /// Axes of a frame along which a place moves.
+    fn moving_axes(&mut self, spot: &Spot, frame: FrameId) -> Vec<usize> {
+        match self.spot_normal(spot).filter(|normal| self.stays_in(frame, *normal)) {
+            Some(normal) => model::Space::Planar { normal }.axes().to_vec(),
+            None => vec![0, 1, 2],
+        }
+    }
+
+    /// `PLACE.field`
+    fn of_place(&mut self, spot: Spot, frame: Option<FrameId>, field: &'a Name, scope: Scope) -> Option<Thing<'a>> {
+        let vector = match field.text.as_str() {
+            "position" => self.position(&spot, frame)?,
+            "velocity" => {
+                self.allows_rates(field, scope)?;
+                self.motion_of(&spot, frame, 1, [1, 0, -1, 0, 0, 0])?
+            }
+            "acceleration" => {
+                if scope != Scope::Output {
+                    self.errors.at(field.span, say::only_in_outputs(&field.text));
+                    return None;
+                }
+                let seen = frame.or_else(|| Self::default_frame(&spot))?;
+                if seen != INERTIAL {
+                    self.errors.at(field.span, say::INERTIAL_ACCELERATION);
+                    return None;
+                }
+                self.motion_of(&spot, Some(INERTIAL), 2, [1, 0, -2, 0, 0, 0])?
+            }
+            "slope" => self.slope(&spot, frame, field)?,
+            word if AXES.contains(&word) => {
+                let position = self.position(&spot, frame)?;
+                return self.one_component(Quantity::Vector(position), field).map(Thing::Value);
+            }
+            word => {
+                let mut known = vec!["x", "y", "z", "velocity", "position", "acceleration"];
+                if matches!(spot, Spot::Flexible(_)) {
+                    known.push("slope");
+                }
+                self.errors
+                    .at(field.span, suggest::unknown("quantity of a point", word, known));
+                return None;
+            }
+        };
+        Some(Thing::Value(Quantity::Vector(vector)))
+    }
+
+    fn slope(&mut self, spot: &Spot, frame: Option<FrameId>, field: &Name) -> Option<Vectorial> {
+        let Spot::Flexible(Place { body, at }) = spot else {
+            self.errors.at(field.span, say::RIGID_SLOPE);
+            return None;
+        };
+        let frame = frame.or(body.frame)?;
+        let plane = body.space.and_then(normal).filter(|normal| self.stays_in(frame, *normal));
+        let (body, at) = (body.id, at.clone());
+        let marker = self.marker(Marker::BodySlope { body, at });
+        let values = self.to_frame(&observed(marker, 0, plane), frame, plane);
+        Some(Vectorial {
+            values,
+            axes: self.moving_axes(spot, frame),
+            dimension: Dimension::NONE,
+            nature: Nature::default(),
+            frame: Some(frame),
+        })
+    }
+
+    /// Whether velocities may stand here; reports where they may not.
+    fn allows_rates(&mut self, field: &Name, scope: Scope) -> Option<()> {
+        if scope >= Scope::Force {
+            return Some(());
+        }
+        self.errors.at(field.span, say::rate_in_constraint(&field.text));
+        None
+    }
+
+    /// `FRAME.field`
+    fn of_frame(
+        &mut self,
+        frame: FrameId,
+        expr: &'a Expr,
+        field: &'a Name,
+        arguments: Option<&'a [Argument]>,
+        scope: Scope,
+    ) -> Option<Thing<'a>> {
+        match (field.text.as_str(), arguments) {
+            ("at", Some(arguments)) => {
+                let at = self.point_of(frame, expr, arguments)?;
+                Some(Thing::Place(Spot::Rigid { frame, at }, None))
+            }
+            ("at", None) => {
+                self.errors.at(field.span, say::usage("at", "arm.at([1, 0, 0] m)"));
+                None
+            }
+            ("center", None) => {
+                let at = self.center_of(frame, field.span.into())?;
+                Some(Thing::Place(Spot::Rigid { frame, at }, None))
+            }
+            ("ex" | "ey" | "ez", None) => {
+                let axis = ["ex", "ey", "ez"].iter().position(|word| *word == field.text)?;
+                self.direction(frame, algebra::numbers(unit(axis)), field.span.into())
+            }
+            ("direction", Some([Argument { name: None, value }])) => {
+                let vector = self.vector(value, Scope::Parameter, DIRECTION)?;
+                if super::plane::is_zero(&vector.values) {
+                    self.errors.at(value.area, say::ZERO_DIRECTION);
+                    return None;
+                }
+                let length = norm(&vector.values);
+                let length = super::fold::constant(&length).map_or(length, number);
+                let along = vector.values.map(|component| {
+                    let quotient = divide(component, length.clone());
+                    super::fold::constant(&quotient).map_or(quotient, number)
+                });
+                self.direction(frame, along, field.span.into())
+            }
+            ("direction", _) => {
+                self.errors
+                    .at(expr.area, say::usage("direction", "arm.direction([1, 1, 0])"));
+                None
+            }
+            ("angle", None) => self.angle_of(frame, field, 0).map(Thing::Value),
+            ("speed", None) => {
+                self.allows_rates(field, scope)?;
+                self.angle_of(frame, field, 1).map(Thing::Value)
+            }
+            ("angular_velocity", None) => {
+                self.allows_rates(field, scope)?;
+                self.turning(frame, field)
+            }
+            ("x" | "y" | "z" | "position" | "velocity" | "acceleration" | "slope", _) => {
+                self.of_place(origin(frame), None, field, scope)
+            }
+            (word, _) => {
+                let known = [
+                    "at", "center", "x", "y", "z", "position", "velocity", "acceleration", "ex", "ey", "ez",
+                    "direction", "angle", "speed", "angular_velocity",
+                ];
+                self.errors
+                    .at(field.span, suggest::unknown("quantity of a frame", word, known));
+                None
+            }
+        }
+    }
+
+    fn direction(&mut self, frame: FrameId, along: Vector, area: Area) -> Option<Thing<'a>> {
+        if self.is_point_mass(frame) {
+            let message = say::point_mass_turns(&self.model.frames[frame.0].name);
+            self.errors.at(area, message);
+            return None;
+        }
+        let in_plane = self
+            .frame_normal(frame)
+            .filter(|normal| super::fold::constant(&along[*normal]) == Some(0.0));
+        let axes = match (in_plane, self.frame_normal(frame)) {
+            (Some(normal), _) => model::Space::Planar { normal }.axes().to_vec(),
+            _ => vec![0, 1, 2],
+        };
+        let values = if frame == INERTIAL {
+            along
+        } else {
+            let marker = self.marker(Marker::Direction { frame, along });
+            observed(marker, 0, in_plane)
+        };
+        Some(Thing::Shown {
+            vector: Vectorial {
+                values,
+                axes,
+                dimension: Dimension::NONE,
+                nature: Nature::default(),
+                frame: Some(INERTIAL),
+            },
+            plane: in_plane,
+            shown: INERTIAL,
+        })
+    }
+
+    /// The angle (or its rate) of a planar or hinged frame.
+    fn angle_of(&mut self, frame: FrameId, field: &Name, derivative: usize) -> Option<Quantity> {
+        let name = self.model.frames[frame.0].name.clone();
+        let message = match self.motions_of(frame) {
+            Some(Motions::Planar { .. } | Motions::Hinged { .. }) => {
+                let marker = self.marker(Marker::Angle { frame });
+                let typed = Typed {
+                    value: observed(marker, derivative, None)[0].clone(),
+                    dimension: Dimension::of([0, 0, -i8::from(derivative == 1), 0, 0, 0]),
+                    nature: angular(),
+                };
+                return Some(Quantity::Scalar(typed));
+            }
+            Some(Motions::Shifting | Motions::ShiftingPlanar { .. }) => say::point_mass_turns(&name),
+            Some(_) => say::no_angle_in_space(&name, &field.text),
+            None => say::angle_of_prescribed(&name, &field.text),
+        };
+        self.errors.at(field.span, message);
+        None
+    }
+
+    fn turning(&mut self, frame: FrameId, field: &Name) -> Option<Thing<'a>> {
+        if self.is_point_mass(frame) {
+            let message = say::point_mass_turns(&self.model.frames[frame.0].name);
+            self.errors.at(field.span, message);
+            return None;
+        }
+        let marker = self.marker(Marker::Turn { frame });
+        let values = observed(marker, 1, None);
+        // About the normal of the plane only.
+        let (values, axes) = match self.frame_normal(frame) {
+            Some(normal) => {
+                let mut flat = algebra::numbers([0.0; 3]);
+                flat[normal] = values[normal].clone();
+                (flat, vec![normal])
+            }
+            None => (values, vec![0, 1, 2]),
+        };
+        let is_flat = axes.len() == 1;
+        Some(Thing::Shown {
+            vector: Vectorial {
+                values,
+                axes,
+                dimension: Dimension::of([0, 0, -1, 0, 0, 0]),
+                nature: angular(),
+                frame: Some(if is_flat { frame } else { INERTIAL }),
+            },
+            plane: None,
+            shown: frame,
+        })
+    }
+
+    /// `C.multiplier`, `C.force` or `C.moment` of a declared constraint.
+    fn of_constraint(&mut self, name: &'a Name, field: &'a Name, scope: Scope) -> Option<Thing<'a>> {
+        let known = self.constraints.get(name.text.as_str())?.clone();
+        if scope != Scope::Output {
+            self.errors.at(field.span, say::only_in_outputs(&field.text));
+            return None;
+        }
+        if field.text != "multiplier" {
+            let message = suggest::unknown("quantity of a constraint", &field.text, ["multiplier"]);
+            self.errors.at(field.span, message);
+            return None;
+        }
+        let energy = Dimension::of([2, 1, -2, 0, 0, 0]);
+        let dimension = energy.divide(known.dimension)?;
+        let observe = |row| {
+            model::Expr::Observed(Observable::Multiplier {
+                constraint: known.id,
+                row,
+            })
+        };
+        let Some(axes) = known.axes else {
+            return Some(Thing::Value(Quantity::Scalar(Typed::new(observe(0), dimension))));
+        };
+        let mut values = algebra::numbers([0.0; 3]);
+        for (row, axis) in axes.iter().enumerate() {
+            values[*axis] = observe(row);
+        }
+        Some(Thing::Value(Quantity::Vector(Vectorial {
+            values,
+            axes,
+            dimension,
+            nature: Nature::default(),
+            frame: known.frame,
+        })))
+    }
+
+    /// What a constraint exerts on its first party.
+    pub(super) fn exerted(
+        &mut self,
+        constraint: ConstraintId,
+        is_moment: bool,
+        plane: Option<usize>,
+    ) -> Thing<'a> {
+        let axes = match (plane, is_moment) {
+            (Some(normal), true) => vec![normal],
+            (Some(normal), false) => model::Space::Planar { normal }.axes().to_vec(),
+            (None, _) => vec![0, 1, 2],
+        };
+        let mut values = algebra::numbers([0.0; 3]);
+        for &component in &axes {
+            values[component] = model::Expr::Observed(Observable::ConstraintReaction {
+                constraint,
+                moment: is_moment,
+                component,
+            });
+        }
+        let dimension = Dimension::of([1 + i8::from(is_moment), 1, -2, 0, 0, 0]);
+        Thing::Shown {
+            vector: Vectorial {
+                values,
+                axes,
+                dimension,
+                nature: Nature::default(),
+                frame: Some(INERTIAL),
+            },
+            plane,
+            shown: INERTIAL,
+        }
+    }
+}
+
+/// That of an angle.
+pub fn angular() -> Nature {
+    Nature {
+        angle: true,
+        ..Nature::default()
+    }
+}
+
+fn origin(frame: FrameId) -> Spot {
+    let at = algebra::numbers([0.0; 3]);
+    Spot::Rigid { frame, at }
+}

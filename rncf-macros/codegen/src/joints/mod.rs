@@ -1,0 +1,14 @@
+//! The joint library (THEORY 6): every kind lists its rows as expressions of markers.
+//!
+//! Primitives: **S** `P_i - P_j = 0`, **d1** `D_i . D_j = 0`, **d2** `D_i . (P_j - P_i) = 0`. The
+//! first party carries the joint's axes (directions fixed in it), the second one the directions
+//! that are normal or equal to them at t = 0.
+
+pub mod algebra;
+mod builder;
+mod coordinate;
+mod kinds;
+
+pub use builder::{Builder, Party, Rows};
+pub use coordinate::{Angle, Slide, Turned};
+pub use kinds::{Arguments, Axis, KINDS, Kind, clamp, hold, unit};
