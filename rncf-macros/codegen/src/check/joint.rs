@@ -8,7 +8,7 @@ use super::{Arguments, Check, Shape, body, fold, say};
 use crate::errors::Area;
 use crate::joints::{self, Axis, Builder, KINDS, Kind, Party, Rows, unit};
 use crate::model::{
-    BodyId, Constraint, ConstraintId, Expr as Value, FrameId, INERTIAL, Joint, JointId, JointKind, Location,
+    BodyId, Constraint, ConstraintId, Expr as Value, FrameId, Joint, JointId, JointKind, Location,
 };
 use crate::parse::tree::{Call, Expr, ExprKind, Item, ItemKind, Keyword};
 use crate::suggest;
@@ -543,9 +543,4 @@ fn named(kind: &'static Kind) -> &'static [&'static str] {
         (_, true, _) => &["axis", "cross"],
         _ => &["axis"],
     }
-}
-
-/// Whether a party is prescribed or inertial.
-pub fn is_inertial(party: &Party) -> bool {
-    matches!(party, Party::Frame { frame, .. } if *frame == INERTIAL)
 }

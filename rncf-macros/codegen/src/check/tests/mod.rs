@@ -1,4 +1,5 @@
 mod free;
+mod joints;
 mod precedence;
 mod right;
 mod tied;
