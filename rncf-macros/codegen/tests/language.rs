@@ -19,16 +19,20 @@ use rncf_codegen::{expand, units, vocabulary};
 const WORDS: &[&str] = &[
     "model", "run", "t_end", "every", "count", "in", "t", "pi", "inertial", "if", "else",
     "rotating", "moving", "axis", "angle", "origin",
+    "free", "turning", "hinged", "plane", "angular_velocity", "speed", "mass", "center", "inertia", "on", "offset",
+    "gyration", "modal", "small", "mean_axes",
     "planar", "spatial", "line", "arc", "mesh", "from", "to", "direction", "radius", "xy", "yz", "zx",
     "quadrature", "evaluation", "gauss", "automatic", "tensor", "points", "loop",
     "clamp", "clamp_full", "pin", "at", "start", "end", "gravity", "force", "moment",
-    "position", "velocity", "slope",
+    "position", "velocity", "slope", "acceleration", "angular_velocity", "center", "ex", "ey", "ez", "slide", "multiplier",
+    "weld", "spherical", "revolute", "universal", "cylindrical", "prismatic", "distance", "hold", "drive", "cross", "length",
+    "linear", "law", "torsional", "torsional_law", "stiffness", "rate", "follower", "dot", "norm",
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "min", "max",
     "atan2",
 ];
 
 /// Items that end with their braces; all others end with a semicolon.
-const BRACED: &[&str] = &["material", "section", "body", "run"];
+const BRACED: &[&str] = &["material", "section", "body", "rigid", "fixture", "run"];
 
 fn document(path: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);

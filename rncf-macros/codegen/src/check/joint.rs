@@ -118,11 +118,6 @@ impl<'a> Check<'a> {
                 let ItemKind::Body { frame, .. } = &item.kind else {
                     continue;
                 };
-                // A free frame needs ties of its own.
-                let carrier = self.bodies.get(item.name.text.as_str()).and_then(|body| body.frame);
-                if carrier.is_none_or(|frame| self.model.frames[frame.0].free.is_some()) {
-                    continue;
-                }
                 let frame = frame.as_ref().map_or("inertial", |frame| frame.text.as_str());
                 self.errors.at(item.name.span, say::floating(&item.name.text, frame));
             }

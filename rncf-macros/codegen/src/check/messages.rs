@@ -145,6 +145,7 @@ messages! {
     carries_nothing(frame) = "`{frame}` moves freely but carries nothing: put a body in it (`body .. in {frame}`), a `fixture .. on {frame}`, or leave it out";
     not_held(body, motions, frame) = "nothing holds `{body}` against {motions} of its free frame `{frame}`: tie it with `clamp(..)`, `pin(..)` or `hold(..)` to `{frame}`, with `mean_axes;`, or add a constraint that turns or moves `{frame}`";
     lacks_inertia(frame, motions) = "`{frame}` has no inertia against {motions}, and nothing holds it: give it `inertia`, or tie what it carries to it";
+    rigid_lacks_inertia(frame, motions) = "`{frame}` has no inertia against {motions}, and nothing holds it: add a `fixture .. on {frame}` with `inertia`, or a constraint that holds it";
     tied_twice(what, name, frame) = "`{frame}` is held a second time, by {what} `{name}`: a free frame without mass of its own needs exactly as many ties as it has motions; join the bodies with each other instead, or give the frame mass with a `fixture .. on {frame}`";
     lacks_field(kind, name, field, example) = "{kind} `{name}` has no `{field}`: write e.g. `{example}`";
     rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body `spatial`";

@@ -8,6 +8,7 @@ use super::tree::{Argument, Call, Expr, ExprKind, If, Keyword, Name, UnitText};
 use super::unit;
 use crate::errors::{Area, Mistake};
 use crate::model::{Binary, Comparison};
+use crate::units;
 
 /// Greatest height of an expression tree: recursion over it stays far from the stack's end.
 const MAX_HEIGHT: usize = 200;
@@ -88,6 +89,29 @@ fn quantity(cursor: &mut Cursor) -> Option<Expr> {
     }
     let area = cursor.since(start);
     node(ExprKind::Negate(Box::new(number)), area, 2).ok()
+}
+
+/// A literal with any unit that is a whole argument, and the comma behind it: `speed = 2 rad/s`.
+fn whole_literal(cursor: &mut Cursor) -> Option<Expr> {
+    let mark = cursor.mark();
+    // `2 deg * gain` is a product with something that has a name.
+    let value = quantity(cursor)
+        .filter(has_known_unit)
+        .filter(|_| cursor.is_empty() || cursor.eat_punct(','));
+    if value.is_none() {
+        cursor.reset(mark);
+    }
+    value
+}
+
+fn has_known_unit(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Number { unit: Some(unit), .. } => {
+            unit.factors.iter().all(|(name, _)| units::find(&name.text).is_some())
+        }
+        ExprKind::Negate(inner) => has_known_unit(inner),
+        _ => false,
+    }
 }
 
 /// An expression.
@@ -356,6 +380,10 @@ fn arguments(cursor: &mut Cursor, depth: usize, counts: &[usize]) -> Parsed<Vec<
         };
         if is_named {
             cursor.expect_punct('=')?;
+            if let Some(value) = whole_literal(cursor) {
+                arguments.push(Argument { name, value });
+                continue;
+            }
         }
         let mark = cursor.mark();
         let pair = match cursor.eat_group(Delimiter::Bracket) {

@@ -54,7 +54,7 @@
 //! vector      = "[" expr "," expr "," expr "]" [ unit ]
 //! call        = NAME "(" arguments ")"
 //! arguments   = [ argument { "," argument } [ "," ] ]
-//! argument    = [ NAME "=" ] expr
+//! argument    = expr | NAME "=" right
 //! unit        = factor { ( "*" | "/" | nothing ) factor }   // nothing: not behind a "/"
 //! factor      = SYMBOL [ "^" [ "-" ] WHOLE ] | "1" | "(" unit ")"
 //! ```

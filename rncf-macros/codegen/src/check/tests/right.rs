@@ -295,3 +295,17 @@ fn words_of_statements_are_names_in_expressions() {
     };
     assert_eq!((radius, angle), (&Param(ParamId(0)), &Param(ParamId(1))));
 }
+
+/// A named argument may be a literal with a compound unit, and products with names stay products.
+#[test]
+fn literals_in_named_arguments() {
+    let angle = |angle: &str| {
+        let model = model(&SPIN_UP.replace("angle = theta(t)", &format!("angle = {angle}")));
+        model.frames[1].rotation.clone().expect("hub turns").angle
+    };
+    assert_eq!(angle("2 m rad/m"), Number(2.0));
+    assert_eq!(angle("-2 m rad/m, origin = [0, 0, 0] m"), Negate(number(2.0)));
+    let product = |b| Binary(Operator::Multiply, number(2.0), Box::new(b));
+    assert_eq!(angle("2 rad * elements"), product(Param(ParamId(1))));
+    assert_eq!(angle("2 [rad/s] * t"), product(Time));
+}

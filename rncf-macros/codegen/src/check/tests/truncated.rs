@@ -89,6 +89,19 @@ fn half_of_a_linkage() {
     assert!(survives(tokens));
 }
 
+#[test]
+fn free_frames_cut_after_every_token() {
+    let tokens: TokenStream = super::free::FREE.parse().unwrap();
+    let total = count(tokens.clone());
+    for budget in 0..total - 8 {
+        assert!(
+            !survives(cut(tokens.clone(), &mut budget.clone())),
+            "a model after {budget} tokens"
+        );
+    }
+    assert!(survives(tokens));
+}
+
 /// The stream with one token exchanged for others (or for none).
 fn exchanged(stream: TokenStream, at: &mut usize, by: &TokenStream) -> TokenStream {
     let mut out = TokenStream::new();
@@ -110,7 +123,16 @@ fn exchanged(stream: TokenStream, at: &mut usize, by: &TokenStream) -> TokenStre
 
 #[test]
 fn any_one_token_exchanged() {
-    let tokens: TokenStream = SPIN_UP.parse().unwrap();
+    exchange_each(SPIN_UP);
+}
+
+#[test]
+fn any_one_token_of_free_frames_exchanged() {
+    exchange_each(super::free::FREE);
+}
+
+fn exchange_each(text: &str) {
+    let tokens: TokenStream = text.parse().unwrap();
     let total = count(tokens.clone());
     for by in [
         "",
