@@ -24,7 +24,9 @@ const WORDS: &[&str] = &[
     "planar", "spatial", "line", "arc", "mesh", "from", "to", "direction", "radius", "xy", "yz", "zx",
     "quadrature", "evaluation", "gauss", "automatic", "tensor", "points", "loop",
     "clamp", "clamp_full", "pin", "at", "start", "end", "gravity", "force", "moment",
-    "position", "velocity", "slope",
+    "position", "velocity", "slope", "acceleration", "angular_velocity", "center", "ex", "ey", "ez", "slide", "multiplier",
+    "weld", "spherical", "revolute", "universal", "cylindrical", "prismatic", "distance", "hold", "drive", "cross", "length",
+    "linear", "law", "torsional", "torsional_law", "stiffness", "rate", "follower", "dot", "norm",
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "min", "max",
     "atan2",
 ];

@@ -37,10 +37,14 @@ impl<'a> Check<'a> {
     fn load(&mut self, item: &Item, call: &'a Call) {
         let kind = match call.name.text.as_str() {
             "gravity" => self.gravity(call),
-            "force" => self.point_load(call, false),
-            "moment" => self.point_load(call, true),
+            "force" => self.point_load(item, call, false),
+            "moment" => self.point_load(item, call, true),
+            "follower" => {
+                let _ = self.follower(item, call);
+                None
+            }
             other => {
-                let message = suggest::unknown("load", other, ["gravity", "force", "moment"]);
+                let message = suggest::unknown("load", other, ["gravity", "force", "moment", "follower"]);
                 self.errors.at(call.name.span, message);
                 None
             }
@@ -70,7 +74,7 @@ impl<'a> Check<'a> {
         Some(LoadKind::Gravity(vector.values))
     }
 
-    fn point_load(&mut self, call: &'a Call, is_moment: bool) -> Option<LoadKind> {
+    fn point_load(&mut self, item: &Item, call: &'a Call, is_moment: bool) -> Option<LoadKind> {
         let usage = if is_moment {
             "moment(beam.end, [0, 0, 3] N*m)"
         } else {
@@ -83,6 +87,10 @@ impl<'a> Check<'a> {
             usage,
         };
         let arguments = self.arguments(call, &shape)?;
+        if self.is_on_markers(&arguments) {
+            self.marker_load(item, &arguments, is_moment)?;
+            return None;
+        }
         let [place, components] = arguments.positional.as_slice() else {
             return None;
         };

@@ -38,23 +38,32 @@ pub const NOTHING_OBSERVED: &str =
 pub const PRODUCT_OF_VECTORS: &str = "both are vectors: write `dot(a, b)` or `cross(a, b)`";
 pub const DIVISION_BY_VECTOR: &str = "nothing can be divided by a vector: take its `norm(..)`";
 pub const THREE_COMPONENTS: &str = "a vector has three components `[x, y, z]`";
-pub const RIGID_PLACE: &str = "a place on a frame or rigid body is expected here: `arm`, `arm.at([1, 0, 0] m)` or `arm.center`";
+pub const RIGID_PLACE: &str =
+    "a place on a frame or rigid body is expected here: `arm`, `arm.at([1, 0, 0] m)` or `arm.center`";
 pub const PLANAR_AND_SPATIAL: &str = "one of the two moves in a plane and the other one in space or another plane: give both the same `plane`, or make both spatial";
 pub const SAME_PARTY: &str = "both are the same: a joint or spring holds two different things";
 pub const BOTH_PRESCRIBED: &str = "both move in a prescribed way: between them nothing is left to a joint or spring";
 pub const CROSS_NOT_NORMAL: &str = "the two axes of a `universal` must be perpendicular";
-pub const COORDINATE_EXPECTED: &str = "a coordinate is expected here: `hinge.angle`, `slider.slide` or, of a planar or hinged frame, `arm.angle`";
+pub const COORDINATE_EXPECTED: &str =
+    "a coordinate is expected here: `hinge.angle`, `slider.slide` or, of a planar or hinged frame, `arm.angle`";
 pub const ANGLE_OF_END: &str = "a flexible end has a tangent and no angle of its own: use e.g. `atan2(beam.end.slope.y, beam.end.slope.x)` in an output";
-pub const IN_TWICE: &str = "`.in(FRAME)` stands once, right behind the place or direction: `beam.end.in(inertial).velocity`";
-pub const INERTIAL_ACCELERATION: &str = "an acceleration is known in the inertial frame: write `.in(inertial).acceleration`";
+pub const IN_TWICE: &str =
+    "`.in(FRAME)` stands once, right behind the place or direction: `beam.end.in(inertial).velocity`";
+pub const INERTIAL_ACCELERATION: &str =
+    "an acceleration is known in the inertial frame: write `.in(inertial).acceleration`";
 pub const RIGID_SLOPE: &str = "only flexible bodies have a slope: use a direction such as `arm.ex`";
-pub const NOTHING_CONSTRAINED: &str = "nothing that moves freely stands in this: a constraint ties positions, directions or angles";
+pub const NOTHING_CONSTRAINED: &str =
+    "nothing that moves freely stands in this: a constraint ties positions, directions or angles";
 pub const SPRING_LENGTH: &str = "this spring needs its length without force: `length = 1 m`";
-pub const TORSIONAL_EXPECTED: &str = "the name of a joint with an angle, or of a planar or hinged frame, is expected here";
+pub const TORSIONAL_EXPECTED: &str =
+    "the name of a joint with an angle, or of a planar or hinged frame, is expected here";
 pub const FORCE_ON_PRESCRIBED: &str = "this place moves in a prescribed way: a load on it would do nothing";
-pub const FOLLOWER_ON_FRAME: &str = "a follower goes along the tangent of a flexible body: on a frame write `force(arm.at(..), [..] N, in = arm)`";
-pub const FOLLOWER_COMPONENTS: &str = "a follower has one component along the tangent, and in a plane a second one across it: `[1 N, 2 N]`";
-pub const FOLLOWER_IN_SPACE: &str = "in space nothing says where across the tangent is: give the component along it only, `follower(beam.end, 3 N)`";
+pub const FOLLOWER_ON_FRAME: &str =
+    "a follower goes along the tangent of a flexible body: on a frame write `force(arm.at(..), [..] N, in = arm)`";
+pub const FOLLOWER_COMPONENTS: &str =
+    "a follower has one component along the tangent, and in a plane a second one across it: `[1 N, 2 N]`";
+pub const FOLLOWER_IN_SPACE: &str =
+    "in space nothing says where across the tangent is: give the component along it only, `follower(beam.end, 3 N)`";
 pub const AXES_OF_LOAD: &str = "the components stand in the axes of another frame already: leave out `in`, or make them components in it with `.in(..)`";
 pub const NO_OUTPUT: &str = "the model has no output: add e.g. `output u = beam.end.x;`";
 
@@ -136,6 +145,7 @@ messages! {
     carries_nothing(frame) = "`{frame}` moves freely but carries nothing: put a body in it (`body .. in {frame}`), a `fixture .. on {frame}`, or leave it out";
     not_held(body, motions, frame) = "nothing holds `{body}` against {motions} of its free frame `{frame}`: tie it with `clamp(..)`, `pin(..)` or `hold(..)` to `{frame}`, with `mean_axes;`, or add a constraint that turns or moves `{frame}`";
     lacks_inertia(frame, motions) = "`{frame}` has no inertia against {motions}, and nothing holds it: give it `inertia`, or tie what it carries to it";
+    rigid_lacks_inertia(frame, motions) = "`{frame}` has no inertia against {motions}, and nothing holds it: add a `fixture .. on {frame}` with `inertia`, or a constraint that holds it";
     tied_twice(what, name, frame) = "`{frame}` is held a second time, by {what} `{name}`: a free frame without mass of its own needs exactly as many ties as it has motions; join the bodies with each other instead, or give the frame mass with a `fixture .. on {frame}`";
     lacks_field(kind, name, field, example) = "{kind} `{name}` has no `{field}`: write e.g. `{example}`";
     rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body `spatial`";
@@ -171,6 +181,6 @@ messages! {
     not_driven(name, word) = "`{name}` has no coordinate `{word}`: a planar or hinged frame has its `angle`";
     no_angle_in_space(name, word) = "`{name}` turns in space and has no single `{word}`: use its directions `ex`, `ey`, `ez` or its `angular_velocity`";
     angle_of_prescribed(name, word) = "`{name}` moves in a prescribed way: its `{word}` stands in its declaration";
-    no_moment(name, word) = "`{name}` is a {word}, which carries no moment";
+    no_moment(name, word) = "`{name}` is a `{word}` joint, which carries no moment";
     spring_stiffness(word, unit) = "`{word}` needs a stiffness: for a damper alone write `stiffness = 0 [{unit}]`";
 }

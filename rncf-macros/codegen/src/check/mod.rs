@@ -20,6 +20,7 @@ mod output;
 mod param;
 mod place;
 mod plane;
+mod push;
 mod quantity;
 mod rigid;
 mod spring;

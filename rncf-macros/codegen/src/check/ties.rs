@@ -107,7 +107,15 @@ impl Check<'_> {
                 let (area, what) = self.tie(tie);
                 (area.unwrap_or(place), say::tied_twice(what, tie, name))
             }
-            (Untied::Loose { motions }, Some(body)) if !is_body => (place, say::not_held(&body.name, motions, name)),
+            (Untied::Loose { motions }, Some(body)) if !is_body => {
+                let is_rigid = body.fidelity == Fidelity::Rigid && bodies.all(|body| body.fidelity == Fidelity::Rigid);
+                let message = if is_rigid {
+                    say::rigid_lacks_inertia(name, motions)
+                } else {
+                    say::not_held(&body.name, motions, name)
+                };
+                (place, message)
+            }
             (Untied::Loose { motions }, _) => (place, say::lacks_inertia(name, motions)),
         };
         self.errors.at(area, message);

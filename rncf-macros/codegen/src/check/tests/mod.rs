@@ -1,6 +1,8 @@
 mod free;
+mod joints;
 mod precedence;
 mod right;
+mod tied;
 mod truncated;
 mod wrong;
 

@@ -1,5 +1,6 @@
 //! Half-typed text never panics, and is never a model.
 
+use super::joints::JOINTS;
 use super::*;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
@@ -71,6 +72,36 @@ fn cut_after_every_token() {
     assert!(survives(tokens));
 }
 
+/// What joints and springs hold on to, and what is observed of them.
+#[test]
+fn half_of_a_linkage() {
+    let tokens: TokenStream = JOINTS.parse().unwrap();
+    let total = count(tokens.clone());
+    for budget in 0..total {
+        survives(cut(tokens.clone(), &mut budget.clone()));
+    }
+    for by in ["", "7", "arm", "knee . angle", "beam . end", "[ 1 , 2 , 3 ]", "z"] {
+        let by: TokenStream = by.parse().unwrap();
+        for at in 0..total {
+            survives(exchanged(tokens.clone(), &mut at.clone(), &by));
+        }
+    }
+    assert!(survives(tokens));
+}
+
+#[test]
+fn free_frames_cut_after_every_token() {
+    let tokens: TokenStream = super::free::FREE.parse().unwrap();
+    let total = count(tokens.clone());
+    for budget in 0..total - 8 {
+        assert!(
+            !survives(cut(tokens.clone(), &mut budget.clone())),
+            "a model after {budget} tokens"
+        );
+    }
+    assert!(survives(tokens));
+}
+
 /// The stream with one token exchanged for others (or for none).
 fn exchanged(stream: TokenStream, at: &mut usize, by: &TokenStream) -> TokenStream {
     let mut out = TokenStream::new();
@@ -92,7 +123,16 @@ fn exchanged(stream: TokenStream, at: &mut usize, by: &TokenStream) -> TokenStre
 
 #[test]
 fn any_one_token_exchanged() {
-    let tokens: TokenStream = SPIN_UP.parse().unwrap();
+    exchange_each(SPIN_UP);
+}
+
+#[test]
+fn any_one_token_of_free_frames_exchanged() {
+    exchange_each(super::free::FREE);
+}
+
+fn exchange_each(text: &str) {
+    let tokens: TokenStream = text.parse().unwrap();
     let total = count(tokens.clone());
     for by in [
         "",

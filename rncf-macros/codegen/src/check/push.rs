@@ -1,0 +1,224 @@
+//! Loads on what moves freely, loads that depend on the motion, and followers: forces on markers.
+
+use super::expr::Scope;
+use super::place::{Hold, Spot};
+use super::plane::{AXES, normal, plane};
+use super::quantity::{Vector, Wanted};
+use super::vector::{Quantity, Vectorial};
+use super::{Arguments, Check, Shape, fold, say};
+use crate::joints::algebra::{self, cross, divide, dot, norm, observed};
+use crate::joints::unit;
+use crate::model::{Expr as Value, FrameId, INERTIAL, Marker, MarkerId, Space};
+use crate::parse::tree::{Call, Expr, ExprKind, Item};
+
+const FORCE: Wanted = Wanted {
+    what: "a force",
+    dimension: [1, 1, -2, 0, 0, 0],
+    unit: "N",
+};
+const MOMENT: Wanted = Wanted {
+    what: "a moment",
+    dimension: [2, 1, -2, 0, 0, 0],
+    unit: "N m",
+};
+const FOLLOWER: Shape = Shape {
+    positional: 2,
+    named: &[],
+    required: &[],
+    usage: "follower(beam.end, 3 N)",
+};
+
+/// Whether something of the motion stands in an expression.
+pub fn observes(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Number { .. } | ExprKind::Name(_) => false,
+        ExprKind::Member { .. } => true,
+        ExprKind::Call(call) => call.arguments.iter().any(|argument| observes(&argument.value)),
+        ExprKind::Negate(inner) => observes(inner),
+        ExprKind::Binary(_, left, right) | ExprKind::Power(left, right) => observes(left) || observes(right),
+        ExprKind::If(inner) => [&inner.left, &inner.right, &inner.then, &inner.otherwise]
+            .into_iter()
+            .any(observes),
+        ExprKind::Vector { components, .. } => components.iter().any(observes),
+    }
+}
+
+impl<'a> Check<'a> {
+    /// Whether a load is a force on markers: on or in something free, or a function of the motion.
+    pub(super) fn is_on_markers(&self, arguments: &Arguments<'a>) -> bool {
+        let place = arguments.positional[0];
+        let (carrier, is_body) = match root(place) {
+            Some(name) if self.is_frame(name) => return true,
+            Some(name) => (self.bodies.get(name).and_then(|body| body.frame), true),
+            None => (None, false),
+        };
+        let axes = match arguments.named.get("in").map(|frame| &frame.kind) {
+            Some(ExprKind::Name(name)) => self.frames.get(name.text.as_str()).copied().flatten(),
+            _ => None,
+        };
+        let is_free = |frame: Option<FrameId>| frame.is_some_and(|frame| self.is_free(frame));
+        is_body && (is_free(carrier) || is_free(axes) || observes(arguments.positional[1]))
+    }
+
+    /// `force(PLACE, [..], in = F)` or `moment(..)` on markers.
+    pub(super) fn marker_load(&mut self, item: &Item, arguments: &Arguments<'a>, is_moment: bool) -> Option<()> {
+        let place = self.hold_on(arguments.positional[0]);
+        let expr = arguments.positional[1];
+        let wanted = if is_moment { MOMENT } else { FORCE };
+        let given = match arguments.named.get("in") {
+            Some(frame) => Some(self.frame_argument(frame)?),
+            None => None,
+        };
+        let (values, own) = if observes(expr) {
+            let vector = self.observed_vector(expr, wanted)?;
+            (vector.values, vector.frame)
+        } else {
+            let vector = self.vector(expr, Scope::Prescribed, wanted)?;
+            if let Some(hold) = &place {
+                self.lies_in_plane(hold, &vector, is_moment)?;
+            }
+            (vector.values, None)
+        };
+        if let (Some(given), Some(own)) = (given, own)
+            && given != own
+        {
+            self.errors.at(expr.area, say::AXES_OF_LOAD);
+            return None;
+        }
+        let place = place?;
+        let frame = given.or(own).unwrap_or(INERTIAL);
+        if let Some(normal) = self.spot_normal(&place.spot) {
+            let area = arguments.named.get("in").map_or(expr.area, |frame| frame.area);
+            if !self.keeps_plane(frame, normal, area) {
+                return None;
+            }
+        }
+        let axes = self.spot_normal(&place.spot);
+        let load = self.in_inertial_axes(&values, frame, axes);
+        let forces = if is_moment {
+            self.moment_on(&place, load)?
+        } else {
+            self.force_on(&place, load)?
+        };
+        self.push_force(item, forces, None);
+        Some(())
+    }
+
+    fn observed_vector(&mut self, expr: &'a Expr, wanted: Wanted) -> Option<Vectorial> {
+        let vector = match self.value(expr, Scope::Force)? {
+            Quantity::Vector(vector) => vector,
+            Quantity::Scalar(_) => {
+                self.errors.at(expr.area, say::not_a_vector(wanted.what, wanted.unit));
+                return None;
+            }
+        };
+        self.is_wanted_vector(expr, &vector, wanted).then_some(vector)
+    }
+
+    /// A load on something planar stays in its plane, and turns about its normal.
+    fn lies_in_plane(&mut self, hold: &Hold, vector: &Vector, is_moment: bool) -> Option<()> {
+        let Some(normal) = self.spot_normal(&hold.spot) else {
+            return Some(());
+        };
+        let before = self.errors.len();
+        if !is_moment {
+            self.in_plane(vector, Space::Planar { normal }, "the force", false);
+            return (self.errors.len() == before).then_some(());
+        }
+        for axis in (0..3).filter(|axis| *axis != normal) {
+            if fold::constant(&vector.values[axis]).is_some_and(|value| value != 0.0) {
+                let message = say::moment_out_of_plane(plane(normal), AXES[normal]);
+                self.errors.at(vector.areas[axis], message);
+            }
+        }
+        (self.errors.len() == before).then_some(())
+    }
+
+    fn is_pushed(&mut self, hold: &Hold) -> Option<()> {
+        let is_prescribed = hold.frame().is_some_and(|frame| !self.is_free(frame));
+        if is_prescribed {
+            self.errors.at(hold.area, say::FORCE_ON_PRESCRIBED);
+            return None;
+        }
+        Some(())
+    }
+
+    fn force_on(&mut self, hold: &Hold, force: algebra::Vector) -> Option<Vec<(MarkerId, algebra::Vector)>> {
+        self.is_pushed(hold)?;
+        Some(vec![(self.point_marker(&hold.spot), force)])
+    }
+
+    /// On a frame its turning, on a flexible body the slope: `f = m x d / (d . d)`.
+    fn moment_on(&mut self, hold: &Hold, moment: algebra::Vector) -> Option<Vec<(MarkerId, algebra::Vector)>> {
+        self.is_pushed(hold)?;
+        match hold.spot.clone() {
+            Spot::Rigid { frame, .. } => {
+                if self.is_point_mass(frame) {
+                    let message = say::point_mass_turns(&self.model.frames[frame.0].name);
+                    self.errors.at(hold.area, message);
+                    return None;
+                }
+                Some(vec![(self.marker(Marker::Turn { frame }), moment)])
+            }
+            Spot::Flexible(place) => {
+                let plane = place.body.space.and_then(normal);
+                let (body, at) = (place.body.id, place.at);
+                let slope = self.marker(Marker::BodySlope { body, at });
+                let d = observed(slope, 0, plane);
+                let square = dot(&d, &d);
+                let force = cross(&moment, &d).map(|component| divide(component, square.clone()));
+                Some(vec![(slope, force)])
+            }
+        }
+    }
+
+    /// `follower(PLACE, F)` along the tangent, `follower(PLACE, [along, across])` in a plane.
+    pub(super) fn follower(&mut self, item: &Item, call: &'a Call) -> Option<()> {
+        let arguments = self.arguments(call, &FOLLOWER)?;
+        let hold = self.hold_on(arguments.positional[0])?;
+        let Spot::Flexible(place) = hold.spot.clone() else {
+            self.errors.at(hold.area, say::FOLLOWER_ON_FRAME);
+            return None;
+        };
+        let expr = arguments.positional[1];
+        let plane = normal(place.body.space?);
+        let (along, across) = match &expr.kind {
+            ExprKind::Vector { components, .. } if components.len() == 2 => {
+                if plane.is_none() {
+                    self.errors.at(expr.area, say::FOLLOWER_IN_SPACE);
+                    return None;
+                }
+                let (values, _) = self.components(expr, Scope::Force, FORCE)?;
+                let [along, across]: [Value; 2] = values.try_into().ok()?;
+                (along, Some(across))
+            }
+            ExprKind::Vector { .. } => {
+                self.errors.at(expr.area, say::FOLLOWER_COMPONENTS);
+                return None;
+            }
+            _ => (self.quantity(expr, Scope::Force, FORCE)?, None),
+        };
+        let (body, at) = (place.body.id, place.at.clone());
+        let slope = self.marker(Marker::BodySlope { body, at });
+        let d = observed(slope, 0, plane);
+        let length = norm(&d);
+        let tangent = d.map(|component| divide(component, length.clone()));
+        let mut force = algebra::scale(&along, &tangent);
+        if let (Some(across), Some(normal)) = (across, plane) {
+            let normal = cross(&algebra::numbers(unit(normal)), &tangent);
+            force = algebra::both(&force, &algebra::scale(&across, &normal), algebra::add);
+        }
+        let point = self.point_marker(&hold.spot);
+        self.push_force(item, vec![(point, force)], None);
+        Some(())
+    }
+}
+
+/// The name that an expression of members begins with.
+fn root(expr: &Expr) -> Option<&str> {
+    match &expr.kind {
+        ExprKind::Name(name) => Some(&name.text),
+        ExprKind::Member { base, .. } => root(base),
+        _ => None,
+    }
+}
