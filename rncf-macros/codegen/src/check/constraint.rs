@@ -43,8 +43,16 @@ impl<'a> Check<'a> {
             Quantity::Scalar(typed) => (vec![(String::from("value"), typed.value)], typed.dimension, None, None),
             Quantity::Vector(vector) => {
                 let name = |axis: usize| super::plane::AXES[axis].to_string();
-                let rows = vector.axes.iter().map(|axis| (name(*axis), vector.values[*axis].clone()));
-                (rows.collect(), vector.dimension, Some(vector.axes.clone()), vector.frame)
+                let rows = vector
+                    .axes
+                    .iter()
+                    .map(|axis| (name(*axis), vector.values[*axis].clone()));
+                (
+                    rows.collect(),
+                    vector.dimension,
+                    Some(vector.axes.clone()),
+                    vector.frame,
+                )
             }
         };
         let mut markers = Vec::new();
@@ -55,7 +63,11 @@ impl<'a> Check<'a> {
                 self.errors.at(value.area, say::NOTHING_CONSTRAINED);
                 return None;
             }
-            markers.extend(own.into_iter().filter(|marker| !markers.contains(marker)).collect::<Vec<_>>());
+            markers.extend(
+                own.into_iter()
+                    .filter(|marker| !markers.contains(marker))
+                    .collect::<Vec<_>>(),
+            );
         }
         self.note_all_held(&markers);
         let (markers, first_party) = self.first_party(markers);

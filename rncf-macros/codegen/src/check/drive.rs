@@ -8,7 +8,7 @@ use super::vector::{Quantity, Vectorial};
 use super::{Check, Shape, say};
 use crate::errors::Area;
 use crate::joints::{Angle, Party, Rows, Slide, Turned, algebra};
-use crate::model::{Expr as Value, FrameId, INERTIAL, Marker, Motions};
+use crate::model::{Expr as Value, FrameId, INERTIAL, Marker, MarkerId, Motions};
 use crate::parse::tree::{Call, Expr, ExprKind, Item, Keyword, Name};
 use crate::suggest;
 use crate::units::Dimension;
@@ -48,6 +48,9 @@ impl<'a> Check<'a> {
                 (driven("slide", row, slide.parties()), false, normal)
             }
         };
+        let (rows, is_reversed) = rows;
+        let is_own = matches!(&arguments.positional[0].kind, ExprKind::Member { base, .. }
+            if matches!(&base.kind, ExprKind::Name(name) if self.is_frame(&name.text)));
         let constraint = self.push_constraint(item, "drive", rows, None);
         let party = || Party::Frame {
             frame: INERTIAL,
@@ -57,6 +60,7 @@ impl<'a> Check<'a> {
             constraint,
             word: "drive".into(),
             kind: None,
+            is_reversed: is_reversed && !is_own,
             parties: [party(), party()],
             normal,
             axis: [0.0; 3],
@@ -160,6 +164,7 @@ impl<'a> Check<'a> {
                 let marker = self.marker(Marker::Angle { frame });
                 Some(Turned::Free { marker, sign })
             }
+            None if frame == INERTIAL => Some(Turned::Still),
             None => {
                 let angle = Box::new(self.prescribed_angle(frame, normal));
                 let turn = self.marker(Marker::Turn { frame });
@@ -173,14 +178,9 @@ impl<'a> Check<'a> {
         let name = self.model.frames[frame.0].name.clone();
         let message = match self.motions_of(frame) {
             Some(Motions::Planar { .. } | Motions::Hinged { .. }) => {
-                let turn = self.marker(Marker::Turn { frame: INERTIAL });
                 let marker = self.marker(Marker::Angle { frame });
                 return Some(Angle::Counted {
-                    first: Turned::Prescribed {
-                        angle: Box::new(Value::Number(0.0)),
-                        turn,
-                        normal: 2,
-                    },
+                    first: Turned::Still,
                     second: Turned::Free { marker, sign: 1.0 },
                 });
             }
@@ -235,7 +235,11 @@ impl<'a> Check<'a> {
             "moment" => true,
             _ => {
                 let mut words = vec!["force", "moment"];
-                words.extend(built.kind.map_or(&[][..], |kind| kind.coordinates[usize::from(built.normal.is_some())]));
+                words.extend(
+                    built
+                        .kind
+                        .map_or(&[][..], |kind| kind.coordinates[usize::from(built.normal.is_some())]),
+                );
                 self.errors
                     .at(field.span, suggest::unknown("quantity of a joint", word, words));
                 return None;
@@ -245,7 +249,7 @@ impl<'a> Check<'a> {
             self.errors.at(field.span, say::no_moment(&name.text, &built.word));
             return None;
         }
-        Some(self.exerted(built.constraint, is_moment, built.normal))
+        Some(self.exerted(&built, is_moment))
     }
 }
 
@@ -258,13 +262,14 @@ fn has(coordinates: &[&str]) -> String {
     format!("; it has {}", quoted.join(" and "))
 }
 
-fn driven(what: &str, row: Value, [first, second]: [Vec<crate::model::MarkerId>; 2]) -> Rows {
-    let mut markers = first;
-    let first_party = markers.len();
-    markers.extend(second);
-    Rows {
-        markers,
+/// The row of a drive, and whether only the second party has markers: then it stands first.
+fn driven(what: &str, row: Value, [first, second]: [Vec<MarkerId>; 2]) -> (Rows, bool) {
+    let is_reversed = first.is_empty();
+    let first_party = if is_reversed { second.len() } else { first.len() };
+    let rows = Rows {
+        markers: first.into_iter().chain(second).collect(),
         first_party,
         rows: vec![(what.into(), row)],
-    }
+    };
+    (rows, is_reversed)
 }

@@ -7,9 +7,7 @@ use super::quantity::Wanted;
 use super::{Arguments, Check, Shape, body, fold, say};
 use crate::errors::Area;
 use crate::joints::{self, Axis, Builder, KINDS, Kind, Party, Rows, unit};
-use crate::model::{
-    BodyId, Constraint, ConstraintId, Expr as Value, FrameId, Joint, JointId, JointKind, Location,
-};
+use crate::model::{BodyId, Constraint, ConstraintId, Expr as Value, FrameId, Joint, JointId, JointKind, Location};
 use crate::parse::tree::{Call, Expr, ExprKind, Item, ItemKind, Keyword};
 use crate::suggest;
 
@@ -37,6 +35,8 @@ pub struct Built {
     pub normal: Option<usize>,
     pub axis: [f64; 3],
     pub has_moment: bool,
+    /// Whether the second party stands first: the first one is prescribed and has no markers.
+    pub is_reversed: bool,
 }
 
 /// An end that an eliminated joint holds.
@@ -176,7 +176,14 @@ impl<'a> Check<'a> {
             .named
             .get("at")
             .map(|point| self.vector(point, Scope::Parameter, POINT));
-        let (first, mut second) = (first?, second?);
+        let (mut first, mut second) = (first?, second?);
+        if let (Some(carrier), Spot::Flexible(place)) = (first.frame(), &second.spot)
+            && place.body.frame == Some(carrier)
+        {
+            // In the body's own frame the end is what is held, whichever is named first.
+            known.body = Some(place.body);
+            std::mem::swap(&mut first, &mut second);
+        }
         for hold in [&first, &second] {
             if let Spot::Flexible(place) = &hold.spot {
                 self.note_held(place.body.id);
@@ -218,7 +225,9 @@ impl<'a> Check<'a> {
 
     /// What is eliminated: a flexible end in a prescribed frame, or in the body's own one.
     fn eliminated(&self, word: &str, first: &Hold, second: &Hold) -> Option<JointKind> {
-        let Spot::Flexible(place) = &first.spot else { return None };
+        let Spot::Flexible(place) = &first.spot else {
+            return None;
+        };
         let (frame, own) = (second.frame()?, place.body.frame?);
         let is_linear = frame == own || !self.is_free(frame) && !self.is_free(own);
         let is_planar = place.body.space.and_then(normal).is_some();
@@ -326,7 +335,13 @@ impl<'a> Check<'a> {
         Some(())
     }
 
-    pub(super) fn push_constraint(&mut self, item: &Item, kind: &str, rows: Rows, absolute: Option<BodyId>) -> ConstraintId {
+    pub(super) fn push_constraint(
+        &mut self,
+        item: &Item,
+        kind: &str,
+        rows: Rows,
+        absolute: Option<BodyId>,
+    ) -> ConstraintId {
         self.model.constraints.push(Constraint {
             name: item.name.text.clone(),
             doc: item.doc.clone(),
@@ -365,7 +380,8 @@ impl<'a> Check<'a> {
         let place = self.place(place)?;
         known.body = Some(place.body);
         let Some(axis) = AXES.iter().position(|axis| *axis == field.text) else {
-            self.errors.at(field.span, suggest::unknown("component", &field.text, AXES));
+            self.errors
+                .at(field.span, suggest::unknown("component", &field.text, AXES));
             return None;
         };
         if let Some(normal) = place.body.space.and_then(normal).filter(|normal| *normal == axis) {
@@ -395,7 +411,8 @@ impl<'a> Check<'a> {
         let ends = holds.iter().filter(|hold| is_end(hold)).count();
         // With a flexible end there is a tangent, and no more.
         let is_clamp = matches!(word, "clamp" | "clamp_full") || word == "weld" && ends > 0;
-        let orients = is_clamp || kind.is_some_and(|kind| kind.orients && !(kind.name == "revolute" && plane.is_some()));
+        let orients =
+            is_clamp || kind.is_some_and(|kind| kind.orients && !(kind.name == "revolute" && plane.is_some()));
         if matches!(word, "clamp" | "clamp_full") && ends == 0 {
             self.errors.at(holds[0].area, say::PLACE_EXPECTED);
             return None;
@@ -410,7 +427,10 @@ impl<'a> Check<'a> {
         if let (Some(kind), Some(normal)) = (kind, plane)
             && let Err(advice) = kind.planar
         {
-            self.errors.at(holds[0].area, say::not_in_plane(word, super::plane::plane(normal), advice));
+            self.errors.at(
+                holds[0].area,
+                say::not_in_plane(word, super::plane::plane(normal), advice),
+            );
             return None;
         }
         let mut builder = Builder::new(&mut self.model.markers, parties.clone(), plane);
@@ -430,6 +450,7 @@ impl<'a> Check<'a> {
             word: word.into(),
             has_moment: is_clamp || kind.is_some_and(|kind| kind.has_moment[usize::from(plane.is_some())]),
             kind: kind.filter(|_| !is_clamp),
+            is_reversed: false,
             parties,
             normal: plane,
             axis: given.axis,
@@ -491,7 +512,11 @@ impl<'a> Check<'a> {
         match (axis, plane) {
             (Some((axis, area)), Some(normal)) => {
                 let is_normal = is_parallel(axis, unit(normal));
-                let fits = if kind.axis == Axis::InSpace { is_normal } else { axis[normal] == 0.0 };
+                let fits = if kind.axis == Axis::InSpace {
+                    is_normal
+                } else {
+                    axis[normal] == 0.0
+                };
                 if !fits && kind.planar.is_ok() {
                     let message = if kind.axis == Axis::InSpace {
                         say::axis_along_normal(kind.name, super::plane::plane(normal), AXES[normal])

@@ -27,7 +27,13 @@ impl Check<'_> {
     }
 
     /// An axis of a frame or its rate, inertial axes; in a plane without the component along its normal.
-    pub(super) fn frame_axis(&mut self, frame: FrameId, axis: usize, derivative: usize, plane: Option<usize>) -> Vector {
+    pub(super) fn frame_axis(
+        &mut self,
+        frame: FrameId,
+        axis: usize,
+        derivative: usize,
+        plane: Option<usize>,
+    ) -> Vector {
         if frame == INERTIAL || plane == Some(axis) {
             return algebra::numbers(if derivative == 0 { unit(axis) } else { [0.0; 3] });
         }
@@ -37,7 +43,7 @@ impl Check<'_> {
     }
 
     /// Components of a vector in inertial axes.
-    pub(super) fn to_inertial(&mut self, vector: &Vector, frame: FrameId, plane: Option<usize>) -> Vector {
+    pub(super) fn in_inertial_axes(&mut self, vector: &Vector, frame: FrameId, plane: Option<usize>) -> Vector {
         if frame == INERTIAL {
             return vector.clone();
         }
@@ -50,7 +56,7 @@ impl Check<'_> {
     }
 
     /// Components of a vector in the axes of a frame.
-    pub(super) fn to_frame(&mut self, vector: &Vector, frame: FrameId, plane: Option<usize>) -> Vector {
+    pub(super) fn in_frame_axes(&mut self, vector: &Vector, frame: FrameId, plane: Option<usize>) -> Vector {
         if frame == INERTIAL {
             return vector.clone();
         }
@@ -67,7 +73,13 @@ impl Check<'_> {
         }
         let at = algebra::numbers([0.0; 3]);
         let origin = self.marker(Marker::Point { frame, at });
-        let apart = |order| both(&observed(point, order, plane), &observed(origin, order, plane), subtract);
+        let apart = |order| {
+            both(
+                &observed(point, order, plane),
+                &observed(origin, order, plane),
+                subtract,
+            )
+        };
         [0, 1, 2].map(|axis| {
             let along = self.frame_axis(frame, axis, 0, plane);
             if derivative == 0 {

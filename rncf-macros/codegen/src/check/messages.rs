@@ -181,6 +181,6 @@ messages! {
     not_driven(name, word) = "`{name}` has no coordinate `{word}`: a planar or hinged frame has its `angle`";
     no_angle_in_space(name, word) = "`{name}` turns in space and has no single `{word}`: use its directions `ex`, `ey`, `ez` or its `angular_velocity`";
     angle_of_prescribed(name, word) = "`{name}` moves in a prescribed way: its `{word}` stands in its declaration";
-    no_moment(name, word) = "`{name}` is a {word}, which carries no moment";
+    no_moment(name, word) = "`{name}` is a `{word}` joint, which carries no moment";
     spring_stiffness(word, unit) = "`{word}` needs a stiffness: for a damper alone write `stiffness = 0 [{unit}]`";
 }

@@ -55,7 +55,7 @@ impl<'a> Check<'a> {
             return self.observe_plain(expr);
         }
         let thing = self.thing(expr, scope)?;
-        self.seen(thing, expr, scope)
+        self.seen(thing, expr)
     }
 
     /// Whether something is observed that the body or eliminated joint has in its own frame.
@@ -67,7 +67,11 @@ impl<'a> Check<'a> {
         let ExprKind::Name(name) = &base.kind else {
             return false;
         };
-        let words = fields.iter().chain([&field]).map(|word| word.text.as_str()).collect::<Vec<_>>();
+        let words = fields
+            .iter()
+            .chain([&field])
+            .map(|word| word.text.as_str())
+            .collect::<Vec<_>>();
         let is_elsewhere = words.contains(&"in") || words.contains(&"acceleration");
         let name = name.text.as_str();
         let has_rows = self.joints.get(name).is_some_and(|joint| joint.built.is_some());

@@ -94,7 +94,7 @@ impl<'a> Check<'a> {
             }
         }
         let axes = self.spot_normal(&place.spot);
-        let load = self.to_inertial(&values, frame, axes);
+        let load = self.in_inertial_axes(&values, frame, axes);
         let forces = if is_moment {
             self.moment_on(&place, load)?
         } else {

@@ -49,6 +49,9 @@ const TORSIONAL_LAW: Shape = Shape {
     usage: "torsional_law(hinge, moment = k * angle + c * rate)",
 };
 
+/// Forces on markers, and their potential where there is one.
+type Acting = (Vec<(MarkerId, Vector)>, Option<Value>);
+
 /// The line between two points.
 struct Line {
     points: [MarkerId; 2],
@@ -78,8 +81,7 @@ impl<'a> Check<'a> {
             "torsional_law" => self.torsional_law(call)?,
             other => {
                 let known = ["linear", "law", "torsional", "torsional_law"];
-                self.errors
-                    .at(call.name.span, suggest::unknown("spring", other, known));
+                self.errors.at(call.name.span, suggest::unknown("spring", other, known));
                 return None;
             }
         };
@@ -125,7 +127,7 @@ impl<'a> Check<'a> {
         })
     }
 
-    fn linear(&mut self, call: &'a Call) -> Option<(Vec<(MarkerId, Vector)>, Option<Value>)> {
+    fn linear(&mut self, call: &'a Call) -> Option<Acting> {
         let arguments = self.arguments(call, &LINEAR)?;
         let line = self.line_between(arguments.positional[0], arguments.positional[1]);
         let stiffness = self.stiffness(call, arguments.named.get("stiffness").copied(), STIFFNESS);
@@ -148,7 +150,7 @@ impl<'a> Check<'a> {
         Some((pull(&line, force), energy))
     }
 
-    fn law(&mut self, call: &'a Call) -> Option<(Vec<(MarkerId, Vector)>, Option<Value>)> {
+    fn law(&mut self, call: &'a Call) -> Option<Acting> {
         let arguments = self.arguments(call, &LAW)?;
         let line = self.line_between(arguments.positional[0], arguments.positional[1])?;
         let length = Typed::new(line.length.clone(), Dimension::of(LENGTH.dimension));
@@ -215,7 +217,7 @@ impl<'a> Check<'a> {
         self.angle_between(&built, name)
     }
 
-    fn torsional(&mut self, call: &'a Call) -> Option<(Vec<(MarkerId, Vector)>, Option<Value>)> {
+    fn torsional(&mut self, call: &'a Call) -> Option<Acting> {
         let arguments = self.arguments(call, &TORSIONAL)?;
         let angle = self.spring_angle(arguments.positional[0]);
         let stiffness = self.stiffness(call, arguments.named.get("stiffness").copied(), TORSION);
@@ -235,7 +237,7 @@ impl<'a> Check<'a> {
         Some((angle.forces(&moment), energy))
     }
 
-    fn torsional_law(&mut self, call: &'a Call) -> Option<(Vec<(MarkerId, Vector)>, Option<Value>)> {
+    fn torsional_law(&mut self, call: &'a Call) -> Option<Acting> {
         let arguments = self.arguments(call, &TORSIONAL_LAW)?;
         let angle = self.spring_angle(arguments.positional[0])?;
         let typed = |value, dimension| Typed {

@@ -1,6 +1,7 @@
 //! What stands before the dots: frames, places, directions, joints, constraints; and what they show.
 
 use super::expr::Scope;
+use super::joint::Built;
 use super::place::{Place, Spot};
 use super::plane::{AXES, normal, plane};
 use super::quantity::{Nature, Typed, Wanted};
@@ -9,7 +10,7 @@ use super::{Check, say};
 use crate::errors::Area;
 use crate::joints::algebra::{self, Vector, divide, norm, number, observed};
 use crate::joints::unit;
-use crate::model::{self, ConstraintId, FrameId, INERTIAL, Marker, Motions, Observable};
+use crate::model::{self, FrameId, INERTIAL, Marker, Motions, Observable};
 use crate::parse::tree::{Argument, Expr, ExprKind, Keyword, Name};
 use crate::suggest;
 use crate::units::Dimension;
@@ -49,7 +50,7 @@ impl<'a> Check<'a> {
     /// Resolves what stands before a dot.
     pub(super) fn thing(&mut self, expr: &'a Expr, scope: Scope) -> Option<Thing<'a>> {
         self.nested(expr, |check| match &expr.kind {
-            ExprKind::Name(name) => check.named_thing(name, scope),
+            ExprKind::Name(name) => check.named_thing(name),
             ExprKind::Member { base, field, arguments } => {
                 if let ExprKind::Name(name) = &base.kind
                     && check.keyword_of(name) == Some(Keyword::Body)
@@ -67,7 +68,7 @@ impl<'a> Check<'a> {
         self.names.get(name.text.as_str()).map(|item| item.keyword)
     }
 
-    fn named_thing(&mut self, name: &'a Name, scope: Scope) -> Option<Thing<'a>> {
+    fn named_thing(&mut self, name: &'a Name) -> Option<Thing<'a>> {
         if self.is_frame(&name.text) {
             return self.frame(name).map(Thing::Frame);
         }
@@ -79,7 +80,6 @@ impl<'a> Check<'a> {
                 Some(Thing::Value(Quantity::Scalar(local)))
             }
             _ => {
-                let _ = scope;
                 self.no_thing(name);
                 None
             }
@@ -101,6 +101,10 @@ impl<'a> Check<'a> {
             return None;
         }
         match (thing, arguments) {
+            (Thing::Value(_), Some(_)) if field.text == "in" => {
+                self.errors.at(expr.area, say::IN_TWICE);
+                None
+            }
             (Thing::Value(quantity), _) => self.one_component(quantity, field).map(Thing::Value),
             (Thing::Constraint(name), None) => self.of_constraint(name, field, scope),
             (Thing::Joint(name), None) => self.of_joint(name, field, scope),
@@ -119,11 +123,15 @@ impl<'a> Check<'a> {
             (Thing::Frame(frame), arguments) => self.of_frame(frame, expr, field, arguments, scope),
             (Thing::Place(spot, frame), None) => self.of_place(spot, frame, field, scope),
             (shown @ Thing::Shown { .. }, None) => {
-                let quantity = self.seen(shown, expr, scope)?;
+                let quantity = self.seen(shown, expr)?;
                 self.one_component(quantity, field).map(Thing::Value)
             }
             (_, Some(_)) => {
-                let message = if field.text == "in" { say::IN_TWICE } else { say::NOTHING_OBSERVED };
+                let message = if field.text == "in" {
+                    say::IN_TWICE
+                } else {
+                    say::NOTHING_OBSERVED
+                };
                 self.errors.at(expr.area, message);
                 None
             }
@@ -155,7 +163,7 @@ impl<'a> Check<'a> {
     }
 
     /// The value of what is observed.
-    pub(super) fn seen(&mut self, thing: Thing<'a>, expr: &Expr, scope: Scope) -> Option<Quantity> {
+    pub(super) fn seen(&mut self, thing: Thing<'a>, expr: &Expr) -> Option<Quantity> {
         match thing {
             Thing::Value(quantity) => Some(quantity),
             Thing::Frame(frame) => self.position(&origin(frame), None).map(Quantity::Vector),
@@ -165,9 +173,7 @@ impl<'a> Check<'a> {
                     Some(Keyword::Constraint) => ("constraint", "multiplier"),
                     _ => ("joint", "force.x"),
                 };
-                let _ = scope;
-                self.errors
-                    .at(expr.area, say::whole_thing(&name.text, kind, example));
+                self.errors.at(expr.area, say::whole_thing(&name.text, kind, example));
                 None
             }
             Thing::Shown { vector, plane, shown } => {
@@ -176,9 +182,13 @@ impl<'a> Check<'a> {
                     return Some(Quantity::Vector(vector));
                 }
                 let plane = plane.filter(|normal| self.stays_in(from, *normal) && self.stays_in(shown, *normal));
-                let inertial = self.to_inertial(&vector.values, from, plane);
-                let values = self.to_frame(&inertial, shown, plane);
-                let axes = if plane.is_some() { vector.axes.clone() } else { vec![0, 1, 2] };
+                let inertial = self.in_inertial_axes(&vector.values, from, plane);
+                let values = self.in_frame_axes(&inertial, shown, plane);
+                let axes = if plane.is_some() {
+                    vector.axes.clone()
+                } else {
+                    vec![0, 1, 2]
+                };
                 Some(Quantity::Vector(Vectorial {
                     values,
                     axes,
@@ -275,10 +285,13 @@ impl<'a> Check<'a> {
             return None;
         };
         let frame = frame.or(body.frame)?;
-        let plane = body.space.and_then(normal).filter(|normal| self.stays_in(frame, *normal));
+        let plane = body
+            .space
+            .and_then(normal)
+            .filter(|normal| self.stays_in(frame, *normal));
         let (body, at) = (body.id, at.clone());
         let marker = self.marker(Marker::BodySlope { body, at });
-        let values = self.to_frame(&observed(marker, 0, plane), frame, plane);
+        let values = self.in_frame_axes(&observed(marker, 0, plane), frame, plane);
         Some(Vectorial {
             values,
             axes: self.moving_axes(spot, frame),
@@ -356,8 +369,21 @@ impl<'a> Check<'a> {
             }
             (word, _) => {
                 let known = [
-                    "at", "center", "x", "y", "z", "position", "velocity", "acceleration", "ex", "ey", "ez",
-                    "direction", "angle", "speed", "angular_velocity",
+                    "at",
+                    "center",
+                    "x",
+                    "y",
+                    "z",
+                    "position",
+                    "velocity",
+                    "acceleration",
+                    "ex",
+                    "ey",
+                    "ez",
+                    "direction",
+                    "angle",
+                    "speed",
+                    "angular_velocity",
                 ];
                 self.errors
                     .at(field.span, suggest::unknown("quantity of a frame", word, known));
@@ -375,9 +401,9 @@ impl<'a> Check<'a> {
         let in_plane = self
             .frame_normal(frame)
             .filter(|normal| super::fold::constant(&along[*normal]) == Some(0.0));
-        let axes = match (in_plane, self.frame_normal(frame)) {
-            (Some(normal), _) => model::Space::Planar { normal }.axes().to_vec(),
-            _ => vec![0, 1, 2],
+        let axes = match in_plane {
+            Some(normal) => model::Space::Planar { normal }.axes().to_vec(),
+            None => vec![0, 1, 2],
         };
         let values = if frame == INERTIAL {
             along
@@ -436,16 +462,16 @@ impl<'a> Check<'a> {
             }
             None => (values, vec![0, 1, 2]),
         };
-        let is_flat = axes.len() == 1;
+        let plane = if let [normal] = axes[..] { Some(normal) } else { None };
         Some(Thing::Shown {
             vector: Vectorial {
                 values,
                 axes,
                 dimension: Dimension::of([0, 0, -1, 0, 0, 0]),
                 nature: angular(),
-                frame: Some(if is_flat { frame } else { INERTIAL }),
+                frame: Some(if plane.is_some() { frame } else { INERTIAL }),
             },
-            plane: None,
+            plane,
             shown: frame,
         })
     }
@@ -486,13 +512,9 @@ impl<'a> Check<'a> {
         })))
     }
 
-    /// What a constraint exerts on its first party.
-    pub(super) fn exerted(
-        &mut self,
-        constraint: ConstraintId,
-        is_moment: bool,
-        plane: Option<usize>,
-    ) -> Thing<'a> {
+    /// What a joint with multipliers exerts on its first party.
+    pub(super) fn exerted(&mut self, built: &Built, is_moment: bool) -> Thing<'a> {
+        let (constraint, plane) = (built.constraint, built.normal);
         let axes = match (plane, is_moment) {
             (Some(normal), true) => vec![normal],
             (Some(normal), false) => model::Space::Planar { normal }.axes().to_vec(),
@@ -505,6 +527,9 @@ impl<'a> Check<'a> {
                 moment: is_moment,
                 component,
             });
+        }
+        if built.is_reversed {
+            values = values.map(algebra::negate);
         }
         let dimension = Dimension::of([1 + i8::from(is_moment), 1, -2, 0, 0, 0]);
         Thing::Shown {

@@ -3,7 +3,7 @@
 use super::expr::Scope;
 use super::plane::AXES;
 use super::quantity::{Nature, Typed, bare_literal, is_bare_zero};
-use super::{Check, say};
+use super::{Check, fold, say};
 use crate::joints::algebra;
 use crate::model::{self, Binary, FrameId};
 use crate::parse::tree::{Call, Expr, ExprKind, UnitText};
@@ -169,9 +169,10 @@ impl<'a> Check<'a> {
         } else {
             algebra::subtract
         };
+        let values = algebra::both(&a.values, &b.values, of);
         Some(Vectorial {
-            values: algebra::both(&a.values, &b.values, of),
-            axes: united(&a.axes, &b.axes),
+            axes: moving(&values, a.axes, &b.axes),
+            values,
             dimension: a.dimension,
             nature: a.nature.plus(b.nature),
             frame,
@@ -277,7 +278,10 @@ impl<'a> Check<'a> {
             self.errors.at(named.span, say::named_argument(name));
             return None;
         }
-        let arity = FUNCTIONS.iter().find(|(word, _)| *word == name).map(|(_, arity)| *arity)?;
+        let arity = FUNCTIONS
+            .iter()
+            .find(|(word, _)| *word == name)
+            .map(|(_, arity)| *arity)?;
         if call.arguments.len() != arity {
             let message = say::arity(name, &arity.to_string(), &call.arguments.len().to_string());
             self.errors.at(call.area, message);
@@ -310,14 +314,10 @@ impl<'a> Check<'a> {
                 nature,
             }));
         }
-        let axes = (0..3).filter(|axis| {
-            let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-            let both = |p: usize, q: usize| a.axes.contains(&p) && b.axes.contains(&q);
-            both(next, last) || both(last, next)
-        });
+        let values = algebra::cross(&a.values, &b.values);
         Some(Quantity::Vector(Vectorial {
-            values: algebra::cross(&a.values, &b.values),
-            axes: axes.collect(),
+            axes: moving(&values, vec![0, 1, 2], &[]),
+            values,
             dimension,
             nature,
             frame,
@@ -345,14 +345,21 @@ impl<'a> Check<'a> {
     }
 }
 
-fn united(a: &[usize], b: &[usize]) -> Vec<usize> {
-    // A literal has all three; what the other one has not stays away from a plane.
-    match (a.len(), b.len()) {
-        (3, n) if n < 3 => return b.to_vec(),
-        (n, 3) if n < 3 => return a.to_vec(),
-        _ => {}
+/// The axes of either operand along which the result is not known to be zero; all where it is zero.
+fn moving(values: &[model::Expr; 3], a: Vec<usize>, b: &[usize]) -> Vec<usize> {
+    let mut axes = a;
+    axes.extend(b);
+    axes.sort_unstable();
+    axes.dedup();
+    // In a plane the order is its right-handed one.
+    let moving: Vec<usize> = axes
+        .iter()
+        .copied()
+        .filter(|axis| fold::constant(&values[*axis]) != Some(0.0))
+        .collect();
+    match moving[..] {
+        [] => axes,
+        [0, 2] => vec![2, 0],
+        _ => moving,
     }
-    let mut axes = a.to_vec();
-    axes.extend(b.iter().filter(|axis| !a.contains(axis)));
-    axes
 }

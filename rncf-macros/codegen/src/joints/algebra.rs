@@ -172,6 +172,8 @@ pub fn has_time(expr: &Expr) -> bool {
         Expr::Motion(_, inner) | Expr::Negate(inner) => has_time(inner),
         Expr::Binary(_, left, right) | Expr::Power(left, right) => has_time(left) || has_time(right),
         Expr::Call(_, arguments) => arguments.iter().any(has_time),
-        Expr::If(_, left, right, then, otherwise) => [left, right, then, otherwise].into_iter().any(|part| has_time(part)),
+        Expr::If(_, left, right, then, otherwise) => {
+            [left, right, then, otherwise].into_iter().any(|part| has_time(part))
+        }
     }
 }

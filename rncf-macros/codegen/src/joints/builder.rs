@@ -195,12 +195,18 @@ impl<'m> Builder<'m> {
     pub fn finish(self) -> Rows {
         let [first, second] = self.used;
         let first_party = first.len();
-        let second = second.into_iter().filter(|marker| !first.contains(marker)).collect::<Vec<_>>();
+        let second = second
+            .into_iter()
+            .filter(|marker| !first.contains(marker))
+            .collect::<Vec<_>>();
         let mut used = Vec::new();
         for (_, row) in &self.rows {
             algebra::markers_of(row, &mut used);
         }
-        let first_kept = first[..first_party].iter().filter(|marker| used.contains(marker)).count();
+        let first_kept = first[..first_party]
+            .iter()
+            .filter(|marker| used.contains(marker))
+            .count();
         let markers = first.into_iter().chain(second).filter(|marker| used.contains(marker));
         Rows {
             markers: markers.collect(),

@@ -39,6 +39,8 @@ pub enum Turned {
         /// -1 where it counts about the opposite axis.
         sign: f64,
     },
+    /// The inertial frame.
+    Still,
     /// A prescribed frame.
     Prescribed {
         /// Its angle, rad.
@@ -54,6 +56,7 @@ impl Turned {
     fn value(&self) -> Expr {
         match self {
             Turned::Free { marker, sign } => signed(*sign, observed(*marker, 0, None)[0].clone()),
+            Turned::Still => Expr::Number(0.0),
             Turned::Prescribed { angle, .. } => (**angle).clone(),
         }
     }
@@ -61,6 +64,7 @@ impl Turned {
     fn rate(&self) -> Expr {
         match self {
             Turned::Free { marker, sign } => signed(*sign, observed(*marker, 1, None)[0].clone()),
+            Turned::Still => Expr::Number(0.0),
             Turned::Prescribed { angle, .. } if !super::algebra::has_time(angle) => Expr::Number(0.0),
             Turned::Prescribed { turn, normal, .. } => observed(*turn, 1, None)[*normal].clone(),
         }
@@ -69,7 +73,7 @@ impl Turned {
     fn marker(&self) -> Option<(MarkerId, f64)> {
         match self {
             Turned::Free { marker, sign } => Some((*marker, *sign)),
-            Turned::Prescribed { .. } => None,
+            Turned::Still | Turned::Prescribed { .. } => None,
         }
     }
 }
@@ -144,7 +148,9 @@ impl Angle {
     /// Markers of the first and of the second party in a drive.
     pub fn parties(&self) -> [Vec<MarkerId>; 2] {
         match self {
-            Angle::Counted { first, second } => [first, second].map(|party| party.marker().into_iter().map(|(marker, _)| marker).collect()),
+            Angle::Counted { first, second } => {
+                [first, second].map(|party| party.marker().into_iter().map(|(marker, _)| marker).collect())
+            }
             Angle::Spatial { first, second, .. } => [first.to_vec(), vec![*second]],
         }
     }

@@ -51,6 +51,15 @@ model Linkage {
     joint axle = revolute(disc, cam);
     joint ball = spherical(rod.at([1, 0, 0] m), beam.end);
     constraint same = arm.z - rod.z;
+    joint motor = drive(axle.angle, phi(t));
+    spring coil = linear(arm, rod.at([1, 0, 0] m), stiffness = 3 [N/m], damping = 1 [N*s/m], length = L);
+    spring soft = law(bead, beam.end, force = 3 [N/m] * (length - L) + 1 [kg/s] * rate);
+    spring bend = torsional_law(axle, moment = 2 [N*m] * sin(angle));
+    load jet = follower(flat.end, [3 N, 1 N]);
+    load drag = force(arm, -2 [kg/s] * arm.velocity);
+    output tip = beam.end.in(arm).velocity;
+    output way = norm(cross(arm - rod.at([1, 0, 0] m), rod.ex)) + 2 * axle.angle * 1 m;
+    output lam = motor.moment.in(disc).z;
     output u = beam.end.x;
 }
 ";
@@ -91,7 +100,10 @@ fn rotation(w: Vec3) -> Mat3 {
     let (s, c) = angle.sin_cos();
     std::array::from_fn(|i| {
         let e: Vec3 = std::array::from_fn(|j| f64::from(i == j));
-        add(add(scale(c, e), scale(-s, cross(n, e))), scale((1.0 - c) * dot(n, e), n))
+        add(
+            add(scale(c, e), scale(-s, cross(n, e))),
+            scale((1.0 - c) * dot(n, e), n),
+        )
     })
 }
 
@@ -126,7 +138,12 @@ impl World<'_> {
 
     fn marker(&self, marker: MarkerId, t: f64) -> Vec3 {
         let fixed = |v: &[Expr; 3]| v.each_ref().map(|x| self.value(x));
-        let is_point = |id: MarkerId| matches!(self.model.markers[id.0], Marker::Point { .. } | Marker::BodyPoint { .. });
+        let is_point = |id: MarkerId| {
+            matches!(
+                self.model.markers[id.0],
+                Marker::Point { .. } | Marker::BodyPoint { .. }
+            )
+        };
         match &self.model.markers[marker.0] {
             Marker::Point { frame, at } => {
                 let pose = self.at(*frame, t);
@@ -261,7 +278,10 @@ fn joints_leave_their_motions() {
         ("cylindrical(a.at([0.5, 0.25, -0.125] m), b, axis = z)", &[2, 5]),
         ("prismatic(a.at([0.5, 0.25, -0.125] m), b, axis = x)", &[0]),
         ("planar(a.at([0.5, 0.25, -0.125] m), b, axis = z)", &[0, 1, 5]),
-        ("universal(a.at([0.5, 0.25, -0.125] m), b, axis = x, cross = y)", &[3, 4]),
+        (
+            "universal(a.at([0.5, 0.25, -0.125] m), b, axis = x, cross = y)",
+            &[3, 4],
+        ),
     ] {
         let model = with(SCENE, &format!("joint j = {call};"));
         let joint = model.constraints.last().unwrap();
@@ -282,7 +302,10 @@ fn joints_leave_their_motions() {
                 end: &still,
                 t: 0.9,
             };
-            let worst = world.rows(joint).iter().fold(0.0, |worst: f64, row| worst.max(row.abs()));
+            let worst = world
+                .rows(joint)
+                .iter()
+                .fold(0.0, |worst: f64, row| worst.max(row.abs()));
             let is_free = free.contains(&motion);
             assert_eq!(worst < 1e-12, is_free, "{call}: motion {motion} gives {worst}");
         }
@@ -303,7 +326,10 @@ fn joints_leave_their_motions() {
 /// Both axes of a universal joint turn: first about that of A, then about that of B.
 #[test]
 fn a_universal_joint_turns_about_both_axes() {
-    let model = with(SCENE, "joint j = universal(a.at([0.5, 0.25, -0.125] m), b, axis = x, cross = y);");
+    let model = with(
+        SCENE,
+        "joint j = universal(a.at([0.5, 0.25, -0.125] m), b, axis = x, cross = y);",
+    );
     let pose = |name: &str, t: f64| {
         let turned = product(rotation([0.8 * t, 0.0, 0.0]), rotation([0.0, 0.5 * t, 0.0]));
         let second = second_body(t, [0.0; 3], [0.0; 3]);
@@ -351,7 +377,10 @@ fn angles_slides_and_their_drives() {
     let near = |found: f64, want: f64, what: &str| assert!((found - want).abs() < 1e-8, "{what}: {found} {want}");
     near(world.value(&model.outputs[1].components[0].1), theta(t), "angle");
     near(world.value(&model.outputs[2].components[0].1), 0.4 * t, "slide");
-    assert_eq!((model.outputs[1].unit.as_str(), model.outputs[2].unit.as_str()), ("rad", "m"));
+    assert_eq!(
+        (model.outputs[1].unit.as_str(), model.outputs[2].unit.as_str()),
+        ("rad", "m")
+    );
     let find = |name: &str| model.constraints.iter().find(|other| other.name == name).unwrap();
     near(world.rows(find("turn"))[0], (theta(t) - 0.5).sin(), "driven angle");
     near(world.rows(find("push"))[0], 0.4 * t - 0.25 * t, "driven slide");
@@ -361,7 +390,11 @@ fn angles_slides_and_their_drives() {
     for (at, sign) in [(0, 1.0), (1, -1.0)] {
         assert!(matches!(model.markers[spring.markers[at].0], Marker::Turn { .. }));
         for i in 0..3 {
-            near(world.value(&spring.components[at][i]), sign * moment * axis[i], "moment");
+            near(
+                world.value(&spring.components[at][i]),
+                sign * moment * axis[i],
+                "moment",
+            );
         }
     }
     assert!(spring.energy.is_none());
@@ -475,7 +508,11 @@ fn places_are_seen_in_frames() {
         times(transposed(hub.a), add(bent(t)[0], scale(-1.0, hub.r)))[1]
     };
     near(&output("r"), &[end(t)], "end");
-    near(&output("q"), &[(end(t + STEP) - end(t - STEP)) / (2.0 * STEP)], "velocity of the end");
+    near(
+        &output("q"),
+        &[(end(t + STEP) - end(t - STEP)) / (2.0 * STEP)],
+        "velocity of the end",
+    );
     let ez = times(pose("b", t).a, [0.0, 0.0, 1.0]);
     near(&output("e"), &times(transposed(pose("a", t).a), ez), "direction");
     let spin = |h: f64| product(transposed(pose("b", t - h).a), pose("b", t + h).a);
@@ -488,7 +525,11 @@ fn places_are_seen_in_frames() {
     near(&output("s"), &[v], "twice the velocity");
     near(&output("c"), &times(first_body(t).a, [0.0, 0.0, 1.0]), "cross");
     near(&output("d"), &[0.6], "dot");
-    near(&output("sl"), &[times(transposed(pose("hub", t).a), bent(t)[1])[0]], "slope");
+    near(
+        &output("sl"),
+        &[times(transposed(pose("hub", t).a), bent(t)[1])[0]],
+        "slope",
+    );
 }
 
 /// Flexible ends in free frames: eliminated in their own one, with a stand-in; else with multipliers.
@@ -500,7 +541,11 @@ fn flexible_ends_and_free_frames() {
          joint own = clamp(wire.start, f);  joint roll = hold(wire.end.slope.y);
          joint tip = clamp(beam.end, b);  joint full = clamp_full(a, wire.end);  joint far = pin(wire.end, inertial);",
     );
-    let kinds: Vec<_> = model.joints.iter().map(|joint| (joint.name.as_str(), joint.kind)).collect();
+    let kinds: Vec<_> = model
+        .joints
+        .iter()
+        .map(|joint| (joint.name.as_str(), joint.kind))
+        .collect();
     assert_eq!(
         kinds,
         [
@@ -533,7 +578,10 @@ fn flexible_ends_and_free_frames() {
     let end = |t: f64| {
         let (start, now) = (first_body(0.0), first_body(t));
         let offset = add([2.0, 0.0, 0.0], scale(-1.0, start.r));
-        [add(now.r, times(moved(t), offset)), scale(1.0 + t, times(moved(t), [1.0, 0.0, 0.0]))]
+        [
+            add(now.r, times(moved(t), offset)),
+            scale(1.0 + t, times(moved(t), [1.0, 0.0, 0.0])),
+        ]
     };
     let world = World {
         model: &model,
@@ -543,7 +591,10 @@ fn flexible_ends_and_free_frames() {
     };
     let worst = |name: &str| {
         let joint = model.constraints.iter().find(|other| other.name == name).unwrap();
-        world.rows(joint).iter().fold(0.0, |worst: f64, row| worst.max(row.abs()))
+        world
+            .rows(joint)
+            .iter()
+            .fold(0.0, |worst: f64, row| worst.max(row.abs()))
     };
     assert!(worst("tip") < 1e-12);
     assert!(worst("full") > 0.1);
@@ -596,7 +647,11 @@ fn in_a_plane_rows_are_planar() {
     near(world.rows(find("p"))[0], (relative - 0.2).sin(), "prismatic");
     let output = |name: &str| {
         let output = model.outputs.iter().find(|output| output.name == name).unwrap();
-        (output.components.len(), output.components[0].1.clone(), output.unit.clone())
+        (
+            output.components.len(),
+            output.components[0].1.clone(),
+            output.unit.clone(),
+        )
     };
     near(world.value(&output("rel").1), relative, "angle");
     near(world.value(&output("rate").1), 0.9, "speed");
@@ -616,8 +671,16 @@ fn in_a_plane_rows_are_planar() {
     // Every marker that a force is a function of is among its own.
     for force in &model.forces {
         let mut used = Vec::new();
-        force.components.iter().flatten().for_each(|part| markers_of(part, &mut used));
-        assert!(used.iter().all(|marker| force.markers.contains(marker)), "{}", force.name);
+        force
+            .components
+            .iter()
+            .flatten()
+            .for_each(|part| markers_of(part, &mut used));
+        assert!(
+            used.iter().all(|marker| force.markers.contains(marker)),
+            "{}",
+            force.name
+        );
         assert_eq!(force.markers.len(), force.components.len());
     }
 }
@@ -667,10 +730,22 @@ fn rows_and_forces_are_functions_of_markers() {
     let mut check = |expr: &Expr| {
         each_observable(expr, &mut |observable| {
             count += 1;
-            assert!(matches!(observable, Observable::Marker { derivative: 0, .. }), "{observable:?}");
+            assert!(
+                matches!(observable, Observable::Marker { derivative: 0, .. }),
+                "{observable:?}"
+            );
         });
     };
-    model.constraints.iter().flat_map(|other| &other.rows).for_each(|(_, row)| check(row));
-    model.forces.iter().flat_map(|force| &force.components).flatten().for_each(&mut check);
+    model
+        .constraints
+        .iter()
+        .flat_map(|other| &other.rows)
+        .for_each(|(_, row)| check(row));
+    model
+        .forces
+        .iter()
+        .flat_map(|force| &force.components)
+        .flatten()
+        .for_each(&mut check);
     assert!(count > 5);
 }

@@ -1,5 +1,6 @@
 //! Half-typed text never panics, and is never a model.
 
+use super::joints::JOINTS;
 use super::*;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
@@ -80,6 +81,23 @@ fn free_frames_cut_after_every_token() {
             !survives(cut(tokens.clone(), &mut budget.clone())),
             "a model after {budget} tokens"
         );
+    }
+    assert!(survives(tokens));
+}
+
+/// What joints and springs hold on to, and what is observed of them.
+#[test]
+fn half_of_a_linkage() {
+    let tokens: TokenStream = JOINTS.parse().unwrap();
+    let total = count(tokens.clone());
+    for budget in 0..total {
+        survives(cut(tokens.clone(), &mut budget.clone()));
+    }
+    for by in ["", "7", "arm", "knee . angle", "beam . end", "[ 1 , 2 , 3 ]", "z"] {
+        let by: TokenStream = by.parse().unwrap();
+        for at in 0..total {
+            survives(exchanged(tokens.clone(), &mut at.clone(), &by));
+        }
     }
     assert!(survives(tokens));
 }
