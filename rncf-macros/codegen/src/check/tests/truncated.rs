@@ -1,5 +1,6 @@
 //! Half-typed text never panics, and is never a model.
 
+use super::free::FREE;
 use super::joints::JOINTS;
 use super::*;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
@@ -74,7 +75,7 @@ fn cut_after_every_token() {
 
 #[test]
 fn free_frames_cut_after_every_token() {
-    let tokens: TokenStream = super::free::FREE.parse().unwrap();
+    let tokens: TokenStream = FREE.parse().unwrap();
     let total = count(tokens.clone());
     for budget in 0..total - 8 {
         assert!(
@@ -128,7 +129,7 @@ fn any_one_token_exchanged() {
 
 #[test]
 fn any_one_token_of_free_frames_exchanged() {
-    exchange_each(super::free::FREE);
+    exchange_each(FREE);
 }
 
 fn exchange_each(text: &str) {
