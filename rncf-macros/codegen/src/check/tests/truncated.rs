@@ -1,5 +1,6 @@
 //! Half-typed text never panics, and is never a model.
 
+use super::free::FREE;
 use super::joints::JOINTS;
 use super::*;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
@@ -72,6 +73,19 @@ fn cut_after_every_token() {
     assert!(survives(tokens));
 }
 
+#[test]
+fn free_frames_cut_after_every_token() {
+    let tokens: TokenStream = FREE.parse().unwrap();
+    let total = count(tokens.clone());
+    for budget in 0..total - 8 {
+        assert!(
+            !survives(cut(tokens.clone(), &mut budget.clone())),
+            "a model after {budget} tokens"
+        );
+    }
+    assert!(survives(tokens));
+}
+
 /// What joints and springs hold on to, and what is observed of them.
 #[test]
 fn half_of_a_linkage() {
@@ -85,19 +99,6 @@ fn half_of_a_linkage() {
         for at in 0..total {
             survives(exchanged(tokens.clone(), &mut at.clone(), &by));
         }
-    }
-    assert!(survives(tokens));
-}
-
-#[test]
-fn free_frames_cut_after_every_token() {
-    let tokens: TokenStream = super::free::FREE.parse().unwrap();
-    let total = count(tokens.clone());
-    for budget in 0..total - 8 {
-        assert!(
-            !survives(cut(tokens.clone(), &mut budget.clone())),
-            "a model after {budget} tokens"
-        );
     }
     assert!(survives(tokens));
 }
@@ -128,7 +129,7 @@ fn any_one_token_exchanged() {
 
 #[test]
 fn any_one_token_of_free_frames_exchanged() {
-    exchange_each(super::free::FREE);
+    exchange_each(FREE);
 }
 
 fn exchange_each(text: &str) {
