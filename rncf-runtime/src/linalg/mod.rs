@@ -1,6 +1,7 @@
 //! Sparse linear algebra: a fixed pattern, its factorizations, and saddle-point systems on it.
 
 mod banded;
+mod eigen;
 mod lu;
 mod order;
 mod pattern;
@@ -8,6 +9,7 @@ mod saddle;
 mod scalar;
 mod sparse;
 
+pub use eigen::{Cholesky, Indefinite, NaturalModes, natural_modes, product, symmetric_eigen, times};
 pub use lu::Lu;
 pub use pattern::Pattern;
 pub use saddle::{Saddle, Singular};

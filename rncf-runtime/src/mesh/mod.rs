@@ -12,6 +12,7 @@ mod free;
 mod layout;
 mod line;
 mod markers;
+mod modal;
 mod outputs;
 mod parts;
 mod scene;
