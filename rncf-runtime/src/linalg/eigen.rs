@@ -79,9 +79,7 @@ pub fn symmetric_eigen(size: usize, matrix: &[f64]) -> Result<(Vec<f64>, Vec<Vec
     if size == 0 {
         return Ok((Vec::new(), Vec::new()));
     }
-    let dense = Mat::from_fn(size, size, |i, j| {
-        0.5 * (matrix[i * size + j] + matrix[j * size + i])
-    });
+    let dense = Mat::from_fn(size, size, |i, j| 0.5 * (matrix[i * size + j] + matrix[j * size + i]));
     let eigen = dense.self_adjoint_eigen(Side::Lower).map_err(|_| Indefinite)?;
     let values = (0..size).map(|i| eigen.S()[i]).collect();
     let vectors = (0..size)
@@ -104,12 +102,7 @@ pub struct NaturalModes {
 ///
 /// # Errors
 /// K or M is not positive definite.
-pub fn natural_modes(
-    size: usize,
-    stiffness: &[f64],
-    mass: &[f64],
-    count: usize,
-) -> Result<NaturalModes, Indefinite> {
+pub fn natural_modes(size: usize, stiffness: &[f64], mass: &[f64], count: usize) -> Result<NaturalModes, Indefinite> {
     let factor = Cholesky::new(size, stiffness)?;
     // L^-1 M L^-T
     let mut flexibility = mass.to_vec();

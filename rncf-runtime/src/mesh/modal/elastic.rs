@@ -92,7 +92,9 @@ impl Expansion {
         let mut sum = self.constant.clone();
         let mut add = |factor: f64, matrix: &[f64]| {
             if factor != 0.0 {
-                sum.iter_mut().zip(matrix).for_each(|(sum, entry)| *sum += factor * entry);
+                sum.iter_mut()
+                    .zip(matrix)
+                    .for_each(|(sum, entry)| *sum += factor * entry);
             }
         };
         let square = self.constant.len();
@@ -202,7 +204,11 @@ impl ModalBody {
     /// Whether the constants reproduce the elements at a displaced and moving state.
     fn agrees(&self, expanded: &Self, elements: &dyn Elements, steps: &[f64]) -> bool {
         let k = self.modes();
-        let p: Vec<f64> = steps.iter().enumerate().map(|(i, s)| s * (1.3 - 0.4 * i as f64)).collect();
+        let p: Vec<f64> = steps
+            .iter()
+            .enumerate()
+            .map(|(i, s)| s * (1.3 - 0.4 * i as f64))
+            .collect();
         let v: Vec<f64> = steps
             .iter()
             .zip(&self.frequencies)
@@ -217,13 +223,13 @@ impl ModalBody {
     }
 
     /// Nodal vectors of one element and k numbers of phi for each of its components.
-    fn gathered(&self, element: usize, full: &[f64]) -> Vec<f64> {
+    pub(super) fn gathered(&self, element: usize, full: &[f64]) -> Vec<f64> {
         let mut local = vec![0.0; self.nodal.connectivity.size];
         self.nodal.connectivity.gather(element, full, &mut local);
         local
     }
 
-    fn full(&self, p: &[f64], v: &[f64]) -> [Vec<f64>; 2] {
+    pub(super) fn full(&self, p: &[f64], v: &[f64]) -> [Vec<f64>; 2] {
         let mut full = [vec![0.0; self.nodal.shape.len()], vec![0.0; self.nodal.shape.len()]];
         self.expand(p, &mut full[0]);
         self.expand_rate(v, &mut full[1]);

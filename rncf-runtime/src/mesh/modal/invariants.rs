@@ -129,7 +129,12 @@ impl Invariants {
             .chunks_exact(whole.len())
             .map(|row| row.iter().zip(whole).map(|(m, c)| m * c).sum())
             .collect();
-        let first_moment = |u: &[Vector]| moments.iter().zip(u).fold([0.0; 3], |sum, (&d, &u)| add(sum, scale(d, u)));
+        let first_moment = |u: &[Vector]| {
+            moments
+                .iter()
+                .zip(u)
+                .fold([0.0; 3], |sum, (&d, &u)| add(sum, scale(d, u)))
+        };
         let weighted_modes: Vec<Vec<Vector>> = modes.iter().map(|mode| weighted(mass, mode)).collect();
         let pairs = || (0..k).flat_map(|i| (0..k).map(move |j| (i, j)));
         let inner = |i: usize, j: usize| {
@@ -251,17 +256,33 @@ impl Invariants {
         resize(&mut out.damping, 6 * (3 + k));
         resize(&mut out.stiffness, 6 * k);
         resize(&mut out.spin, 3 * k);
-        block(&mut out.mass, 6 + k, 0, 0, &plus(&[[0.0; 3]; 3], self.mass, &identity()));
+        block(
+            &mut out.mass,
+            6 + k,
+            0,
+            0,
+            &plus(&[[0.0; 3]; 3], self.mass, &identity()),
+        );
         block(&mut out.mass, 6 + k, 0, 3, &transpose(&tilt));
         block(&mut out.mass, 6 + k, 3, 0, &tilt);
         block(&mut out.mass, 6 + k, 3, 3, &body.inertia);
         block(&mut out.damping, 3 + k, 0, 0, &by_spin);
         block(&mut out.damping, 3 + k, 3, 0, &gyroscopic);
         for j in 0..k {
-            let shifted = if moves { self.shifted_back(j, at.p) } else { self.first[j] };
+            let shifted = if moves {
+                self.shifted_back(j, at.p)
+            } else {
+                self.first[j]
+            };
             column(&mut out.mass, 6 + k, 6 + j, self.phibar[j], body.gamma[j]);
             let coriolis = scale(2.0, apply(&shifted, w));
-            column(&mut out.damping, 3 + k, 3 + j, scale(2.0, cross(w, self.phibar[j])), coriolis);
+            column(
+                &mut out.damping,
+                3 + k,
+                3 + j,
+                scale(2.0, cross(w, self.phibar[j])),
+                coriolis,
+            );
             self.spin_row(action, at, j, &mut out.spin);
         }
         if moves {

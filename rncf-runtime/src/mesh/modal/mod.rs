@@ -278,12 +278,13 @@ impl ModalBody {
         factor.solve(&mut moved);
         let displacement = self.nodal.expanded(&[moved]);
         let connectivity = &self.nodal.connectivity;
-        self.nodal.each_stiffness(elements, &self.nodal.shape, |components, matrix| {
-            for (row, entries) in components.iter().zip(matrix.chunks_exact(connectivity.size)) {
-                let pull = entries.iter().zip(components).map(|(k, &c)| k * displacement[c]);
-                force[*row] -= pull.sum::<f64>();
-            }
-        });
+        self.nodal
+            .each_stiffness(elements, &self.nodal.shape, |components, matrix| {
+                for (row, entries) in components.iter().zip(matrix.chunks_exact(connectivity.size)) {
+                    let pull = entries.iter().zip(components).map(|(k, &c)| k * displacement[c]);
+                    force[*row] -= pull.sum::<f64>();
+                }
+            });
     }
 }
 
@@ -303,7 +304,8 @@ impl Nodal {
 
     /// `E x` of several x, interleaved: one number of each for every component.
     fn expanded(&self, reduced: &[Vec<f64>]) -> Vec<f64> {
-        let value = |entry: &Option<(usize, f64)>, x: &Vec<f64>| entry.map_or(0.0, |(unknown, factor)| factor * x[unknown]);
+        let value =
+            |entry: &Option<(usize, f64)>, x: &Vec<f64>| entry.map_or(0.0, |(unknown, factor)| factor * x[unknown]);
         let all = |entry| reduced.iter().map(move |x| value(entry, x));
         self.map.iter().flat_map(all).collect()
     }
@@ -386,7 +388,9 @@ impl Nodal {
     fn sizes(&self, modes: &[f64], k: usize) -> Vec<f64> {
         let position = |component: usize| self.whole[component / self.dimension] != 0.0;
         let span = |axis: usize| {
-            let places = (axis..self.shape.len()).step_by(self.dimension).filter(|&c| position(c));
+            let places = (axis..self.shape.len())
+                .step_by(self.dimension)
+                .filter(|&c| position(c));
             let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| {
                 (low.min(self.shape[c]), high.max(self.shape[c]))
             });
@@ -394,7 +398,8 @@ impl Nodal {
         };
         let extent = (0..self.dimension).map(span).map(|x| x * x).sum::<f64>().sqrt();
         let most = |mode: usize| {
-            let size = |component: usize| modes[component * k + mode].abs() / if position(component) { extent } else { 1.0 };
+            let size =
+                |component: usize| modes[component * k + mode].abs() / if position(component) { extent } else { 1.0 };
             (0..self.map.len()).map(size).fold(0.0, f64::max)
         };
         (0..k).map(|mode| 1.0 / most(mode)).collect()

@@ -71,7 +71,12 @@ impl ModalBody {
     /// A loss of stiffness at modal coordinates p which the whole body would not have, if there is
     /// one: the symmetric part of the elastic and centrifugal stiffness is compared with that at rest,
     /// at p and in the equilibrium with the spin. (Euler terms are skew and do not soften.)
-    pub fn loss_of_stiffness(&self, elements: &dyn Elements, frame: &FrameAction, p: &[f64]) -> Option<LossOfStiffness> {
+    pub fn loss_of_stiffness(
+        &self,
+        elements: &dyn Elements,
+        frame: &FrameAction,
+        p: &[f64],
+    ) -> Option<LossOfStiffness> {
         let action = Action {
             spin_rate: [0.0; 3],
             ..Action::new(frame, self.nodal.dimension)
@@ -81,17 +86,18 @@ impl ModalBody {
             return None;
         }
         let mut softest = self.softest(elements, &action, p)?;
-        let mut whole = self.whole_stiffness(elements, &action, &softest.direction)?;
+        let stretched = self.stretched(&action)?;
+        let mut whole = self.whole_stiffness(elements, &action, &stretched, &softest.direction);
         let lost = |softest: &Softest, whole: f64| softest.remaining < LOWEST && whole > softest.remaining + MISSING;
         if !lost(&softest, whole) {
             return None;
         }
         // The state may only not have stretched yet.
         if self.moves()
-            && let Some(settled) = self.settled(elements, &action)
+            && let Some(settled) = self.settled(elements, &action, self.coordinates(&stretched))
         {
             softest = self.softest(elements, &action, &settled)?;
-            whole = self.whole_stiffness(elements, &action, &softest.direction)?;
+            whole = self.whole_stiffness(elements, &action, &stretched, &softest.direction);
         }
         lost(&softest, whole).then(|| LossOfStiffness {
             body: self.nodal.name.clone(),
@@ -125,21 +131,25 @@ impl ModalBody {
         })
     }
 
-    /// Stiffness of the whole body along a direction p, stretched as the spin does it to first order.
-    fn whole_stiffness(&self, elements: &dyn Elements, action: &Action, direction: &[f64]) -> Option<f64> {
+    /// Nodal vectors of the whole body, stretched by the spin to first order in its square.
+    fn stretched(&self, action: &Action) -> Option<Vec<f64>> {
         let nodal = &self.nodal;
         let w = action.spin;
         let shape = nodal.vectors(&mut nodal.shape.iter().copied());
-        let pull: Vec<Vector> = shape.iter().map(|&q| cross(w, cross(w, q))).collect();
-        let flat: Vec<f64> = pull.iter().flat_map(|u| u[..nodal.dimension].to_vec()).collect();
-        let mut load = nodal.reduced(&nodal.momenta(&flat, 1));
+        let pull = |&q: &Vector| -> Vec<f64> { cross(w, cross(w, q))[..nodal.dimension].to_vec() };
+        let pull: Vec<f64> = shape.iter().flat_map(pull).collect();
+        let mut load = nodal.reduced(&nodal.momenta(&pull, 1));
         self.stiffness.as_ref()?.solve(&mut load);
         let stretch = nodal.expanded(&[load]);
-        let q: Vec<f64> = nodal.shape.iter().zip(&stretch).map(|(q0, u)| q0 - u).collect();
+        Some(nodal.shape.iter().zip(&stretch).map(|(q0, u)| q0 - u).collect())
+    }
+
+    /// Stiffness of the whole body with nodal vectors q along a direction p.
+    fn whole_stiffness(&self, elements: &dyn Elements, action: &Action, q: &[f64], direction: &[f64]) -> f64 {
         let mut moved = vec![0.0; q.len()];
         self.expand_rate(direction, &mut moved);
         let mut sum = 0.0;
-        nodal.each_stiffness(elements, &q, |components, matrix| {
+        self.nodal.each_stiffness(elements, q, |components, matrix| {
             for (&row, entries) in components.iter().zip(matrix.chunks_exact(components.len())) {
                 let force: f64 = entries.iter().zip(components).map(|(k, &c)| k * moved[c]).sum();
                 sum += moved[row] * force;
@@ -148,19 +158,22 @@ impl ModalBody {
         let k = self.modes();
         let (mut centrifugal, mut coriolis) = (vec![0.0; k * k], vec![0.0; k * k]);
         self.invariants.modal_tangent(action, &mut centrifugal, &mut coriolis);
-        let softening: f64 = times(k, &centrifugal, direction).iter().zip(direction).map(|(a, b)| a * b).sum();
-        Some(sum + softening)
+        let softening: f64 = times(k, &centrifugal, direction)
+            .iter()
+            .zip(direction)
+            .map(|(a, b)| a * b)
+            .sum();
+        sum + softening
     }
 
-    /// Modal coordinates of the equilibrium with the spin, by Newton's method from the shape at rest.
-    fn settled(&self, elements: &dyn Elements, action: &Action) -> Option<Vec<f64>> {
+    /// Modal coordinates of the stable equilibrium with the spin, by Newton's method from p.
+    fn settled(&self, elements: &dyn Elements, action: &Action, mut p: Vec<f64>) -> Option<Vec<f64>> {
         let k = self.modes();
         let zeros = vec![0.0; k];
         let spin = Action {
             acceleration: [0.0; 3],
             ..*action
         };
-        let mut p = zeros.clone();
         for _ in 0..STEPS {
             let mut force = zeros.clone();
             let motion = Motion {
