@@ -36,8 +36,10 @@ pub struct Nodal {
     pub connectivity: Connectivity,
     /// Undeformed nodal vectors q0, m or 1.
     pub shape: Vec<f64>,
-    /// M^ab of the whole body, kg for positions, rows first.
+    /// M^ab of all elements, kg for positions, rows first.
     pub mass: Vec<f64>,
+    /// M^ab of fixtures. They shape the modes, and act through the nodal vectors otherwise.
+    pub fixtures: Vec<f64>,
     /// Nodal values of the constant 1: one for positions, zero for slopes.
     pub whole: Vec<f64>,
     /// E: the freedom that each component depends on, and the factor; `None` where a joint to the
@@ -59,6 +61,8 @@ pub struct ModalBody {
     frequencies: Vec<f64>,
     sizes: Vec<f64>,
     invariants: Invariants,
+    /// With the fixtures.
+    loaded: Invariants,
     elastic: Elastic,
     /// Factor of E^T K E at the undeformed shape; none for a rigid body with loose freedoms.
     stiffness: Option<Cholesky>,
@@ -99,7 +103,8 @@ impl ModalBody {
             .map(|mode| vectors(&mut modes.iter().skip(mode).step_by(count).copied()))
             .collect();
         let shape = vectors(&mut nodal.shape.iter().copied());
-        let invariants = Invariants::new(&nodal.mass, &nodal.whole, &shape, &shapes);
+        let of = |mass: &[f64]| Invariants::new(mass, &nodal.whole, &shape, &shapes);
+        let (invariants, loaded) = (of(&nodal.mass), of(&nodal.loaded_mass()));
         let mut body = Self {
             nodal,
             fidelity,
@@ -108,6 +113,7 @@ impl ModalBody {
             frequencies,
             sizes,
             invariants,
+            loaded,
             elastic: Elastic::Elements,
             stiffness: factor,
         };
@@ -181,7 +187,7 @@ impl ModalBody {
         p
     }
 
-    /// Mass matrix of the modal coordinates, k x k: unity up to round-off.
+    /// Mass matrix of the modal coordinates without fixtures, k x k; with them it is unity.
     pub fn mass(&self) -> &[f64] {
         self.invariants.inner()
     }
@@ -351,15 +357,21 @@ impl Nodal {
         sum
     }
 
+    /// M^ab with the fixtures.
+    fn loaded_mass(&self) -> Vec<f64> {
+        self.mass.iter().zip(&self.fixtures).map(|(m, f)| m + f).collect()
+    }
+
     /// `E^T M E`
     fn reduced_mass(&self) -> Vec<f64> {
+        let mass = self.loaded_mass();
         let (n, d, count) = (self.freedoms, self.dimension, self.whole.len());
         let mut sum = vec![0.0; n * n];
         for a in 0..count {
             for b in 0..count {
                 for c in 0..d {
                     if let (Some((i, f)), Some((j, g))) = (self.map[a * d + c], self.map[b * d + c]) {
-                        sum[i * n + j] += f * g * self.mass[a * count + b];
+                        sum[i * n + j] += f * g * mass[a * count + b];
                     }
                 }
             }
@@ -369,11 +381,12 @@ impl Nodal {
 
     /// `M^ab u_b` of k interleaved sets of nodal vectors.
     fn momenta(&self, sets: &[f64], k: usize) -> Vec<f64> {
+        let loaded = self.loaded_mass();
         let (count, width) = (self.whole.len(), self.dimension * k);
         let mut result = vec![0.0; sets.len()];
         for a in 0..count {
             for b in 0..count {
-                let mass = self.mass[a * count + b];
+                let mass = loaded[a * count + b];
                 if mass != 0.0 {
                     for place in 0..width {
                         result[a * width + place] += mass * sets[b * width + place];

@@ -112,7 +112,7 @@ impl ModalBody {
     fn stiffness_in_spin(&self, elements: &dyn Elements, action: &Action, p: &[f64]) -> Vec<f64> {
         let k = self.modes();
         let (mut stiffness, mut damping) = (vec![0.0; k * k], vec![0.0; k * k]);
-        self.invariants.modal_tangent(action, &mut stiffness, &mut damping);
+        self.loaded.modal_tangent(action, &mut stiffness, &mut damping);
         self.elastic_tangent(elements, p, &vec![0.0; k], &mut stiffness, &mut damping);
         stiffness
     }
@@ -157,7 +157,7 @@ impl ModalBody {
         });
         let k = self.modes();
         let (mut centrifugal, mut coriolis) = (vec![0.0; k * k], vec![0.0; k * k]);
-        self.invariants.modal_tangent(action, &mut centrifugal, &mut coriolis);
+        self.loaded.modal_tangent(action, &mut centrifugal, &mut coriolis);
         let softening: f64 = times(k, &centrifugal, direction)
             .iter()
             .zip(direction)
@@ -181,7 +181,7 @@ impl ModalBody {
                 v: &zeros,
                 a: &zeros,
             };
-            self.invariants.modal_force(&spin, motion, &mut force);
+            self.loaded.modal_force(&spin, motion, &mut force);
             self.elastic_force(elements, &p, &zeros, &mut force);
             // Only a stable equilibrium counts.
             let factor = Cholesky::new(k, &self.stiffness_in_spin(elements, action, &p)).ok()?;

@@ -132,6 +132,7 @@ fn cantilever(dimension: usize, count: usize, slenderness: f64, hub: f64, dampin
             components,
         },
         shape,
+        fixtures: vec![0.0; vectors * vectors],
         mass,
         whole: (0..vectors).map(|a| if a % 2 == 0 { 1.0 } else { 0.0 }).collect(),
         freedoms: (vectors - 2) * d + 1,
