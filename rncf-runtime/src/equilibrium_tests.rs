@@ -124,6 +124,7 @@ impl Scene for Arm {
             t: state.t,
             q: state.x.clone(),
             v: state.v.clone(),
+            poses: Vec::new(),
         }
     }
     fn state_of_frame(&self, frame: &FrameState) -> State {

@@ -1,7 +1,9 @@
 //! What a generated model says of itself: parameters, outputs, and how it becomes a scene.
 
 use crate::error::ModelError;
+use crate::rotation::Rotation;
 use crate::system::{State, System};
+use crate::vector::Vector;
 
 /// How the bodies are described.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -194,6 +196,12 @@ pub trait Scene: System + Send {
 
     /// Largest angular velocity of a body's frame at `t`, rad/s.
     fn spin(&self, t: f64) -> f64;
+
+    /// Where the model does not describe its bodies well at a state, one sentence each, naming the body
+    /// and what to do (THEORY 10, T10).
+    fn warnings(&mut self, _state: &State) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// Nodal vectors of all bodies in their declared frames at one time.
@@ -205,4 +213,21 @@ pub struct FrameState {
     pub q: Vec<f64>,
     /// Their time derivatives in the frame.
     pub v: Vec<f64>,
+    /// Poses and velocities of the free frames, ascending; empty: as declared.
+    pub poses: Vec<Pose>,
+}
+
+/// Pose and velocities of a free frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose {
+    /// Origin, m, inertial axes.
+    pub position: Vector,
+    /// From the frame's axes to the inertial ones.
+    pub rotation: Rotation,
+    /// Angle of a planar or hinged frame, rad, which counts beyond a turn; else 0.
+    pub angle: f64,
+    /// Velocity of the origin, m/s, inertial axes.
+    pub velocity: Vector,
+    /// Angular velocity, rad/s, frame axes.
+    pub spin: Vector,
 }

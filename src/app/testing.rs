@@ -284,6 +284,7 @@ impl Scene for RotorScene {
             t,
             q: vec![LENGTH, 0.0],
             v: vec![0.0; 2],
+            poses: Vec::new(),
         })
     }
 
@@ -293,6 +294,7 @@ impl Scene for RotorScene {
             t: state.t,
             q: q.to_vec(),
             v: v.to_vec(),
+            poses: Vec::new(),
         }
     }
 

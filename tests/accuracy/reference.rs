@@ -170,6 +170,7 @@ impl Reference {
             t: first.t,
             q: first.q.clone(),
             v: first.v.clone(),
+            poses: Vec::new(),
         })
     }
 }

@@ -52,7 +52,7 @@ impl Connectivity {
 }
 
 /// Places of element matrix entries on a pattern.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Scatter {
     entries: Vec<(u32, f64)>,
     size: usize,

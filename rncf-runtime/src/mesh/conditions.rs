@@ -25,6 +25,8 @@ pub struct Condition {
     pub position_eliminated: bool,
     /// What is eliminated of the slope.
     pub slope_kind: VectorKind,
+    /// Vector and component that are held at their undeformed value.
+    pub held: Option<(usize, usize)>,
     /// Rows of the joint's conditions that keep multipliers.
     pub rows: Vec<usize>,
 }
@@ -90,10 +92,17 @@ pub fn condition(
     let all = row_count(joint.kind, dimension);
     let own_frame = if absolute { 0 } else { body.frame };
     let turns = joint.frame != own_frame;
+    let mut held = None;
     let (position_eliminated, slope_kind, rows) = match (joints, joint.kind) {
         (Joints::Multipliers, _) => (false, VectorKind::Free, (0..all).collect()),
         (Joints::Eliminated, JointKind::Pin) => (true, VectorKind::Free, Vec::new()),
-        (Joints::Eliminated, JointKind::Hold { .. }) => (false, VectorKind::Free, Vec::new()),
+        // Held components are those of the body's own frame.
+        (Joints::Eliminated, JointKind::Hold { .. }) if own_frame != body.frame => (false, VectorKind::Free, vec![0]),
+        (Joints::Eliminated, JointKind::Hold { order, axis }) => {
+            let component = body.axes.iter().position(|&other| other == axis);
+            held = component.map(|component| (if order == 0 { position } else { slope }, component));
+            (false, VectorKind::Free, Vec::new())
+        }
         (Joints::Eliminated, JointKind::ClampFull) => (true, VectorKind::Prescribed, Vec::new()),
         (Joints::Eliminated, JointKind::Clamp) if turns => (true, VectorKind::Free, (dimension..all).collect()),
         (Joints::Eliminated, JointKind::Clamp) => {
@@ -113,6 +122,30 @@ pub fn condition(
         absolute,
         position_eliminated,
         slope_kind,
+        held,
         rows,
     }
+}
+
+/// What is unknown of every vector after all conditions: several may share a node.
+pub fn vector_kinds(count: usize, conditions: &[Condition]) -> Vec<VectorKind> {
+    let mut kinds = vec![VectorKind::Free; count];
+    for condition in conditions {
+        if condition.position_eliminated {
+            kinds[condition.position] = VectorKind::Prescribed;
+        }
+        if condition.slope_kind != VectorKind::Free {
+            kinds[condition.slope] = condition.slope_kind;
+        }
+    }
+    for &(vector, component) in conditions.iter().filter_map(|condition| condition.held.as_ref()) {
+        kinds[vector] = match kinds[vector] {
+            VectorKind::Free => VectorKind::Held(std::array::from_fn(|i| i == component)),
+            VectorKind::Held(held) => VectorKind::Held(std::array::from_fn(|i| held[i] || i == component)),
+            // The norm is held through a component; a component across the direction is zero anyway.
+            VectorKind::Directed(direction) if direction[component] != 0.0 => VectorKind::Held([true; 3]),
+            kind => kind,
+        };
+    }
+    kinds
 }

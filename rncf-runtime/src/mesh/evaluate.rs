@@ -5,6 +5,9 @@ use super::conditions::Condition;
 use super::layout::VectorKind;
 use super::parts::{LoadKind, Parts, Prescribed};
 use super::scene::{Buffers, MeshBody, MeshScene, Regime};
+use crate::model::Scene;
+use crate::rotation::Rotation;
+use crate::system::State;
 use crate::vector::add;
 
 /// Degrees of freedom of the largest element.
@@ -20,15 +23,46 @@ pub(super) fn weighted(full: &[f64], components: &[usize], dimension: usize, wei
 }
 
 impl<P: Parts> MeshScene<P> {
-    /// Fills the full state: frames, prescribed vectors, then the unknowns.
-    pub(super) fn load_state(&mut self, t: f64, x: &[f64], v: &[f64], a: &[f64], regime: Regime) {
+    /// Fills the full state: prescribed frames, unknowns, free frames, prescribed vectors.
+    pub(super) fn load(&mut self, t: f64, turns: &[Rotation], [x, v, a]: [&[f64]; 3], regime: Regime) {
         let buffers = &mut self.buffers;
         self.parts.frames(t, &mut buffers.frames);
+        self.layout.expand(x, &mut buffers.q);
+        self.layout.expand(v, &mut buffers.v);
+        self.layout.expand(a, &mut buffers.a);
+        let border = self.layout.vector_components();
+        for frame in &self.free {
+            let own = border + frame.first..border + frame.first + frame.count();
+            let turn = frame.turn.and_then(|turn| turns.get(turn)).copied().unwrap_or_default();
+            let [x, v, a] = [&buffers.q, &buffers.v, &buffers.a].map(|full| &full[own.clone()]);
+            let parent = buffers.frames[frame.spec.parent];
+            buffers.frames[frame.spec.frame] = frame.motion(&parent, turn, x, v, a);
+        }
+        for &(frame, motion) in &self.fixed {
+            buffers.frames[frame] = motion;
+        }
         if let Regime::Steady(scale) = regime {
             for frame in &mut buffers.frames {
                 *frame = frame.steady(scale);
             }
         }
+        self.set_prescribed(t);
+    }
+
+    /// Fills the full state of a system's state as it moves.
+    pub(super) fn load_state(&mut self, state: &State) {
+        self.load(state.t, &state.turns, [&state.x, &state.v, &state.a], Regime::Moving);
+    }
+
+    /// Fills the full state of the declared start.
+    pub(super) fn load_rest(&mut self) {
+        let rest = self.rest(0.0);
+        self.load_state(&rest);
+    }
+
+    /// Fills in what the eliminated conditions prescribe.
+    fn set_prescribed(&mut self, t: f64) {
+        let buffers = &mut self.buffers;
         for condition in &self.conditions {
             let dimension = self.bodies[self.joints[condition.joint].body].spec.dimension();
             let slope_prescribed = condition.slope_kind == VectorKind::Prescribed;
@@ -38,11 +72,12 @@ impl<P: Parts> MeshScene<P> {
             let mut prescribed = Prescribed::default();
             self.parts
                 .prescribed(condition.joint, condition.absolute, t, &condition.data, &mut prescribed);
-            let mut set = |vector: usize, values: [[f64; 3]; 3]| {
+            let mut set = |vector: usize, values: [[f64; 3]; 4]| {
                 let place = self.layout.offset(vector);
-                buffers.q[place..place + dimension].copy_from_slice(&values[0][..dimension]);
-                buffers.v[place..place + dimension].copy_from_slice(&values[1][..dimension]);
-                buffers.a[place..place + dimension].copy_from_slice(&values[2][..dimension]);
+                let full = [&mut buffers.q, &mut buffers.v, &mut buffers.a, &mut buffers.jerks];
+                for (full, value) in full.into_iter().zip(values) {
+                    full[place..place + dimension].copy_from_slice(&value[..dimension]);
+                }
             };
             if condition.position_eliminated {
                 set(condition.position, prescribed.position);
@@ -51,9 +86,6 @@ impl<P: Parts> MeshScene<P> {
                 set(condition.slope, prescribed.slope);
             }
         }
-        self.layout.expand(x, &mut buffers.q);
-        self.layout.expand(v, &mut buffers.v);
-        self.layout.expand(a, &mut buffers.a);
     }
 
     /// Sum of all gravity loads, inertial axes.
@@ -80,9 +112,12 @@ impl<P: Parts> MeshScene<P> {
             force,
             frames,
             results,
+            ..
         } = &mut self.buffers;
         force.fill(0.0);
-        for (index, body) in self.bodies.iter().enumerate() {
+        let in_modes = self.in_modes;
+        let whole = |body: &&MeshBody| !in_modes || body.modes.is_none();
+        for (index, body) in self.bodies.iter().enumerate().filter(|(_, body)| whole(body)) {
             let action = frames[body.frame].action(body.spec.axes, gravity);
             let size = body.spec.element_size();
             let (q, v, a): (&[f64], &[f64], &[f64]) = (q, v, a);
@@ -111,6 +146,14 @@ impl<P: Parts> MeshScene<P> {
             }
         }
         self.add_loads(t, load_scale);
+        self.add_carried_forces(gravity);
+        self.add_fixture_forces(gravity);
+        self.add_marker_forces(t, load_scale);
+    }
+
+    /// Whether a load acts through a marker, since a free frame feels it.
+    fn is_marked(&self, load: usize) -> bool {
+        self.marked_loads.iter().any(|marked| marked.load == load)
     }
 
     /// Force or moment of a load in the axes of its body, in their order.
@@ -135,7 +178,7 @@ impl<P: Parts> MeshScene<P> {
 
     fn add_loads(&mut self, t: f64, load_scale: f64) {
         for index in 0..self.loads.len() {
-            let Some(point) = &self.load_points[index] else {
+            let Some(point) = self.load_points[index].as_ref().filter(|_| !self.is_marked(index)) else {
                 continue;
             };
             let body = &self.bodies[point.body];
@@ -171,7 +214,9 @@ impl<P: Parts> MeshScene<P> {
         let Buffers {
             q, v, frames, results, ..
         } = &mut self.buffers;
-        for (index, body) in self.bodies.iter().enumerate() {
+        let in_modes = self.in_modes;
+        let whole = |body: &&MeshBody| !in_modes || body.modes.is_none();
+        for (index, body) in self.bodies.iter().enumerate().filter(|(_, body)| whole(body)) {
             let action = frames[body.frame].action(body.spec.axes, [0.0; 3]);
             let size = body.spec.element_size();
             let (q, v): (&[f64], &[f64]) = (q, v);
@@ -193,6 +238,8 @@ impl<P: Parts> MeshScene<P> {
             }
         }
         self.add_load_tangents(t, load_scale, stiffness);
+        self.add_fixture_tangents(stiffness, damping);
+        self.add_marker_force_tangents(t, load_scale, stiffness, damping);
     }
 
     fn add_load_tangents(&self, t: f64, load_scale: f64, stiffness: &mut [f64]) {
@@ -200,6 +247,9 @@ impl<P: Parts> MeshScene<P> {
             let (Some(point), LoadKind::Moment { .. }) = (point, self.loads[index].kind) else {
                 continue;
             };
+            if self.is_marked(index) {
+                continue;
+            }
             let body = &self.bodies[point.body];
             let (dimension, size) = (body.spec.dimension(), body.spec.element_size());
             let value = self.load_in_body(index, t, body).map(|x| load_scale * x);

@@ -2,7 +2,7 @@
 
 use crate::vector::{add, cross, subtract};
 
-/// Motion of a prescribed frame at one time.
+/// Motion of a frame at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameMotion {
     /// Origin, m, inertial axes.
@@ -17,6 +17,11 @@ pub struct FrameMotion {
     pub spin: [f64; 3],
     /// Its time derivative, rad/s^2, frame axes.
     pub spin_rate: [f64; 3],
+    /// Third time derivative of the origin's position, m/s^3, inertial axes. Constraints on markers in
+    /// a prescribed frame need it on their jerk level.
+    pub jerk: [f64; 3],
+    /// Second time derivative of the angular velocity, rad/s^3, frame axes; needed as `jerk`.
+    pub spin_jerk: [f64; 3],
 }
 
 /// What a moving frame does to a body in it, in the order of the body's axes (planar bodies: spin
@@ -40,6 +45,8 @@ impl FrameMotion {
         rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         spin: [0.0; 3],
         spin_rate: [0.0; 3],
+        jerk: [0.0; 3],
+        spin_jerk: [0.0; 3],
     };
 
     /// A direction in frame axes, given in inertial axes: `A^T d`.
@@ -100,6 +107,8 @@ impl FrameMotion {
             acceleration: self.acceleration.map(|a| scale * scale * a),
             spin: self.spin.map(|w| scale * w),
             spin_rate: [0.0; 3],
+            jerk: self.jerk.map(|j| scale * scale * scale * j),
+            spin_jerk: [0.0; 3],
             ..*self
         }
     }

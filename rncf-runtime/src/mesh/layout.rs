@@ -9,6 +9,8 @@ pub enum VectorKind {
     Free,
     /// The norm along a constant unit vector (components in the body's order).
     Directed([f64; 3]),
+    /// The components that are not held; held ones keep their undeformed value.
+    Held([bool; 3]),
     /// Nothing: the vector is a given function of time.
     Prescribed,
 }
@@ -25,8 +27,9 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Numbers vectors of the given dimensions in order.
-    pub fn new(dimensions: &[usize], kinds: Vec<VectorKind>) -> Self {
+    /// Numbers vectors of the given dimensions in order, then `border` more components that are
+    /// unknowns themselves: those of free frames.
+    pub fn new(dimensions: &[usize], kinds: Vec<VectorKind>, border: usize) -> Self {
         let mut offsets = vec![0];
         let mut map = Vec::new();
         let mut unknowns = 0;
@@ -35,30 +38,44 @@ impl Layout {
                 map.push(match kind {
                     VectorKind::Free => Some((unknowns + component, 1.0)),
                     VectorKind::Directed(direction) => Some((unknowns, direction[component])),
+                    VectorKind::Held(held) if held[component] => None,
+                    VectorKind::Held(held) => Some((unknowns + free_components(held, component), 1.0)),
                     VectorKind::Prescribed => None,
                 });
             }
             unknowns += match kind {
                 VectorKind::Free => dimension,
                 VectorKind::Directed(_) => 1,
+                VectorKind::Held(held) => free_components(held, dimension),
                 VectorKind::Prescribed => 0,
             };
             offsets.push(map.len());
         }
+        map.extend((unknowns..unknowns + border).map(|unknown| Some((unknown, 1.0))));
         Self {
             kinds,
             offsets,
             map,
-            unknowns,
+            unknowns: unknowns + border,
         }
     }
 
-    /// Number of unknowns.
+    /// Number of unknowns, those of free frames at the end.
     pub fn unknowns(&self) -> usize {
         self.unknowns
     }
 
-    /// Number of components of all vectors.
+    /// Number of unknowns of free frames.
+    pub fn border(&self) -> usize {
+        self.map.len() - self.vector_components()
+    }
+
+    /// Number of components of all vectors: those of free frames follow.
+    pub fn vector_components(&self) -> usize {
+        self.offsets[self.offsets.len() - 1]
+    }
+
+    /// Number of components of all vectors and free frames.
     pub fn components(&self) -> usize {
         self.map.len()
     }
@@ -97,9 +114,9 @@ impl Layout {
         }
     }
 
-    /// The vector and component of every unknown; component 0 stands for the norm of a directed one.
+    /// The vector and component of every unknown that belongs to one; component 0 stands for the norm of a directed one.
     pub fn origins(&self) -> Vec<(usize, usize)> {
-        let mut origins = vec![(0, 0); self.unknowns];
+        let mut origins = vec![(0, 0); self.unknowns - self.border()];
         for vector in (0..self.kinds.len()).rev() {
             for component in (self.offsets[vector]..self.offsets[vector + 1]).rev() {
                 if let Some((unknown, _)) = self.map[component] {
@@ -109,4 +126,9 @@ impl Layout {
         }
         origins
     }
+}
+
+/// How many of the first `count` components are not held.
+fn free_components(held: &[bool; 3], count: usize) -> usize {
+    held[..count].iter().filter(|&&held| !held).count()
 }

@@ -4,14 +4,19 @@
 //! here is the same for all models: numbering, assembly, elimination, initial states.
 
 mod assembly;
+mod carried;
 mod checks;
 mod conditions;
 mod evaluate;
+mod fixtures;
 mod frame;
+mod frames;
 mod free;
 mod layout;
 mod line;
+mod linked;
 mod markers;
+mod mean_axes;
 mod modal;
 mod outputs;
 mod parts;
@@ -27,6 +32,7 @@ pub use free::{FreeSpec, Motions, RigidSpec};
 pub use layout::{Layout, VectorKind};
 pub use line::Line;
 pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
+pub use modal::build;
 pub use parts::{
     BodySpec, Carried, CarriedTangent, Fidelity, JointData, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec,
     Parts, Place, PointQuantity, Prescribed,

@@ -1,11 +1,13 @@
 //! What is read off a scene: outputs, reactions, energy.
 
 use super::evaluate::{MAX_SIZE, weighted};
-use super::parts::{LoadKind, ObservedSpec, Parts, PointQuantity};
-use super::scene::{MeshBody, MeshScene, Regime};
+use super::linked::Linked;
+use super::markers::When;
+use super::parts::{JointKind, JointSpec, LoadKind, ObservedSpec, Parts, PointQuantity};
+use super::scene::{MeshBody, MeshScene};
 use crate::model::Scene;
-use crate::system::State;
-use crate::vector::{cross, subtract};
+use crate::system::{State, System};
+use crate::vector::{Vector, add, cross, dot, subtract};
 
 impl<P: Parts> MeshScene<P> {
     /// Energy of a conservative model: kinetic, strain, and potential of gravity and dead forces.
@@ -13,58 +15,82 @@ impl<P: Parts> MeshScene<P> {
         if !self.parts.conservative() {
             return None;
         }
-        self.load_state(state.t, &state.x, &state.v, &state.a, Regime::Moving);
+        self.load_state(state);
         let gravity = self.gravity(state.t);
-        let mut energy = 0.0;
+        let mut energy = self.marker_energy(state.t)?;
+        energy += self.kinetic(state);
+        self.load_state(state);
         for (index, body) in self.bodies.iter().enumerate() {
             let (dimension, size) = (body.spec.dimension(), body.spec.element_size());
-            let pull = self.buffers.frames[body.frame].direction_to_frame(gravity);
+            let frame = &self.buffers.frames[body.frame];
+            let pull = frame.direction_to_frame(gravity);
+            let origin = self.origin(body.frame);
             for element in 0..body.spec.count {
                 let mut q = [0.0; MAX_SIZE];
-                let mut v = [0.0; MAX_SIZE];
                 body.connectivity.gather(element, &self.buffers.q, &mut q[..size]);
-                body.connectivity.gather(element, &self.buffers.v, &mut v[..size]);
                 energy += self.parts.energy(index, element, &q[..size]);
                 let count = body.spec.orders.len();
                 for a in 0..count {
                     for b in 0..count {
-                        let mass = body.mass[a * count + b];
-                        for c in 0..dimension {
-                            energy += 0.5 * mass * v[a * dimension + c] * v[b * dimension + c];
-                            if body.spec.orders[b] == 0 {
-                                // The shape functions of positions add up to one.
+                        // The shape functions of positions add up to one.
+                        if body.spec.orders[b] == 0 {
+                            let mass = body.mass[a * count + b];
+                            for c in 0..dimension {
                                 energy -= mass * q[a * dimension + c] * pull[body.spec.axes[c]];
+                            }
+                            if body.spec.orders[a] == 0 {
+                                energy -= mass * dot(gravity, origin);
                             }
                         }
                     }
                 }
             }
         }
+        for fixture in &self.fixtures {
+            let origin = self.origin(self.bodies[fixture.point.body].frame);
+            energy += self.fixture_potential(fixture, gravity) - fixture.spec.constants[0] * dot(gravity, origin);
+        }
+        for frame in &self.free {
+            let rigid = &frame.spec.rigid;
+            let motion = &self.buffers.frames[frame.spec.frame];
+            let moment = motion.direction_to_inertial(rigid.moment);
+            energy -= rigid.mass * dot(gravity, motion.position) + dot(gravity, moment);
+        }
         for (index, load) in self.loads.iter().enumerate() {
             if let (LoadKind::Force { .. }, Some(point)) = (load.kind, &self.load_points[index]) {
                 let body = &self.bodies[point.body];
                 let force = self.parts.load(index, state.t);
                 let components = body.connectivity.element(point.element);
-                let position = self.spread(
-                    body,
-                    weighted(&self.buffers.q, components, body.spec.dimension(), &point.values),
-                );
+                let position = body.spread(weighted(
+                    &self.buffers.q,
+                    components,
+                    body.spec.dimension(),
+                    &point.values,
+                ));
                 let frames = &self.buffers.frames;
-                let position =
-                    frames[load.frame].direction_to_frame(frames[body.frame].direction_to_inertial(position));
+                let position = frames[body.frame].direction_to_inertial(position);
+                let position = frames[load.frame].direction_to_frame(add(self.origin(body.frame), position));
                 energy -= force[0] * position[0] + force[1] * position[1] + force[2] * position[2];
             }
         }
         Some(energy)
     }
 
-    /// Components in the body's order to three frame axes.
-    pub(super) fn spread(&self, body: &MeshBody, components: [f64; 3]) -> [f64; 3] {
-        let mut vector = [0.0; 3];
-        for (place, &axis) in body.spec.axes.iter().enumerate() {
-            vector[axis] = components[place];
+    /// Kinetic energy, J.
+    fn kinetic(&mut self, state: &State) -> f64 {
+        let mut mass = vec![0.0; self.pattern.entries()];
+        self.mass(state, &mut mass);
+        let mut momentum = vec![0.0; state.v.len()];
+        self.pattern.multiply_add(1.0, &mass, &state.v, &mut momentum);
+        0.5 * momentum.iter().zip(&state.v).map(|(p, v)| p * v).sum::<f64>()
+    }
+
+    /// Origin of a free frame, inertial axes; prescribed ones add a constant to an energy at most.
+    fn origin(&self, frame: usize) -> Vector {
+        match self.free_of[frame] {
+            Some(_) => self.buffers.frames[frame].position,
+            None => [0.0; 3],
         }
-        vector
     }
 
     /// The nodal vector at a place of the full arrays, in frame axes.
@@ -72,7 +98,7 @@ impl<P: Parts> MeshScene<P> {
         let dimension = body.spec.dimension();
         let mut components = [0.0; 3];
         components[..dimension].copy_from_slice(&full[place..place + dimension]);
-        self.spread(body, components)
+        body.spread(components)
     }
 
     /// A vector of a body in its own axes, in the declared frame.
@@ -89,7 +115,7 @@ impl<P: Parts> MeshScene<P> {
     }
 
     /// Value of something observed at the loaded state; forces must be evaluated for reactions.
-    fn observe(&self, index: usize) -> f64 {
+    fn observe(&self, index: usize, t: f64, lambda: &[f64]) -> f64 {
         match self.observed[index] {
             ObservedSpec::Point {
                 body, what, component, ..
@@ -104,48 +130,94 @@ impl<P: Parts> MeshScene<P> {
                     &point.values
                 };
                 let components = body.connectivity.element(point.element);
-                let at = |full: &[f64]| self.spread(body, weighted(full, components, body.spec.dimension(), weights));
+                let at = |full: &[f64]| body.spread(weighted(full, components, body.spec.dimension(), weights));
                 self.in_declared(body, what, [at(&self.buffers.q), at(&self.buffers.v)])[component]
             }
-            ObservedSpec::Marker { .. } | ObservedSpec::ConstraintReaction { .. } | ObservedSpec::Multiplier { .. } => {
-                f64::NAN
-            }
+            ObservedSpec::Marker {
+                marker,
+                derivative,
+                component,
+            } => self.jet(&self.markers[marker])[derivative][component],
+            ObservedSpec::ConstraintReaction {
+                constraint,
+                moment,
+                component,
+            } => match self.linked(constraint) {
+                Some(linked) => self.constraint_reaction(linked, t, lambda)[usize::from(moment)][component],
+                None => 0.0,
+            },
+            ObservedSpec::Multiplier { constraint, row } => match self.linked(constraint) {
+                Some(linked) => lambda[self.first_row(linked) + row],
+                None => 0.0,
+            },
             ObservedSpec::Reaction {
                 joint,
                 moment,
                 component,
-            } => self.reaction(joint, moment)[component],
+            } => self.reaction(joint, moment, t, lambda)[component],
         }
+    }
+
+    /// Place among the constraints that are there of a declared one.
+    fn linked(&self, constraint: usize) -> Option<usize> {
+        self.constraints.iter().position(|linked| linked.index == constraint)
     }
 
     /// What a joint exerts on its body, in the joint's frame: the unbalanced generalised force on
     /// its node is what the joint must supply; `m = slope x force on the slope`.
-    fn reaction(&self, joint: usize, moment: bool) -> [f64; 3] {
-        let condition = &self.conditions[joint];
+    fn reaction(&self, joint: usize, moment: bool, t: f64, lambda: &[f64]) -> Vector {
         let spec = &self.joints[joint];
         let body = &self.bodies[spec.body];
-        let of = |vector: usize, full: &[f64]| self.vector_at(body, full, self.layout.offset(vector));
-        let vector = if moment {
-            cross(
-                of(condition.slope, &self.buffers.q),
-                of(condition.slope, &self.buffers.force),
-            )
-        } else {
-            of(condition.position, &self.buffers.force)
-        };
         let frames = &self.buffers.frames;
+        let Some(condition) = self.conditions.iter().find(|condition| condition.joint == joint) else {
+            return self.reaction_of_substitute(spec, moment, t, lambda);
+        };
+        let of = |vector: usize, full: &[f64]| {
+            let mut value = self.vector_at(body, full, self.layout.offset(vector));
+            if let JointKind::Hold { axis, .. } = spec.kind {
+                value = std::array::from_fn(|i| if i == axis { value[i] } else { 0.0 });
+            }
+            value
+        };
+        let slope = self.vector_at(body, &self.buffers.q, self.layout.offset(condition.slope));
+        let force = &self.buffers.force;
+        let vector = match (spec.kind, moment) {
+            (JointKind::Hold { order: 0, .. } | JointKind::Pin, true) | (JointKind::Hold { order: 1, .. }, false) => {
+                [0.0; 3]
+            }
+            (_, true) => cross(slope, of(condition.slope, force)),
+            (_, false) => of(condition.position, force),
+        };
         if spec.frame == body.frame {
             return vector;
         }
         frames[spec.frame].direction_to_frame(frames[body.frame].direction_to_inertial(vector))
     }
 
+    /// The reaction of the constraint of the same name that stands for a joint to the body's own
+    /// free frame in absolute coordinates.
+    fn reaction_of_substitute(&self, joint: &JointSpec, moment: bool, t: f64, lambda: &[f64]) -> Vector {
+        let stands = |linked: &Linked| linked.spec.when == When::Absolute(joint.body) && linked.spec.name == joint.name;
+        match self.constraints.iter().position(stands) {
+            Some(linked) => {
+                let reaction = self.constraint_reaction(linked, t, lambda)[usize::from(moment)];
+                self.buffers.frames[joint.frame].direction_to_frame(reaction)
+            }
+            None => [0.0; 3],
+        }
+    }
+
     /// Output columns at the loaded state.
-    pub(super) fn evaluate_outputs(&mut self, t: f64, load_scale: f64, out: &mut [f64]) {
+    pub(super) fn evaluate_outputs(&mut self, t: f64, load_scale: f64, lambda: &[f64], out: &mut [f64]) {
         if self.outputs_need_acceleration() {
             self.full_force(t, load_scale);
+            // Joints on a node do not supply what constraints on markers do.
+            self.add_marker_constraint_forces(t, lambda);
+            self.hold_modes();
         }
-        let observed: Vec<f64> = (0..self.observed.len()).map(|index| self.observe(index)).collect();
+        let observed: Vec<f64> = (0..self.observed.len())
+            .map(|index| self.observe(index, t, lambda))
+            .collect();
         self.parts.outputs(t, &observed, out);
     }
 }

@@ -131,13 +131,14 @@ pub struct JointData {
     pub normals: [[f64; 3]; 2],
 }
 
-/// What an eliminated condition prescribes, in the body's axes: value, rate and acceleration.
+/// What an eliminated condition prescribes, in the body's axes: value, rate, acceleration and jerk.
+/// Only constraints on markers need the jerk, on their jerk level.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Prescribed {
-    /// Position, m, m/s, m/s^2.
-    pub position: [[f64; 3]; 3],
+    /// Position, m, m/s, m/s^2, m/s^3.
+    pub position: [[f64; 3]; 4],
     /// Slope.
-    pub slope: [[f64; 3]; 3],
+    pub slope: [[f64; 3]; 4],
 }
 
 /// Kind of a load.

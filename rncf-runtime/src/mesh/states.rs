@@ -1,9 +1,11 @@
 //! States of a scene in the declared frames and back.
 
 use super::frame::FrameMotion;
+use super::frames::FreeFrame;
 use super::parts::{Parts, PointQuantity};
 use super::scene::{MeshBody, MeshScene};
-use crate::system::{State, System};
+use crate::model::Pose;
+use crate::system::State;
 
 impl<P: Parts> MeshScene<P> {
     /// Nodal vectors of all bodies, from the full arrays, in their declared frames.
@@ -47,16 +49,43 @@ impl<P: Parts> MeshScene<P> {
         }
     }
 
-    /// Motion of every frame at `t`.
+    /// Motion of every frame at `t`; free ones at their start.
     pub(super) fn motions(&self, t: f64) -> Vec<FrameMotion> {
+        self.motions_with(t, &[])
+    }
+
+    /// Motion of every frame at `t`, free ones with the given poses or, where there is none, at their
+    /// start.
+    fn motions_with(&self, t: f64, poses: &[Pose]) -> Vec<FrameMotion> {
         let mut frames = vec![FrameMotion::INERTIAL; self.parts.frame_count()];
         self.parts.frames(t, &mut frames);
+        for (index, frame) in self.free.iter().enumerate() {
+            let (mut x, mut v) = (vec![0.0; frame.count()], vec![0.0; frame.count()]);
+            let a = x.clone();
+            let pose = poses.get(index).unwrap_or(&frame.start);
+            frame.unknowns(pose, &mut x, &mut v);
+            frames[frame.spec.frame] = frame.motion(&frames[frame.spec.parent], pose.rotation, &x, &v, &a);
+        }
+        for &(frame, motion) in &self.fixed {
+            frames[frame] = motion;
+        }
         frames
     }
 
-    /// The unknowns of nodal vectors in declared frames.
-    pub(super) fn unknowns_from(&self, t: f64, q: &[f64], v: &[f64]) -> State {
-        let frames = self.motions(t);
+    /// Poses of the free frames at the loaded state.
+    pub(super) fn poses(&self) -> Vec<Pose> {
+        let border = self.layout.vector_components();
+        let pose = |frame: &FreeFrame| {
+            let motion = &self.buffers.frames[frame.spec.frame];
+            frame.pose(motion, &self.buffers.q[border + frame.first..])
+        };
+        self.free.iter().map(pose).collect()
+    }
+
+    /// The unknowns of nodal vectors in declared frames and of the poses of free frames (as
+    /// declared, where there are none).
+    pub(super) fn unknowns_from(&self, t: f64, q: &[f64], v: &[f64], poses: &[Pose]) -> State {
+        let frames = self.motions_with(t, poses);
         let (mut full_q, mut full_v) = (q.to_vec(), v.to_vec());
         self.each_vector(|body, order, place| {
             if body.frame == body.spec.frame {
@@ -75,9 +104,18 @@ impl<P: Parts> MeshScene<P> {
                 full_v[place + component] = inertial[1][axis];
             }
         });
-        let mut state = State::zeros(t, self.unknowns(), self.constraints());
+        let mut state = State::of(self, t);
         self.layout.project(&full_q, &mut state.x);
         self.layout.project(&full_v, &mut state.v);
+        let border = self.layout.unknowns() - self.layout.border();
+        for (index, frame) in self.free.iter().enumerate() {
+            let own = border + frame.first..border + frame.first + frame.count();
+            let pose = poses.get(index).unwrap_or(&frame.start);
+            frame.unknowns(pose, &mut state.x[own.clone()], &mut state.v[own]);
+            if let Some(turn) = frame.turn {
+                state.turns[turn] = pose.rotation;
+            }
+        }
         state
     }
 }

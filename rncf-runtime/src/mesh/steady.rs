@@ -1,7 +1,9 @@
 //! Whether a relative equilibrium can exist: everything that acts on a body must be at rest in its
 //! frame (THEORY 8.1).
 
+use super::conditions::Condition;
 use super::frame::FrameMotion;
+use super::linked::Marker;
 use super::parts::{JointKind, LoadKind, Parts};
 use super::scene::MeshScene;
 use crate::vector::{add, cross, norm, subtract};
@@ -32,6 +34,15 @@ fn carried(frame: &FrameMotion, point: [f64; 3]) -> [f64; 3] {
 impl<P: Parts> MeshScene<P> {
     /// What stands against a relative equilibrium at `t`, by name.
     pub(super) fn obstacle(&self, t: f64) -> Option<String> {
+        if let Some(frame) = self.free.first() {
+            let name = self.parts.frame_name(frame.spec.frame);
+            return Some(format!(
+                "frame `{name}` moves freely: a relative equilibrium needs bodies in frames whose motion is prescribed"
+            ));
+        }
+        if let Some(obstacle) = self.linked_obstacle() {
+            return Some(obstacle);
+        }
         let (frames, later) = (self.motions(t), self.motions(t + A_WHILE));
         let load = (0..self.loads.len()).find(|&index| self.parts.load_varies(index));
         if let Some(index) = load {
@@ -48,7 +59,29 @@ impl<P: Parts> MeshScene<P> {
             }
         }
         let loads = (0..self.loads.len()).find_map(|index| self.load_obstacle(index, t, &frames));
-        loads.or_else(|| (0..self.joints.len()).find_map(|index| self.joint_obstacle(index, &frames)))
+        loads.or_else(|| {
+            let conditions = self.conditions.iter();
+            conditions
+                .map(|condition| self.joint_obstacle(condition, &frames))
+                .find_map(|found| found)
+        })
+    }
+
+    /// A constraint or force between things in different frames.
+    fn linked_obstacle(&self) -> Option<String> {
+        let users = self
+            .constraints
+            .iter()
+            .map(|linked| (linked.spec.name, linked.spec.markers));
+        let mut users = users.chain(self.forces.iter().map(|force| (force.name, force.markers)));
+        let frame = |marker: usize| match &self.markers[marker] {
+            Marker::Body { point, .. } => self.bodies[point.body].spec.frame,
+            marker => self.marker_frame(marker),
+        };
+        let (name, _) = users.find(|(_, markers)| markers.iter().any(|&marker| frame(marker) != frame(markers[0])))?;
+        Some(format!(
+            "`{name}` acts between different frames: a relative equilibrium needs both ends in the same one"
+        ))
     }
 
     /// A load that keeps its direction in a frame which turns relative to a body that it acts on.
@@ -70,8 +103,8 @@ impl<P: Parts> MeshScene<P> {
     }
 
     /// A joint whose point or direction moves in the frame of its body.
-    fn joint_obstacle(&self, index: usize, frames: &[FrameMotion]) -> Option<String> {
-        let (joint, data) = (&self.joints[index], &self.conditions[index].data);
+    fn joint_obstacle(&self, condition: &Condition, frames: &[FrameMotion]) -> Option<String> {
+        let (joint, data) = (&self.joints[condition.joint], &condition.data);
         let body = &self.bodies[joint.body].spec;
         let (own, other) = (&frames[body.frame], &frames[joint.frame]);
         let tangent = other.direction_to_inertial(data.tangent);

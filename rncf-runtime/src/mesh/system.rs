@@ -2,8 +2,8 @@
 
 use super::conditions::row_count;
 use super::layout::VectorKind;
-use super::parts::Parts;
-use super::scene::{MeshScene, Regime};
+use super::parts::{JointKind, Parts};
+use super::scene::{MeshScene, Regime, Row};
 use crate::linalg::Pattern;
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
@@ -27,30 +27,56 @@ impl<P: Parts> System for MeshScene<P> {
         &self.constraint_pattern
     }
 
-    fn mass(&mut self, _state: &State, values: &mut [f64]) {
+    fn turns(&self) -> &[usize] {
+        &self.turns
+    }
+
+    fn border(&self) -> usize {
+        self.layout.border()
+    }
+
+    fn mass(&mut self, state: &State, values: &mut [f64]) {
         values.copy_from_slice(&self.mass);
+        if self.free.is_empty() {
+            return;
+        }
+        self.load_state(state);
+        let zeros = || vec![0.0; values.len()];
+        let mut tangent = Tangent {
+            mass: zeros(),
+            stiffness: zeros(),
+            damping: zeros(),
+        };
+        self.add_borders(state.t, &mut tangent);
+        for (sum, value) in values.iter_mut().zip(&tangent.mass) {
+            *sum += value;
+        }
     }
 
     fn residual(&mut self, state: &State, out: &mut [f64]) {
-        self.load_state(state.t, &state.x, &state.v, &state.a, Regime::Moving);
+        self.load_state(state);
         self.full_force(state.t, 1.0);
         self.layout.project(&self.buffers.force, out);
     }
 
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
-        self.load_state(state.t, &state.x, &state.v, &state.a, Regime::Moving);
+        self.load_state(state);
         out.mass.clone_from(&self.mass);
         out.stiffness.resize(self.pattern.entries(), 0.0);
         out.damping.resize(self.pattern.entries(), 0.0);
-        // The conditions are linear in the unknowns: C_x^T lambda has no derivative.
         self.full_tangent(state.t, 1.0, &mut out.stiffness, &mut out.damping);
+        if !self.free.is_empty() {
+            self.add_borders(state.t, out);
+        }
+        // Conditions on nodes and mean axes are linear in the unknowns: they add nothing.
+        self.marker_constraint_stiffness(state.t, &state.lambda, &mut out.stiffness);
     }
 
     fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]) {
         if self.constraint_rows.is_empty() {
             return;
         }
-        self.load_state(state.t, &state.x, &state.v, &state.a, Regime::Moving);
+        self.load_level(level, state);
         let mut column = 0;
         for condition in self.conditions.iter().filter(|condition| !condition.rows.is_empty()) {
             let joint = &self.joints[condition.joint];
@@ -74,6 +100,9 @@ impl<P: Parts> System for MeshScene<P> {
                 column += 1;
             }
         }
+        self.mean_axes_rows(level, &mut out[column..]);
+        let first = self.first_linked();
+        self.marker_constraints(level, state.t, &mut out[first..]);
     }
 
     fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
@@ -98,11 +127,20 @@ impl<P: Parts> System for MeshScene<P> {
                 column += 1;
             }
         }
+        self.mean_axes_jacobian(column, values);
+        if !self.constraints.is_empty() {
+            self.load_state(state);
+            self.marker_jacobians(state.t, self.first_linked(), values);
+        }
     }
 
-    fn constraint_rate_tangent(&mut self, _state: &State, values: &mut [f64]) {
-        // The conditions are linear in the unknowns.
+    fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
+        // Conditions on nodes and mean axes are linear in the unknowns.
         values.fill(0.0);
+        if !self.constraints.is_empty() {
+            self.load_state(state);
+            self.marker_rate_tangents(state.t, self.first_linked(), values);
+        }
     }
 
     fn sizes(&self) -> &[f64] {
@@ -110,6 +148,12 @@ impl<P: Parts> System for MeshScene<P> {
     }
 
     fn describe_unknown(&self, index: usize) -> String {
+        let border = self.layout.unknowns() - self.layout.border();
+        if index >= border {
+            let place = self.free.partition_point(|frame| frame.first <= index - border) - 1;
+            let frame = &self.free[place];
+            return frame.describe(self.parts.frame_name(frame.spec.frame), index - border - frame.first);
+        }
         let (vector, component) = self.layout.origins()[index];
         let (body, node, local) = self.locate(vector);
         let what = match self.layout.kind(vector) {
@@ -123,11 +167,31 @@ impl<P: Parts> System for MeshScene<P> {
     }
 
     fn describe_constraint(&self, index: usize) -> String {
-        let (condition, row) = self.constraint_rows[index];
-        let joint = &self.joints[self.conditions[condition].joint];
-        let dimension = self.bodies[joint.body].spec.dimension();
-        let what = if row < dimension { "position" } else { "direction" };
-        format!("joint `{}`, {what}", joint.name)
+        match self.constraint_rows[index] {
+            Row::Condition { condition, row } => {
+                let joint = &self.joints[self.conditions[condition].joint];
+                let dimension = self.bodies[joint.body].spec.dimension();
+                let what = match joint.kind {
+                    JointKind::Hold { order: 0, .. } => "held position",
+                    JointKind::Hold { .. } => "held slope",
+                    _ if row < dimension => "position",
+                    _ => "direction",
+                };
+                format!("joint `{}`, {what}", joint.name)
+            }
+            Row::MeanAxes { axes } => {
+                let body = &self.bodies[self.mean_axes[axes].body];
+                format!("body `{}`, mean axes", body.spec.name)
+            }
+            Row::Linked { linked, row } => {
+                let spec = &self.constraints[linked].spec;
+                let owner = match spec.kind {
+                    "constraint" => format!("constraint `{}`", spec.name),
+                    kind => format!("joint `{}` ({kind})", spec.name),
+                };
+                format!("{owner}, {}", spec.rows[row])
+            }
+        }
     }
 
     fn kinks(&self) -> Vec<f64> {
@@ -139,5 +203,25 @@ impl<P: Parts> System for MeshScene<P> {
 
     fn energy(&mut self, state: &State) -> Option<f64> {
         self.total_energy(state)
+    }
+}
+
+impl<P: Parts> MeshScene<P> {
+    /// Fills the full state with the highest derivative of the level left out.
+    fn load_level(&mut self, level: ConstraintLevel, state: &State) {
+        let zeros = vec![0.0; state.x.len()];
+        let (v, a) = match level {
+            ConstraintLevel::Position | ConstraintLevel::Jerk => (&state.v, &state.a),
+            ConstraintLevel::Velocity => (&zeros, &zeros),
+            ConstraintLevel::Acceleration => (&state.v, &zeros),
+        };
+        self.load(state.t, &state.turns, [&state.x, v, a], Regime::Moving);
+    }
+
+    /// Adds what free frames carry at the loaded state.
+    fn add_borders(&mut self, t: f64, out: &mut Tangent) {
+        let gravity = self.gravity(t);
+        self.add_carried_tangents(gravity, out);
+        self.add_fixture_borders(gravity, out);
     }
 }

@@ -3,9 +3,13 @@
 
 mod elastic;
 mod invariants;
+mod reduction;
+mod scene;
 mod softening;
 #[cfg(test)]
 mod tests;
+
+pub use scene::build;
 
 use elastic::Elastic;
 use invariants::{Action, Invariants, Motion};

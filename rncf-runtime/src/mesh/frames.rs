@@ -1,0 +1,401 @@
+//! Free frames with their unknowns: from the state to a pose, and from a pose to the state.
+
+use super::frame::FrameMotion;
+use super::free::{FreeSpec, Motions};
+use super::mean_axes;
+use super::parts::{BodySpec, Parts};
+use crate::error::ModelError;
+use crate::model::{Formulation, Pose};
+use crate::rotation::Rotation;
+use crate::vector::{Vector, add, apply_transposed, cross, norm, scale, subtract};
+
+/// Largest change of a rotation matrix, or part of a velocity out of a plane, that counts as round-off.
+const ROUND_OFF: f64 = 1e-9;
+/// Times at which a parent is looked at for whether it turns, s; the kinks of the model are added.
+const LOOKS: [f64; 7] = [0.0, 1e-2, 0.13, 1.0, 7.3, 61.0, 1009.0];
+
+/// What one unknown does to a frame: the map from rates of unknowns to velocities, one column.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Direction {
+    /// Velocity of the origin, inertial axes.
+    pub shift: Vector,
+    /// Angular velocity, frame axes.
+    pub turn: Vector,
+}
+
+/// A free frame and its unknowns.
+#[derive(Clone, Debug)]
+pub struct FreeFrame {
+    /// As declared.
+    pub spec: FreeSpec,
+    /// First of its unknowns among those of all free frames.
+    pub first: usize,
+    /// What every unknown moves.
+    pub directions: Vec<Direction>,
+    /// Index among the orientations of the state, for three unknown rotations.
+    pub turn: Option<usize>,
+    /// Pose and velocities at t = 0.
+    pub start: Pose,
+    /// Rotation at the angle zero, of planar and hinged frames.
+    base: Rotation,
+}
+
+fn unit(axis: usize) -> Vector {
+    std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 })
+}
+
+/// Motions along axes, then about axes.
+fn directions(motions: Motions) -> Vec<Direction> {
+    let shift = |axis: usize| Direction {
+        shift: unit(axis),
+        turn: [0.0; 3],
+    };
+    let about = |turn: Vector| Direction { shift: [0.0; 3], turn };
+    let turn = |axis: usize| about(unit(axis));
+    let plane = |normal: usize| [(normal + 1) % 3, (normal + 2) % 3];
+    match motions {
+        Motions::Spatial => (0..3).map(shift).chain((0..3).map(turn)).collect(),
+        Motions::Planar { normal } => plane(normal).map(shift).into_iter().chain([turn(normal)]).collect(),
+        Motions::Turning => (0..3).map(turn).collect(),
+        Motions::Hinged { axis } => vec![about(axis)],
+        Motions::Shifting => (0..3).map(shift).collect(),
+        Motions::ShiftingPlanar { normal } => plane(normal).map(shift).to_vec(),
+    }
+}
+
+impl FreeFrame {
+    /// A free frame whose parent moves as given at t = 0; `first` and `turn` number its unknowns.
+    ///
+    /// # Errors
+    /// A start out of the plane that the frame keeps, by name.
+    pub fn new(
+        spec: FreeSpec,
+        name: &str,
+        parent: &FrameMotion,
+        first: usize,
+        turn: Option<usize>,
+    ) -> Result<Self, ModelError> {
+        let carrier = Rotation::from_matrix(&parent.rotation);
+        let relative = Rotation::exp(scale(spec.angle, spec.axis));
+        let (mut base, mut rotation) = (carrier, carrier.times(&relative));
+        let mut spin = add(apply_transposed(&relative.matrix(), parent.spin), spec.spin);
+        if let Some(axis) = angle_axis(spec.motions) {
+            base = carrier;
+            rotation = carrier.turned(scale(spec.angle, axis));
+            spin = add(
+                apply_transposed(&Rotation::exp(scale(spec.angle, axis)).matrix(), parent.spin),
+                spec.spin,
+            );
+        }
+        let start = Pose {
+            position: parent.point_to_inertial(spec.position),
+            rotation,
+            angle: spec.angle,
+            velocity: add(
+                parent.velocity,
+                parent.direction_to_inertial(add(cross(parent.spin, spec.position), spec.velocity)),
+            ),
+            spin,
+        };
+        check_plane(&spec, name, parent, &start)?;
+        let directions = directions(spec.motions);
+        if carrier == Rotation::IDENTITY {
+            base = Rotation::IDENTITY;
+        }
+        Ok(Self {
+            spec,
+            first,
+            directions,
+            turn,
+            start,
+            base,
+        })
+    }
+
+    /// Number of unknowns.
+    pub fn count(&self) -> usize {
+        self.directions.len()
+    }
+
+    /// Number of unknown positions: they stand first.
+    pub fn shifts(&self) -> usize {
+        self.directions
+            .iter()
+            .filter(|direction| direction.turn == [0.0; 3])
+            .count()
+    }
+
+    /// Whether the origin is that of the parent all the time.
+    fn is_carried(&self) -> bool {
+        matches!(self.spec.motions, Motions::Turning | Motions::Hinged { .. })
+    }
+
+    /// Place of the angle among the frame's unknowns, where there is one.
+    pub fn angle(&self) -> Option<usize> {
+        angle_axis(self.spec.motions).map(|_| self.count() - 1)
+    }
+
+    /// Motion from the frame's own unknowns and their rates; `turn` is the orientation of the state
+    /// at which the three rotations vanish.
+    pub fn motion(&self, parent: &FrameMotion, turn: Rotation, x: &[f64], v: &[f64], a: &[f64]) -> FrameMotion {
+        let mut motion = FrameMotion::INERTIAL;
+        motion.position = self.start.position;
+        if self.is_carried() {
+            motion.position = parent.position;
+            motion.velocity = parent.velocity;
+            motion.acceleration = parent.acceleration;
+            motion.jerk = parent.jerk;
+        }
+        for (place, direction) in self.directions.iter().enumerate() {
+            for axis in 0..3 {
+                if direction.shift[axis] != 0.0 {
+                    motion.position[axis] = x[place];
+                }
+                motion.velocity[axis] += direction.shift[axis] * v[place];
+                motion.acceleration[axis] += direction.shift[axis] * a[place];
+                motion.spin[axis] += direction.turn[axis] * v[place];
+                motion.spin_rate[axis] += direction.turn[axis] * a[place];
+            }
+        }
+        motion.rotation = self.rotation(turn, x).matrix();
+        motion
+    }
+
+    fn rotation(&self, turn: Rotation, x: &[f64]) -> Rotation {
+        if self.turn.is_some() {
+            let first = self.shifts();
+            turn.turned([x[first], x[first + 1], x[first + 2]])
+        } else if let (Some(axis), Some(place)) = (angle_axis(self.spec.motions), self.angle()) {
+            self.base.turned(scale(x[place], axis))
+        } else {
+            self.start.rotation
+        }
+    }
+
+    /// Unknowns and rates of a pose; rotation vectors are zero, [`Pose::rotation`] goes to the state.
+    pub fn unknowns(&self, pose: &Pose, x: &mut [f64], v: &mut [f64]) {
+        for (place, direction) in self.directions.iter().enumerate() {
+            let along = |shift: Vector, turn: Vector| {
+                (0..3)
+                    .map(|i| direction.shift[i] * shift[i] + direction.turn[i] * turn[i])
+                    .sum()
+            };
+            x[place] = along(pose.position, [0.0; 3]);
+            v[place] = along(pose.velocity, pose.spin);
+        }
+        if let Some(place) = self.angle() {
+            x[place] = pose.angle;
+        }
+    }
+
+    /// Pose from a motion and the unknowns that it was made of.
+    pub fn pose(&self, motion: &FrameMotion, x: &[f64]) -> Pose {
+        Pose {
+            position: motion.position,
+            rotation: Rotation::from_matrix(&motion.rotation),
+            angle: self.angle().map_or(0.0, |place| x[place]),
+            velocity: motion.velocity,
+            spin: motion.spin,
+        }
+    }
+
+    /// The unknown in the user's words.
+    pub fn describe(&self, name: &str, place: usize) -> String {
+        const AXES: [&str; 3] = ["x", "y", "z"];
+        let owner = if self.spec.is_body { "rigid body" } else { "frame" };
+        let direction = &self.directions[place];
+        let axis = |vector: Vector| (0..3).find(|&axis| vector == unit(axis));
+        let what = match (axis(direction.shift), axis(direction.turn)) {
+            (Some(axis), _) => format!("position {}", AXES[axis]),
+            (None, Some(axis)) => format!("rotation about {}", AXES[axis]),
+            (None, None) => "rotation about its axis".to_string(),
+        };
+        format!("{owner} `{name}`, {what}")
+    }
+
+    /// Whether it has inertia of its own.
+    pub fn has_rigid_parts(&self) -> bool {
+        let rigid = &self.spec.rigid;
+        rigid.mass != 0.0 || rigid.inertia.iter().flatten().any(|&value| value != 0.0)
+    }
+
+    /// Motion at its start.
+    pub fn started(&self) -> FrameMotion {
+        FrameMotion {
+            velocity: self.start.velocity,
+            spin: self.start.spin,
+            ..self.fixed()
+        }
+    }
+
+    /// What the frame does at its start, at rest there: where it is no unknown.
+    pub fn fixed(&self) -> FrameMotion {
+        FrameMotion {
+            position: self.start.position,
+            rotation: self.start.rotation.matrix(),
+            ..FrameMotion::INERTIAL
+        }
+    }
+}
+
+/// All frames of a model at t = 0.
+pub struct Frames {
+    /// Free frames with their unknowns.
+    pub free: Vec<FreeFrame>,
+    /// For every frame its index among the free ones.
+    pub free_of: Vec<Option<usize>>,
+    /// Free frames that are no unknowns and stay at their start.
+    pub fixed: Vec<(usize, FrameMotion)>,
+    /// Motions of all frames at t = 0.
+    pub motions: Vec<FrameMotion>,
+}
+
+impl Frames {
+    /// Numbers the free frames of a model with these bodies.
+    ///
+    /// # Errors
+    /// A frame whose parent, plane or body does not fit its motions, by name.
+    pub fn new<P: Parts>(parts: &P, bodies: &[BodySpec], formulation: Formulation) -> Result<Self, ModelError> {
+        let mut motions = vec![FrameMotion::INERTIAL; parts.frame_count()];
+        parts.frames(0.0, &mut motions);
+        let mut frames = Self {
+            free: Vec::new(),
+            free_of: vec![None; motions.len()],
+            fixed: Vec::new(),
+            motions,
+        };
+        let specs = parts.free();
+        let (mut first, mut turns) = (0, 0);
+        for spec in &specs {
+            check_parent(parts, &specs, spec)?;
+            let name = parts.frame_name(spec.frame);
+            let turn = matches!(spec.motions, Motions::Spatial | Motions::Turning).then_some(turns);
+            let frame = FreeFrame::new(spec.clone(), name, &frames.motions[spec.parent], first, turn)?;
+            let mut averaged = false;
+            for body in bodies.iter().filter(|body| body.frame == spec.frame) {
+                check_plane_of(body, name, spec.motions)?;
+                if body.mean_axes {
+                    mean_axes::check(body, name, frame.count())?;
+                    averaged = true;
+                }
+            }
+            if averaged && formulation == Formulation::Ancf && !frame.has_rigid_parts() {
+                frames.motions[spec.frame] = frame.fixed();
+                frames.fixed.push((spec.frame, frame.fixed()));
+                continue;
+            }
+            first += frame.count();
+            turns += usize::from(turn.is_some());
+            frames.motions[spec.frame] = frame.started();
+            frames.free_of[spec.frame] = Some(frames.free.len());
+            frames.free.push(frame);
+        }
+        Ok(frames)
+    }
+}
+
+/// Whether each frame was declared free.
+pub fn declared_free<P: Parts>(parts: &P) -> Vec<bool> {
+    let mut free = vec![false; parts.frame_count()];
+    for spec in parts.free() {
+        free[spec.frame] = true;
+    }
+    free
+}
+
+/// A planar body needs a frame that keeps its plane.
+fn check_plane_of(body: &BodySpec, name: &str, motions: Motions) -> Result<(), ModelError> {
+    let [first, second] = *body.axes else {
+        return Ok(());
+    };
+    let normal = 3 - first - second;
+    let keeps = match motions {
+        Motions::Planar { normal: other } | Motions::ShiftingPlanar { normal: other } => other == normal,
+        Motions::Hinged { axis } => norm(cross(axis, unit(normal))) <= ROUND_OFF,
+        Motions::Shifting => true,
+        Motions::Spatial | Motions::Turning => false,
+    };
+    if keeps {
+        return Ok(());
+    }
+    Err(ModelError::new(format!(
+        "body `{}` is planar, but frame `{name}` does not keep its plane: free the frame in that plane only, or mesh the body in space",
+        body.name
+    )))
+}
+
+/// Axis (frame axes) of frames with one angle.
+pub fn angle_axis(motions: Motions) -> Option<Vector> {
+    match motions {
+        Motions::Planar { normal } => Some(unit(normal)),
+        Motions::Hinged { axis } => Some(axis),
+        _ => None,
+    }
+}
+
+/// Axis normal to the plane that a frame keeps.
+pub fn normal_of(motions: Motions) -> Option<usize> {
+    match motions {
+        Motions::Planar { normal } | Motions::ShiftingPlanar { normal } => Some(normal),
+        _ => None,
+    }
+}
+
+/// A planar frame starts in its plane, with velocities in it.
+fn check_plane(spec: &FreeSpec, name: &str, parent: &FrameMotion, start: &Pose) -> Result<(), ModelError> {
+    let Some(normal) = normal_of(spec.motions) else {
+        return Ok(());
+    };
+    let letter = ["x", "y", "z"][normal];
+    let tilt = norm(subtract(parent.direction_to_inertial(unit(normal)), unit(normal)));
+    if tilt > ROUND_OFF {
+        return Err(ModelError::new(format!(
+            "frame `{name}` moves in the plane normal to {letter}, but its parent's axis {letter} is not the inertial one at t = 0: turn the parent about {letter} only, or free the frame in space"
+        )));
+    }
+    let across = start.velocity[normal].abs() > ROUND_OFF * norm(start.velocity);
+    let tumbling = cross(unit(normal), start.spin);
+    if across || norm(tumbling) > ROUND_OFF * norm(start.spin) {
+        return Err(ModelError::new(format!(
+            "frame `{name}` moves in the plane normal to {letter}, but starts with a velocity out of it: leave that component away, or free the frame in space"
+        )));
+    }
+    Ok(())
+}
+
+/// Checks that the parent of a frame is prescribed, and does not turn where it carries the origin.
+///
+/// # Errors
+/// The frame and its parent by name.
+pub fn check_parent<P: Parts>(parts: &P, free: &[FreeSpec], spec: &FreeSpec) -> Result<(), ModelError> {
+    let (name, parent) = (parts.frame_name(spec.frame), parts.frame_name(spec.parent));
+    if free.iter().any(|other| other.frame == spec.parent) {
+        return Err(ModelError::new(format!(
+            "frame `{name}` starts relative to frame `{parent}`, which is free itself: give it a prescribed parent"
+        )));
+    }
+    if !matches!(spec.motions, Motions::Turning | Motions::Hinged { .. }) {
+        return Ok(());
+    }
+    let mut frames = vec![FrameMotion::INERTIAL; parts.frame_count()];
+    let mut at = |t: f64| {
+        parts.frames(t, &mut frames);
+        frames[spec.parent]
+    };
+    let first = at(0.0).rotation;
+    let times = parts
+        .kinks()
+        .into_iter()
+        .filter(|t| t.is_finite())
+        .flat_map(|t| [t, t + 1e-2]);
+    for t in LOOKS.into_iter().chain(times) {
+        let motion = at(t);
+        let turned = (0..3).any(|row| norm(subtract(motion.rotation[row], first[row])) > ROUND_OFF);
+        if turned || norm(motion.spin) > ROUND_OFF {
+            return Err(ModelError::new(format!(
+                "frame `{name}` turns about the origin of frame `{parent}`, which turns itself: choose a parent that only shifts"
+            )));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,216 @@
+//! Markers at a state: values, time derivatives, and how they depend on the unknowns.
+
+use super::super::frame::FrameMotion;
+use super::super::parts::Parts;
+use super::super::scene::{MeshPoint, MeshScene};
+use crate::vector::{Vector, add, apply, cross, dot};
+
+/// A marker with what it needs at run time.
+#[derive(Clone, Debug)]
+pub(in super::super) enum Marker {
+    /// Fixed in a frame: a point, else a direction.
+    Fixed { frame: usize, at: Vector, is_point: bool },
+    /// A place on a body: its position, else its slope.
+    Body { point: MeshPoint, is_point: bool },
+    /// The turning of a frame.
+    Turn { frame: usize },
+    /// The angle of a free frame (index among the free ones).
+    Angle { free: usize },
+}
+
+impl Marker {
+    /// Whether it is a point rather than a direction, turning or angle.
+    pub fn is_point(&self) -> bool {
+        matches!(
+            self,
+            Self::Fixed { is_point: true, .. } | Self::Body { is_point: true, .. }
+        )
+    }
+}
+
+/// What one component of the full arrays does to a marker. All are linear in the component's change.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in super::super) struct Column {
+    /// Component in the full arrays, of a nodal vector or a free frame.
+    pub component: usize,
+    /// Change of the value, inertial axes.
+    pub value: Vector,
+    /// Change of the velocity at constant rates of the unknowns, inertial axes.
+    pub rate: Vector,
+    /// Rotation of the frame, frame axes: zero but for rotations.
+    turn: Vector,
+    /// Change within the frame, frame axes: zero but for nodal vectors.
+    within: Vector,
+    /// Both together, without the origin: what turns when the frame turns on.
+    turned: Vector,
+}
+
+impl Column {
+    /// `d(J_i . f)/dx_j` at a constant force with the components `force` in frame axes: what the
+    /// change of the marker's derivative adds to the stiffness (THEORY 2.2).
+    pub fn second(&self, other: &Self, force: Vector) -> f64 {
+        dot(
+            force,
+            add(cross(other.turn, self.turned), cross(self.turn, other.within)),
+        )
+    }
+
+    /// Rotation of the frame, frame axes.
+    pub fn turn(&self) -> Vector {
+        self.turn
+    }
+}
+
+/// Time derivatives, in inertial axes, of a vector given in a frame with its derivatives there.
+fn turned(frame: &FrameMotion, within: [Vector; 4]) -> [Vector; 4] {
+    const BINOMIAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 1.0]];
+    let spins = [frame.spin, frame.spin_rate, frame.spin_jerk];
+    let mut jet = within;
+    let mut result = [apply(&frame.rotation, within[0]); 4];
+    for order in 1..4 {
+        // u' + w x u and as many of its derivatives as are needed
+        let mut next = [[0.0; 3]; 4];
+        for (derivative, value) in next.iter_mut().enumerate().take(4 - order) {
+            *value = jet[derivative + 1];
+            for (part, spin) in spins.iter().enumerate().take(derivative + 1) {
+                let product = cross(*spin, jet[derivative - part]);
+                *value = std::array::from_fn(|i| value[i] + BINOMIAL[derivative][part] * product[i]);
+            }
+        }
+        jet = next;
+        result[order] = apply(&frame.rotation, jet[0]);
+    }
+    result
+}
+
+impl<P: Parts> MeshScene<P> {
+    /// Frame that a marker's vectors live in.
+    pub(in super::super) fn marker_frame(&self, marker: &Marker) -> usize {
+        match marker {
+            Marker::Fixed { frame, .. } | Marker::Turn { frame } => *frame,
+            Marker::Body { point, .. } => self.bodies[point.body].frame,
+            Marker::Angle { free } => self.free[*free].spec.frame,
+        }
+    }
+
+    /// Vector of a marker in its frame, with derivatives there.
+    fn within(&self, marker: &Marker) -> [Vector; 4] {
+        match marker {
+            Marker::Fixed { at, .. } => [*at, [0.0; 3], [0.0; 3], [0.0; 3]],
+            Marker::Body { point, is_point } => {
+                let buffers = &self.buffers;
+                let weights = if *is_point { &point.values } else { &point.slopes };
+                [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks].map(|full| self.at_point(point, weights, full))
+            }
+            Marker::Turn { .. } | Marker::Angle { .. } => [[0.0; 3]; 4],
+        }
+    }
+
+    /// Value, velocity, acceleration and jerk of a marker at the loaded state, inertial axes; the
+    /// jerk is that without the jerk of the unknowns.
+    pub(in super::super) fn jet(&self, marker: &Marker) -> [Vector; 4] {
+        let frame = &self.buffers.frames[self.marker_frame(marker)];
+        match marker {
+            Marker::Turn { .. } => {
+                let rates = [frame.spin, frame.spin_rate, frame.spin_jerk, [0.0; 3]];
+                let [first, second, third, _] = turned(frame, rates);
+                [[0.0; 3], first, second, third]
+            }
+            Marker::Angle { free } => {
+                let buffers = &self.buffers;
+                let component = self.angle_component(*free);
+                [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks].map(|full| [full[component], 0.0, 0.0])
+            }
+            _ => {
+                let mut jet = turned(frame, self.within(marker));
+                if marker.is_point() {
+                    let origin = [frame.position, frame.velocity, frame.acceleration, frame.jerk];
+                    jet = std::array::from_fn(|order| add(jet[order], origin[order]));
+                }
+                jet
+            }
+        }
+    }
+
+    /// Component of the angle of a free frame; frames without one are refused when markers are made.
+    fn angle_component(&self, free: usize) -> usize {
+        let frame = &self.free[free];
+        self.layout.vector_components() + frame.first + frame.angle().unwrap_or(0)
+    }
+
+    /// Components that a marker depends on, at any state.
+    pub(in super::super) fn marker_components(&self, marker: &Marker) -> Vec<usize> {
+        if let Marker::Angle { free } = marker {
+            return vec![self.angle_component(*free)];
+        }
+        let mut components = Vec::new();
+        if let Some(free) = self.free_of[self.marker_frame(marker)] {
+            let first = self.layout.vector_components() + self.free[free].first;
+            components.extend(first..first + self.free[free].count());
+        }
+        if let Marker::Body { point, .. } = marker {
+            components.extend(self.bodies[point.body].connectivity.element(point.element));
+        }
+        components
+    }
+
+    /// How a marker depends on the unknowns at the loaded state.
+    pub(in super::super) fn columns(&self, marker: &Marker) -> Vec<Column> {
+        let component = |component: usize, value: Vector| Column {
+            component,
+            value,
+            ..Column::default()
+        };
+        if let Marker::Angle { free } = marker {
+            return vec![component(self.angle_component(*free), [1.0, 0.0, 0.0])];
+        }
+        let mut columns = Vec::new();
+        let at = self.marker_frame(marker);
+        let frame = &self.buffers.frames[at];
+        let [p, rate, ..] = self.within(marker);
+        let velocity = match marker {
+            Marker::Turn { .. } => frame.spin,
+            _ => add(rate, cross(frame.spin, p)),
+        };
+        if let Some(free) = self.free_of[at] {
+            let first = self.layout.vector_components() + self.free[free].first;
+            for (place, direction) in self.free[free].directions.iter().enumerate() {
+                let turn = direction.turn;
+                let turned = match marker {
+                    Marker::Turn { .. } => turn,
+                    _ => cross(turn, p),
+                };
+                let mut value = apply(&frame.rotation, turned);
+                if marker.is_point() {
+                    value = add(value, direction.shift);
+                }
+                columns.push(Column {
+                    component: first + place,
+                    value,
+                    rate: apply(&frame.rotation, cross(turn, velocity)),
+                    turn,
+                    within: [0.0; 3],
+                    turned,
+                });
+            }
+        }
+        if let Marker::Body { point, is_point } = marker {
+            let body = &self.bodies[point.body];
+            let weights = if *is_point { &point.values } else { &point.slopes };
+            let dimension = body.spec.dimension();
+            for (place, &component) in body.connectivity.element(point.element).iter().enumerate() {
+                let mut within = [0.0; 3];
+                within[body.spec.axes[place % dimension]] = weights[place / dimension];
+                columns.push(Column {
+                    component,
+                    value: apply(&frame.rotation, within),
+                    rate: apply(&frame.rotation, cross(frame.spin, within)),
+                    turn: [0.0; 3],
+                    within,
+                    turned: within,
+                });
+            }
+        }
+        columns
+    }
+}

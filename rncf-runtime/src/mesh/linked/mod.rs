@@ -1,0 +1,20 @@
+//! What acts between frames and bodies: constraints and forces on markers (THEORY 2.2, 6).
+
+mod constraints;
+mod forces;
+mod jets;
+mod resolve;
+
+pub(super) use forces::MarkedLoad;
+pub(super) use jets::Marker;
+pub(super) use resolve::markers;
+
+use super::markers::ConstraintSpec;
+
+/// A constraint that is there in the chosen formulation.
+pub(super) struct Linked {
+    /// Index among the declared constraints.
+    pub index: usize,
+    /// As declared.
+    pub spec: ConstraintSpec,
+}

@@ -1,0 +1,147 @@
+//! From declared markers to those of the run: places on bodies, and constants at t = 0.
+
+use super::super::frames::normal_of;
+use super::super::markers::MarkerSpec;
+use super::super::parts::{BodySpec, Parts};
+use super::super::scene::{MeshScene, mesh_point};
+use super::Marker;
+use crate::error::ModelError;
+use crate::vector::{Vector, cross, norm, perpendicular, scale};
+
+/// Deepest chain of markers that refer to each other.
+const DEEPEST: usize = 8;
+
+/// Markers of the declared ones; those that stand for others at t = 0 get their constants later.
+///
+/// # Errors
+/// A place beyond a body's end, or the angle of a frame that has none.
+pub(in super::super) fn markers<P: Parts>(
+    parts: &P,
+    bodies: &[BodySpec],
+    free_of: &[Option<usize>],
+) -> Result<Vec<Marker>, ModelError> {
+    let body = |body: usize, at, is_point| {
+        mesh_point(parts, bodies, body, at, "a joint, force or output").map(|point| Marker::Body { point, is_point })
+    };
+    let fixed = |frame, at, is_point| Ok(Marker::Fixed { frame, at, is_point });
+    let specs = parts.markers();
+    let one = |spec: &MarkerSpec| match *spec {
+        MarkerSpec::Point { frame, at } => fixed(frame, at, true),
+        MarkerSpec::Direction { frame, along } => fixed(frame, along, false),
+        MarkerSpec::BodyPoint { body: index, at } => body(index, at, true),
+        MarkerSpec::BodySlope { body: index, at } => body(index, at, false),
+        MarkerSpec::Turn { frame } => Ok(Marker::Turn { frame }),
+        MarkerSpec::Angle { frame } => match free_of[frame] {
+            Some(free) => Ok(Marker::Angle { free }),
+            None => Err(ModelError::new(format!(
+                "frame `{}` has no unknown angle: only planar and hinged frames have one",
+                parts.frame_name(frame)
+            ))),
+        },
+        MarkerSpec::Matching { frame, marker } => fixed(frame, [0.0; 3], is_point(&specs, marker)?),
+        MarkerSpec::Normal { frame, .. } => fixed(frame, [0.0; 3], false),
+    };
+    specs.iter().map(one).collect()
+}
+
+/// Whether a declared marker is a point.
+fn is_point(specs: &[MarkerSpec], mut marker: usize) -> Result<bool, ModelError> {
+    for _ in 0..DEEPEST {
+        match specs[marker] {
+            MarkerSpec::Point { .. } | MarkerSpec::BodyPoint { .. } => return Ok(true),
+            MarkerSpec::Matching { marker: other, .. } => marker = other,
+            _ => return Ok(false),
+        }
+    }
+    Err(endless())
+}
+
+fn endless() -> ModelError {
+    ModelError::new("markers refer to each other without end: let one of them be given by a frame or body")
+}
+
+impl<P: Parts> MeshScene<P> {
+    /// Finds the constants of markers that are fixed in one frame and equal, or normal, to another
+    /// marker; the state at t = 0 must be loaded.
+    pub(in super::super) fn resolve_markers(&mut self) -> Result<(), ModelError> {
+        let specs = self.parts.markers();
+        for index in 0..specs.len() {
+            if let MarkerSpec::Matching { frame, .. } | MarkerSpec::Normal { frame, .. } = specs[index] {
+                let value = self.initial(&specs, index, 0)?;
+                let motion = &self.buffers.frames[frame];
+                let is_point = self.markers[index].is_point();
+                let at = if is_point {
+                    motion.point_to_frame(value)
+                } else {
+                    motion.direction_to_frame(value)
+                };
+                self.markers[index] = Marker::Fixed { frame, at, is_point };
+            }
+        }
+        Ok(())
+    }
+
+    /// Value of a declared marker at the loaded state, inertial axes.
+    fn initial(&self, specs: &[MarkerSpec], index: usize, depth: usize) -> Result<Vector, ModelError> {
+        if depth > DEEPEST {
+            return Err(endless());
+        }
+        let unit = |direction: Vector, frame: usize| {
+            let size = norm(direction);
+            if size > 0.0 {
+                return Ok(scale(1.0 / size, direction));
+            }
+            let name = self.parts.frame_name(frame);
+            Err(ModelError::new(format!(
+                "a direction of a joint in frame `{name}` has no length: give it one that is not zero"
+            )))
+        };
+        match specs[index] {
+            MarkerSpec::Matching { frame, marker } => {
+                let value = self.initial(specs, marker, depth + 1)?;
+                if self.markers[index].is_point() {
+                    Ok(value)
+                } else {
+                    unit(value, frame)
+                }
+            }
+            MarkerSpec::Normal { frame, marker, which } => {
+                let along = unit(self.initial(specs, marker, depth + 1)?, frame)?;
+                // In a plane the first normal lies in it.
+                let first = match self.plane_normal(specs, frame, marker) {
+                    Some(normal) if norm(cross(normal, along)) > 0.5 => cross(normal, along),
+                    _ => perpendicular(along),
+                };
+                Ok(if which == 0 { first } else { cross(along, first) })
+            }
+            _ => Ok(self.jet(&self.markers[index])[0]),
+        }
+    }
+
+    /// Normal of the plane that a frame, or what another marker belongs to, stays in; inertial axes.
+    fn plane_normal(&self, specs: &[MarkerSpec], frame: usize, marker: usize) -> Option<Vector> {
+        let unit = |axis: usize| std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 });
+        let of_frame = |frame: usize| {
+            self.free_of[frame]
+                .and_then(|free| normal_of(self.free[free].spec.motions))
+                .map(unit)
+        };
+        let other = match specs[marker] {
+            MarkerSpec::BodySlope { body, .. } | MarkerSpec::BodyPoint { body, .. } => {
+                let spec = &self.bodies[body].spec;
+                if let [first, second] = *spec.axes {
+                    let motion = &self.buffers.frames[spec.frame];
+                    return Some(motion.direction_to_inertial(unit(3 - first - second)));
+                }
+                spec.frame
+            }
+            MarkerSpec::Point { frame, .. }
+            | MarkerSpec::Direction { frame, .. }
+            | MarkerSpec::Turn { frame }
+            | MarkerSpec::Angle { frame }
+            | MarkerSpec::Matching { frame, .. }
+            | MarkerSpec::Normal { frame, .. } => frame,
+        };
+        of_frame(frame).or_else(|| of_frame(other))
+    }
+}
