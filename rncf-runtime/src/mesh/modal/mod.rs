@@ -5,6 +5,8 @@ mod elastic;
 mod invariants;
 mod reduction;
 mod scene;
+#[cfg(test)]
+mod scene_tests;
 mod softening;
 #[cfg(test)]
 mod tests;

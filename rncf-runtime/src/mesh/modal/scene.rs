@@ -66,7 +66,11 @@ pub struct ModalScene<P> {
 }
 
 impl<P: Parts> ModalScene<P> {
-    fn new(mut scene: MeshScene<P>) -> Result<Self, ModelError> {
+    /// Finds the modes of the bodies that ask for them.
+    ///
+    /// # Errors
+    /// As [`build`].
+    pub(super) fn new(mut scene: MeshScene<P>) -> Result<Self, ModelError> {
         let (mut blocks, mut bodies) = (Vec::new(), Vec::new());
         for index in 0..scene.bodies.len() {
             let fidelity = scene.bodies[index].spec.fidelity;
@@ -119,6 +123,12 @@ impl<P: Parts> ModalScene<P> {
             turns,
             sizes,
         })
+    }
+
+    /// The map from modal coordinates.
+    #[cfg(test)]
+    pub(super) fn reduction(&self) -> &Reduction {
+        &self.reduction
     }
 
     /// Expands the state to all nodal vectors.

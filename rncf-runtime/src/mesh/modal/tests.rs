@@ -3,12 +3,12 @@ use crate::vector::{Matrix, add, apply, cross, dot, scale};
 
 /// Hermite cable elements (THEORY 5.1) of equal length, three Gauss points.
 #[derive(Clone, Copy)]
-struct Cable {
-    dimension: usize,
-    length: f64,
-    axial: f64,
-    bending: f64,
-    damping: f64,
+pub(super) struct Cable {
+    pub dimension: usize,
+    pub length: f64,
+    pub axial: f64,
+    pub bending: f64,
+    pub damping: f64,
 }
 
 const GAUSS: [(f64, f64); 3] = [
@@ -19,7 +19,7 @@ const GAUSS: [(f64, f64); 3] = [
 
 impl Cable {
     /// First and second derivatives of the shape functions.
-    fn slopes(&self, x: f64) -> [[f64; 4]; 2] {
+    pub fn slopes(&self, x: f64) -> [[f64; 4]; 2] {
         let l = self.length;
         [
             [
@@ -93,23 +93,29 @@ impl Elements for Cable {
     }
 }
 
-/// A cantilever along the first axis of unit length, EI and line density, starting at `hub`; the slope
-/// at its root keeps its direction.
-fn cantilever(dimension: usize, count: usize, slenderness: f64, hub: f64, damping: f64) -> (Nodal, Cable) {
-    let l = 1.0 / count as f64;
-    let (vectors, d) = (2 * (count + 1), dimension);
-    let element = [
+/// Mass matrix of the vectors of an element of unit line density (THEORY 5.1).
+pub(super) fn element_mass(l: f64) -> [[f64; 4]; 4] {
+    let unit = [
         [13.0 / 35.0, 11.0 * l / 210.0, 9.0 / 70.0, -13.0 * l / 420.0],
         [11.0 * l / 210.0, l * l / 105.0, 13.0 * l / 420.0, -l * l / 140.0],
         [9.0 / 70.0, 13.0 * l / 420.0, 13.0 / 35.0, -11.0 * l / 210.0],
         [-13.0 * l / 420.0, -l * l / 140.0, -11.0 * l / 210.0, l * l / 105.0],
     ];
+    unit.map(|row| row.map(|entry| l * entry))
+}
+
+/// A cantilever along the first axis of unit length, EI and line density, starting at `hub`; the slope
+/// at its root keeps its direction.
+fn cantilever(dimension: usize, count: usize, slenderness: f64, hub: f64, damping: f64) -> (Nodal, Cable) {
+    let l = 1.0 / count as f64;
+    let (vectors, d) = (2 * (count + 1), dimension);
+    let element = element_mass(l);
     let mut mass = vec![0.0; vectors * vectors];
     let mut components = Vec::new();
     for first in (0..count).map(|e| 2 * e) {
         for a in 0..4 {
             for b in 0..4 {
-                mass[(first + a) * vectors + first + b] += l * element[a][b];
+                mass[(first + a) * vectors + first + b] += element[a][b];
             }
         }
         components.extend(first * d..(first + 4) * d);
@@ -154,7 +160,7 @@ fn modal(dimension: usize, count: usize, slenderness: f64, fidelity: Fidelity) -
 }
 
 /// Numbers between -1 and 1.
-fn numbers(count: usize, seed: u64) -> Vec<f64> {
+pub(super) fn numbers(count: usize, seed: u64) -> Vec<f64> {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
     let mut next = || {
         state = state
@@ -223,9 +229,9 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().map(|x| x.abs()).fold(0.0, f64::max)
 }
 
-fn close(a: &[f64], b: &[f64], tolerance: f64) {
+pub(super) fn close(a: &[f64], b: &[f64], tolerance: f64) {
     assert_eq!(a.len(), b.len());
-    let size = largest(b).max(1e-300);
+    let size = largest(b).max(1e-9);
     for (i, (x, y)) in a.iter().zip(b).enumerate() {
         assert!((x - y).abs() <= tolerance * size, "{i}: {x} against {y}, size {size}");
     }
