@@ -145,8 +145,7 @@ fn orthonormalise(size: usize, mass: &[f64], vectors: &mut [Vec<f64>]) -> Result
                 rest[0].iter_mut().zip(&*other).for_each(|(x, y)| *x -= part * y);
             }
             let square = product(size, mass, &rest[0], &rest[0]);
-            // Also false for what is not a number.
-            if !(square > 0.0) {
+            if square.is_nan() || square <= 0.0 {
                 return Err(Indefinite);
             }
             rest[0].iter_mut().for_each(|x| *x /= square.sqrt());

@@ -186,7 +186,11 @@ impl<P: Parts> MeshScene<P> {
                 data,
                 absolute(body),
                 // Modes are those of the body as its frame holds it.
-                if body.fidelity == Fidelity::Full { joints } else { Joints::Eliminated },
+                if body.fidelity == Fidelity::Full {
+                    joints
+                } else {
+                    Joints::Eliminated
+                },
             ));
         }
         let border = free.iter().map(FreeFrame::count).sum();

@@ -64,6 +64,7 @@ pub struct ModalBody {
     modes: Vec<f64>,
     /// M^ab phi_ib in the same order.
     momenta: Vec<f64>,
+    /// At the undeformed shape, rad/s, ascending.
     frequencies: Vec<f64>,
     sizes: Vec<f64>,
     invariants: Invariants,
@@ -132,11 +133,6 @@ impl ModalBody {
         self.frequencies.len()
     }
 
-    /// Natural frequencies at the undeformed shape, rad/s, ascending.
-    pub fn frequencies(&self) -> &[f64] {
-        &self.frequencies
-    }
-
     /// Modal coordinates that displace some point by the body's length, or turn a slope by 1.
     pub fn sizes(&self) -> &[f64] {
         &self.sizes
@@ -163,15 +159,6 @@ impl ModalBody {
     pub fn expand_rate(&self, rate: &[f64], v: &mut [f64]) {
         for (component, value) in v.iter_mut().enumerate() {
             *value = self.mode_row(component).iter().zip(rate).map(|(a, b)| a * b).sum();
-        }
-    }
-
-    /// Adds generalised forces on modes, `phi_i . Q`.
-    pub fn project(&self, force: &[f64], out: &mut [f64]) {
-        for (component, value) in force.iter().enumerate() {
-            for (sum, mode) in out.iter_mut().zip(self.mode_row(component)) {
-                *sum += mode * value;
-            }
         }
     }
 

@@ -30,7 +30,9 @@ impl Block {
             for (entry, values) in nodal.map.iter().zip(full.chunks_exact(width.max(1))) {
                 if let Some((unknown, factor)) = entry {
                     let row = &mut rows[unknown * width..(unknown + 1) * width];
-                    row.iter_mut().zip(values).for_each(|(sum, value)| *sum += factor * value);
+                    row.iter_mut()
+                        .zip(values)
+                        .for_each(|(sum, value)| *sum += factor * value);
                 }
             }
             rows
@@ -128,7 +130,11 @@ impl Reduction {
                 let block = &self.blocks[block];
                 let start = if is_position { block.shape[freedom] } else { 0.0 };
                 let coordinates = &x[block.coordinate..];
-                block.row(freedom).iter().zip(coordinates).fold(start, |sum, (a, b)| sum + a * b)
+                block
+                    .row(freedom)
+                    .iter()
+                    .zip(coordinates)
+                    .fold(start, |sum, (a, b)| sum + a * b)
             }
         }));
     }
@@ -141,7 +147,11 @@ impl Reduction {
                 Origin::Same(place) => x[place] = value,
                 Origin::Modal { block, freedom } => {
                     let block = &self.blocks[block];
-                    let moved = if is_position { value - block.shape[freedom] } else { value };
+                    let moved = if is_position {
+                        value - block.shape[freedom]
+                    } else {
+                        value
+                    };
                     let momenta = &block.momenta[freedom * block.count..];
                     for (sum, momentum) in x[block.coordinate..][..block.count].iter_mut().zip(momenta) {
                         *sum += momentum * moved;

@@ -239,7 +239,10 @@ impl<P: Parts> ModalScene<P> {
     fn add_modal(&self, block: &Block, matrix: &[f64], values: &mut [f64]) {
         let n = block.count;
         for (place, value) in matrix.iter().enumerate() {
-            if let Some(entry) = self.pattern.find(block.coordinate + place / n, block.coordinate + place % n) {
+            if let Some(entry) = self
+                .pattern
+                .find(block.coordinate + place / n, block.coordinate + place % n)
+            {
                 values[entry] += value;
             }
         }
@@ -250,7 +253,9 @@ impl<P: Parts> ModalScene<P> {
         let from = self.scene.pattern();
         self.reduction
             .reduce_square(from, &self.tangent.mass, &self.pattern, values);
-        self.each_body([0.0; 3], |block, _, modes, _, _| self.add_modal(block, modes.mass(), values));
+        self.each_body([0.0; 3], |block, _, modes, _, _| {
+            self.add_modal(block, modes.mass(), values)
+        });
         for (block, beside) in self.reduction.blocks().iter().zip(beside) {
             if let Some(beside) = beside {
                 let transposed = transposed(&beside.mass, beside.count, block.count);
@@ -328,9 +333,7 @@ impl<P: Parts> System for ModalScene<P> {
         }
         self.reduce_mass(&beside, &mut out.mass);
         let (from, to) = (self.scene.pattern(), &self.pattern);
-        let Tangent {
-            stiffness, damping, ..
-        } = &self.tangent;
+        let Tangent { stiffness, damping, .. } = &self.tangent;
         self.reduction.reduce_square(from, stiffness, to, &mut out.stiffness);
         self.reduction.reduce_square(from, damping, to, &mut out.damping);
         self.each_body(self.gravity(state.t, 1.0), |block, _, modes, elements, action| {
@@ -539,7 +542,7 @@ impl<P: Parts> MeshScene<P> {
                 let distance = (self.buffers.q[place] - shape[place]).abs();
                 own.contains(&place) && distance > ROUND_OFF * length.max(1.0)
             };
-            if condition.components.iter().any(|place| moved(place)) {
+            if condition.components.iter().any(moved) {
                 return refuse(format!(
                     "joint `{}` holds body `{name}` away from its undeformed place, about which its modes are: let the joint be where the body is",
                     joint.name
@@ -584,8 +587,12 @@ impl<P: Parts> MeshScene<P> {
             shape: self.shape()[components.clone()].to_vec(),
             mass,
             fixtures,
-            whole: (0..vectors).map(|vector| if order(vector) == 0 { 1.0 } else { 0.0 }).collect(),
-            map: map.map(|entry| entry.map(|(unknown, factor)| (unknown - first, factor))).collect(),
+            whole: (0..vectors)
+                .map(|vector| if order(vector) == 0 { 1.0 } else { 0.0 })
+                .collect(),
+            map: map
+                .map(|entry| entry.map(|(unknown, factor)| (unknown - first, factor)))
+                .collect(),
             freedoms: after(components).map_or(0, |end| end - first),
         };
         (nodal, first)
