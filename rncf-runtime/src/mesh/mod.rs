@@ -38,3 +38,6 @@ pub use parts::{
     Parts, Place, PointQuantity, Prescribed,
 };
 pub use scene::MeshScene;
+
+#[cfg(test)]
+mod tests;

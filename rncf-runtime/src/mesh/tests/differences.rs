@@ -1,0 +1,173 @@
+//! Every block of the derivatives against central differences along right increments.
+
+use super::super::MeshScene;
+use super::model::{Hand, everything};
+use super::random::{Random, moved};
+use crate::linalg::Pattern;
+use crate::model::{Formulation, Scene};
+use crate::system::{ConstraintLevel, State, System, Tangent};
+
+const STEP: f64 = 1e-5;
+const TOLERANCE: f64 = 1e-6;
+
+fn dense(pattern: &Pattern, values: &[f64]) -> Vec<Vec<f64>> {
+    let mut matrix = vec![vec![0.0; pattern.columns()]; pattern.rows()];
+    for column in 0..pattern.columns() {
+        for place in pattern.starts()[column]..pattern.starts()[column + 1] {
+            matrix[pattern.indices()[place]][column] = values[place];
+        }
+    }
+    matrix
+}
+
+/// Residual with the constraint forces.
+fn balance(scene: &mut MeshScene<Hand>, state: &State) -> Vec<f64> {
+    let mut out = vec![0.0; scene.unknowns()];
+    scene.residual(state, &mut out);
+    let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
+    scene.constraint_jacobian(state, &mut jacobian);
+    scene
+        .constraint_pattern()
+        .multiply_add(1.0, &jacobian, &state.lambda, &mut out);
+    out
+}
+
+/// `C`, and `C_x v + C_t`.
+fn constraints(scene: &mut MeshScene<Hand>, state: &State) -> [Vec<f64>; 2] {
+    let zeros = || vec![0.0; state.lambda.len()];
+    let (mut values, mut rates) = (zeros(), zeros());
+    scene.constraint(ConstraintLevel::Position, state, &mut values);
+    scene.constraint(ConstraintLevel::Velocity, state, &mut rates);
+    let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
+    scene.constraint_jacobian(state, &mut jacobian);
+    scene
+        .constraint_pattern()
+        .transpose_multiply_add(1.0, &jacobian, &state.v, &mut rates);
+    [values, rates]
+}
+
+fn difference(high: &[f64], low: &[f64]) -> Vec<f64> {
+    high.iter()
+        .zip(low)
+        .map(|(high, low)| (high - low) / (2.0 * STEP))
+        .collect()
+}
+
+/// Compares column `column` of a matrix, relative to its largest entry.
+fn compare(what: &str, matrix: &[Vec<f64>], column: usize, expected: &[f64], scene: &MeshScene<Hand>) {
+    let scale = matrix
+        .iter()
+        .flatten()
+        .fold(1.0, |scale: f64, value| scale.max(value.abs()));
+    for (row, expected) in expected.iter().enumerate() {
+        let error = (matrix[row][column] - expected).abs();
+        assert!(
+            error < TOLERANCE * scale,
+            "{what} ({row}, {column}): {} instead of {expected}; {} by {}",
+            matrix[row][column],
+            scene.describe_unknown(row.min(scene.unknowns() - 1)),
+            scene.describe_unknown(column),
+        );
+    }
+}
+
+fn check(formulation: Formulation, seed: u64) {
+    let mut scene = everything().scene(formulation);
+    let mut state = scene.rest(0.3);
+    Random(seed).shake(&scene, &mut state, 0.2);
+    let mut tangent = Tangent::default();
+    scene.tangent(&state, &mut tangent);
+    let mut mass = vec![0.0; scene.pattern().entries()];
+    scene.mass(&state, &mut mass);
+    let of = |values: &[f64], scene: &MeshScene<Hand>| dense(scene.pattern(), values);
+    let [by_x, by_v, by_a] = [&tangent.stiffness, &tangent.damping, &tangent.mass].map(|values| of(values, &scene));
+    let mass = of(&mass, &scene);
+    let mut values = vec![0.0; scene.constraint_pattern().entries()];
+    let transposed = |matrix: Vec<Vec<f64>>| -> Vec<Vec<f64>> {
+        let columns = matrix.first().map_or(0, Vec::len);
+        (0..columns)
+            .map(|j| matrix.iter().map(|row| row[j]).collect())
+            .collect()
+    };
+    scene.constraint_jacobian(&state, &mut values);
+    let jacobian = transposed(dense(scene.constraint_pattern(), &values));
+    scene.constraint_rate_tangent(&state, &mut values);
+    let rates = transposed(dense(scene.constraint_pattern(), &values));
+    for i in 0..scene.unknowns() {
+        for j in 0..scene.unknowns() {
+            assert!((mass[i][j] - mass[j][i]).abs() < 1e-12, "mass ({i}, {j})");
+            assert!((mass[i][j] - by_a[i][j]).abs() < 1e-12, "masses ({i}, {j})");
+        }
+        let [high, low] = [STEP, -STEP].map(|step| moved(&scene, &state, i, step));
+        let [first, second] = [&high, &low].map(|state| balance(&mut scene, state));
+        compare("stiffness", &by_x, i, &difference(&first, &second), &scene);
+        let [first, second] = [&high, &low].map(|state| constraints(&mut scene, state));
+        compare("jacobian", &jacobian, i, &difference(&first[0], &second[0]), &scene);
+        compare("rates", &rates, i, &difference(&first[1], &second[1]), &scene);
+        let [first, second] = [STEP, -STEP].map(|step| {
+            let mut state = state.clone();
+            state.v[i] += step;
+            balance(&mut scene, &state)
+        });
+        compare("damping", &by_v, i, &difference(&first, &second), &scene);
+        let [first, second] = [STEP, -STEP].map(|step| {
+            let mut state = state.clone();
+            state.a[i] += step;
+            balance(&mut scene, &state)
+        });
+        compare("mass", &by_a, i, &difference(&first, &second), &scene);
+    }
+}
+
+#[test]
+fn derivatives_in_referenced_coordinates() {
+    check(Formulation::Rncf, 1);
+    check(Formulation::Rncf, 2);
+}
+
+#[test]
+fn derivatives_in_absolute_coordinates() {
+    check(Formulation::Ancf, 3);
+    check(Formulation::Ancf, 4);
+}
+
+/// The rate of the energy along any motion is the power of what is out of balance.
+#[test]
+fn energy_is_the_integral_of_the_residual() {
+    for formulation in [Formulation::Rncf, Formulation::Ancf] {
+        let mut hand = everything();
+        hand.moving = false;
+        hand.conservative = true;
+        hand.constraints.clear();
+        // Loads along turning axes and moments have no potential.
+        hand.loads.truncate(2);
+        hand.forces.truncate(2);
+        for (spec, law) in &mut hand.forces {
+            spec.conservative = true;
+            if let super::model::Law::Spring(_, _, damping) = law {
+                *damping = 0.0;
+            }
+        }
+        let mut scene = hand.scene(formulation);
+        let mut state = scene.rest(0.0);
+        Random(5).shake(&scene, &mut state, 0.2);
+        let along = |step: f64| {
+            let mut later = state.clone();
+            for i in 0..state.x.len() {
+                later.x[i] += step * (state.v[i] + 0.5 * step * state.a[i]);
+                later.v[i] += step * state.a[i];
+            }
+            later
+        };
+        let [high, low] =
+            [STEP, -STEP].map(|step| scene.energy(&along(step)).expect("nothing takes or gives energy here"));
+        let mut residual = vec![0.0; scene.unknowns()];
+        scene.residual(&state, &mut residual);
+        let power: f64 = residual.iter().zip(&state.v).map(|(r, v)| r * v).sum();
+        let rate = (high - low) / (2.0 * STEP);
+        assert!(
+            (rate - power).abs() < 1e-7 * power.abs().max(1.0),
+            "{formulation:?}: {rate} {power}"
+        );
+    }
+}

@@ -1,0 +1,8 @@
+//! Scenes with free frames against differences and balances, with kernels written by hand.
+
+mod acceleration;
+mod differences;
+mod inertia;
+mod levels;
+mod model;
+mod random;

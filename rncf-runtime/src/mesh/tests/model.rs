@@ -1,0 +1,814 @@
+//! A scene by hand with everything that moves, and what acts between it.
+
+use super::super::free::{FreeSpec, Motions, RigidSpec};
+use super::super::parts::{
+    BodySpec, Carried, CarriedTangent, Fidelity, JointData, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec,
+    Parts, Place, Prescribed,
+};
+use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, FrameAction, FrameMotion, Line, MarkerSpec, MeshScene};
+use super::inertia::{self, Inertia};
+use crate::error::ModelError;
+use crate::model::{Formulation, Joints};
+use crate::rotation::Rotation;
+use crate::system::ConstraintLevel;
+use crate::vector::{Vector, add, apply_transposed, cross, dot, scale, subtract};
+
+/// A row `sum z_m . B z_n + sum b . z_m + c + s sin(2 t)` of a constraint.
+#[derive(Clone, Debug, Default)]
+pub struct Quadratic {
+    pub products: Vec<(usize, usize, f64)>,
+    pub linear: Vec<(usize, Vector)>,
+    pub constant: f64,
+    pub sine: f64,
+}
+
+/// What a force on markers is.
+#[derive(Clone, Copy, Debug)]
+pub enum Law {
+    /// Between two points, by the square of their distance and their speed: stiffness, length, damping.
+    Spring(f64, f64, f64),
+    /// Along the second marker on the first: size.
+    Along(f64),
+    /// Against the velocity of one marker: damping.
+    Drag(f64),
+}
+
+/// Everything declared.
+#[derive(Clone, Debug, Default)]
+pub struct Hand {
+    pub frames: Vec<&'static str>,
+    /// Whether frame 1 shifts and frame 2 turns.
+    pub moving: bool,
+    pub bodies: Vec<BodySpec>,
+    pub joints: Vec<JointSpec>,
+    pub loads: Vec<(LoadSpec, Vector)>,
+    pub free: Vec<FreeSpec>,
+    pub markers: Vec<MarkerSpec>,
+    pub constraints: Vec<(ConstraintSpec, Vec<Quadratic>)>,
+    pub forces: Vec<(ForceSpec, Law)>,
+    pub fixtures: Vec<FixtureSpec>,
+    pub observed: Vec<ObservedSpec>,
+    pub conservative: bool,
+    pub lengths: Vec<f64>,
+}
+
+/// Line density, kg/m, of all bodies.
+const DENSITY: f64 = 0.7;
+const COUNTS: [f64; 4] = [1.0, 0.0, 1.0, 0.0];
+
+impl Hand {
+    /// The scene; absolute coordinates have no held components here.
+    pub fn scene(mut self, formulation: Formulation) -> MeshScene<Self> {
+        if formulation == Formulation::Ancf {
+            let free: Vec<usize> = self.free.iter().map(|spec| spec.frame).collect();
+            let stays = |joint: &JointSpec| joint.kind == JointKind::Pin || free.contains(&joint.frame);
+            self.joints.retain(stays);
+        }
+        MeshScene::new(self, formulation, Joints::Eliminated).expect("the scene makes sense")
+    }
+
+    /// Hermite mass matrix of an element.
+    fn masses(&self, body: usize) -> [f64; 16] {
+        let l = self.lengths[body];
+        let rows = [
+            [156.0, 22.0 * l, 54.0, -13.0 * l],
+            [22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l],
+            [54.0, 13.0 * l, 156.0, -22.0 * l],
+            [-13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l],
+        ];
+        std::array::from_fn(|i| DENSITY * l / 420.0 * rows[i / 4][i % 4])
+    }
+
+    /// Stiffnesses and forms of the strains: `I = sum S_ab q_a . q_b - I0`, strain energy k I^2 / 2.
+    fn strains(&self, body: usize) -> [(f64, [[f64; 4]; 4], f64); 3] {
+        let l = self.lengths[body];
+        let stretch = |a: usize, b: usize| -> [[f64; 4]; 4] {
+            let sign = |i: usize| {
+                if i == a {
+                    -1.0
+                } else if i == b {
+                    1.0
+                } else {
+                    0.0
+                }
+            };
+            std::array::from_fn(|i| std::array::from_fn(|j| sign(i) * sign(j)))
+        };
+        let bend = |i: usize, j: usize| if (i, j) == (1, 3) || (i, j) == (3, 1) { 0.5 } else { 0.0 };
+        let norm = |i: usize, j: usize| if i == j && i % 2 == 1 { 1.0 } else { 0.0 };
+        let of = |f: &dyn Fn(usize, usize) -> f64| std::array::from_fn(|i| std::array::from_fn(|j| f(i, j)));
+        [
+            (3.0, stretch(0, 2), l * l),
+            (2.0, of(&bend), 1.0),
+            (1.5, of(&norm), 2.0),
+        ]
+    }
+
+    /// Strain and its derivatives with respect to all components.
+    fn strain(&self, q: &[f64], form: &[[f64; 4]; 4], zero: f64) -> (f64, Vec<f64>) {
+        let d = q.len() / 4;
+        let gradient: Vec<f64> = (0..q.len())
+            .map(|i| (0..4).map(|b| 2.0 * form[i / d][b] * q[b * d + i % d]).sum())
+            .collect();
+        let value: f64 = gradient.iter().zip(q).map(|(g, q)| 0.5 * g * q).sum();
+        (value - zero, gradient)
+    }
+
+    fn inertia<'a>(&self, mass: &'a [f64], dimension: usize) -> Inertia<'a> {
+        Inertia {
+            mass,
+            counts: &COUNTS[..if mass.len() == 4 { 2 } else { 4 }],
+            dimension,
+        }
+    }
+
+    fn with_inertia(&self, of: Carried, run: impl FnOnce(Inertia)) {
+        match of {
+            Carried::Element { body } => run(self.inertia(&self.masses(body), self.bodies[body].dimension())),
+            Carried::Fixture { dimension, constants } => run(self.inertia(&fixture_mass(constants), dimension)),
+            Carried::Rigid(_) => {}
+        }
+    }
+}
+
+fn fixture_mass([mass, first, second]: [f64; 3]) -> [f64; 4] {
+    [mass, first, first, second]
+}
+
+/// Derivatives of `sin(2 t)`.
+fn sine(t: f64, order: usize) -> f64 {
+    let (s, c) = (2.0 * t).sin_cos();
+    [s, 2.0 * c, -4.0 * s, -8.0 * c][order]
+}
+
+/// A slope's force from a moment: `m x s / |s|^2`, planar: about the normal.
+fn on_slope(slope: Vector, moment: Vector) -> Vector {
+    scale(1.0 / dot(slope, slope), cross(moment, slope))
+}
+
+fn spread(dimension: usize, slope: &[f64], moment: Vector) -> [Vector; 2] {
+    let mut full = [0.0; 3];
+    full[..dimension].copy_from_slice(slope);
+    let moment = if dimension == 2 { [0.0, 0.0, moment[0]] } else { moment };
+    [full, moment]
+}
+
+impl Parts for Hand {
+    fn bodies(&self) -> Vec<BodySpec> {
+        self.bodies.clone()
+    }
+    fn joints(&self) -> Vec<JointSpec> {
+        self.joints.clone()
+    }
+    fn loads(&self) -> Vec<LoadSpec> {
+        self.loads.iter().map(|(load, _)| load.clone()).collect()
+    }
+    fn observed(&self) -> Vec<ObservedSpec> {
+        self.observed.clone()
+    }
+    fn output_columns(&self) -> usize {
+        self.observed.len()
+    }
+    fn frame_count(&self) -> usize {
+        self.frames.len()
+    }
+    fn frame_name(&self, frame: usize) -> &'static str {
+        self.frames[frame]
+    }
+    fn conservative(&self) -> bool {
+        self.conservative
+    }
+    fn kinks(&self) -> Vec<f64> {
+        Vec::new()
+    }
+    fn prepare(&mut self, body: usize, length: f64, _shape: &[f64]) -> Result<(), ModelError> {
+        self.lengths.resize(self.bodies.len(), 0.0);
+        self.lengths[body] = length;
+        Ok(())
+    }
+
+    /// Frame 1 shifts along a curve; frame 2 turns about a fixed axis and shifts.
+    fn frames(&self, t: f64, motions: &mut [FrameMotion]) {
+        motions.fill(FrameMotion::INERTIAL);
+        if self.moving {
+            let along: Vector = [0.3, -0.2, 0.5];
+            for motion in &mut motions[1..3] {
+                motion.position = along.map(|a| a * sine(t, 0));
+                motion.velocity = along.map(|a| a * sine(t, 1));
+                motion.acceleration = along.map(|a| a * sine(t, 2));
+                motion.jerk = along.map(|a| a * sine(t, 3));
+            }
+            let axis: Vector = [0.0, 0.6, 0.8];
+            let turning = &mut motions[2];
+            turning.rotation = Rotation::exp(scale(sine(t, 0), axis)).matrix();
+            turning.spin = scale(sine(t, 1), axis);
+            turning.spin_rate = scale(sine(t, 2), axis);
+            turning.spin_jerk = scale(sine(t, 3), axis);
+        }
+    }
+    fn load_varies(&self, _load: usize) -> bool {
+        false
+    }
+    fn load(&self, load: usize, _t: f64) -> [f64; 3] {
+        self.loads[load].1
+    }
+    fn mass(&self, body: usize, mass: &mut [f64]) {
+        mass.copy_from_slice(&self.masses(body));
+    }
+    fn force(
+        &self,
+        body: usize,
+        _element: usize,
+        absolute: bool,
+        frame: &FrameAction,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        force: &mut [f64],
+    ) {
+        for (k, form, zero) in self.strains(body) {
+            let (strain, gradient) = self.strain(q, &form, zero);
+            for (force, gradient) in force.iter_mut().zip(gradient) {
+                *force += k * strain * gradient;
+            }
+        }
+        let action = if absolute {
+            FrameAction {
+                acceleration: frame.acceleration,
+                ..FrameAction::default()
+            }
+        } else {
+            *frame
+        };
+        self.inertia(&self.masses(body), q.len() / 4)
+            .force(&action, q, v, a, force);
+    }
+    fn tangent(
+        &self,
+        body: usize,
+        _element: usize,
+        absolute: bool,
+        frame: &FrameAction,
+        q: &[f64],
+        _v: &[f64],
+        stiffness: &mut [f64],
+        damping: &mut [f64],
+    ) {
+        let (size, d) = (q.len(), q.len() / 4);
+        for (k, form, zero) in self.strains(body) {
+            let (strain, gradient) = self.strain(q, &form, zero);
+            for i in 0..size {
+                for j in 0..size {
+                    let second = if i % d == j % d { 2.0 * form[i / d][j / d] } else { 0.0 };
+                    stiffness[i * size + j] += k * (gradient[i] * gradient[j] + strain * second);
+                }
+            }
+        }
+        if !absolute {
+            self.inertia(&self.masses(body), d).tangent(frame, stiffness, damping);
+        }
+    }
+    fn energy(&self, body: usize, _element: usize, q: &[f64]) -> f64 {
+        let strains = self.strains(body).into_iter();
+        strains
+            .map(|(k, form, zero)| 0.5 * k * self.strain(q, &form, zero).0.powi(2))
+            .sum()
+    }
+    fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]) {
+        let l = self.lengths[body];
+        let (x2, x3) = (xi * xi, xi * xi * xi);
+        let s = [
+            1.0 - 3.0 * x2 + 2.0 * x3,
+            l * (xi - 2.0 * x2 + x3),
+            3.0 * x2 - 2.0 * x3,
+            l * (x3 - x2),
+        ];
+        let d = [
+            6.0 * (x2 - xi) / l,
+            1.0 - 4.0 * xi + 3.0 * x2,
+            6.0 * (xi - x2) / l,
+            3.0 * x2 - 2.0 * xi,
+        ];
+        values.copy_from_slice(&s);
+        slopes.copy_from_slice(&d);
+    }
+    fn moment(&self, dimension: usize, slope: &[f64], moment: [f64; 3], force: &mut [f64]) {
+        let [slope, moment] = spread(dimension, slope, moment);
+        let value = on_slope(slope, moment);
+        force.iter_mut().zip(value).for_each(|(force, value)| *force += value);
+    }
+    fn moment_tangent(&self, dimension: usize, slope: &[f64], moment: [f64; 3], tangent: &mut [f64]) {
+        let [slope, moment] = spread(dimension, slope, moment);
+        let size = dot(slope, slope);
+        let value = on_slope(slope, moment);
+        let turn = crate::vector::skew(moment);
+        for i in 0..dimension {
+            for j in 0..dimension {
+                tangent[i * dimension + j] += turn[i][j] / size - 2.0 * value[i] * slope[j] / size;
+            }
+        }
+    }
+    fn condition(
+        &self,
+        _joint: usize,
+        _absolute: bool,
+        _level: ConstraintLevel,
+        _t: f64,
+        _data: &JointData,
+        _q: &[f64],
+        _v: &[f64],
+        _a: &[f64],
+        _rows: &mut [f64],
+    ) {
+        unreachable!("all conditions here are eliminated")
+    }
+    fn condition_jacobian(&self, _joint: usize, _absolute: bool, _t: f64, _data: &JointData, _jacobian: &mut [f64]) {
+        unreachable!("all conditions here are eliminated")
+    }
+
+    /// Points of spatial bodies, perhaps of the inertial frame in frame 2: there they move.
+    fn prescribed(&self, joint: usize, absolute: bool, t: f64, data: &JointData, prescribed: &mut Prescribed) {
+        let joint = &self.joints[joint];
+        prescribed.position[0] = data.point;
+        prescribed.slope[0] = data.tangent;
+        let own = self.bodies[joint.body].frame;
+        if joint.frame == 0 && own == 2 && !absolute {
+            let mut motions = vec![FrameMotion::INERTIAL; self.frames.len()];
+            self.frames(t, &mut motions);
+            let hub = &motions[2];
+            // p = A^T (x - r): p' = -A^T r' - w x p, and so on.
+            let back = |u: Vector| scale(-1.0, apply_transposed(&hub.rotation, u));
+            let w = [hub.spin, hub.spin_rate, hub.spin_jerk];
+            let p = hub.point_to_frame(data.point);
+            let u = |r: Vector| back(r);
+            let p1 = subtract(u(hub.velocity), cross(w[0], p));
+            let turned = |r: Vector, next: Vector| subtract(u(next), cross(w[0], u(r)));
+            let p2 = subtract(
+                turned(hub.velocity, hub.acceleration),
+                add(cross(w[1], p), cross(w[0], p1)),
+            );
+            // Second derivative of A^T r' with its sign.
+            let second = add(
+                subtract(u(hub.jerk), scale(2.0, cross(w[0], u(hub.acceleration)))),
+                subtract(cross(w[0], cross(w[0], u(hub.velocity))), cross(w[1], u(hub.velocity))),
+            );
+            let swing = add(cross(w[2], p), add(scale(2.0, cross(w[1], p1)), cross(w[0], p2)));
+            prescribed.position = [p, p1, p2, subtract(second, swing)];
+        }
+        if self.bodies[joint.body].dimension() == 2 {
+            assert_eq!(self.bodies[joint.body].axes, [0, 1]);
+        }
+    }
+    fn outputs(&self, _t: f64, observed: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(observed);
+    }
+
+    fn free(&self) -> Vec<FreeSpec> {
+        self.free.clone()
+    }
+    fn markers(&self) -> Vec<MarkerSpec> {
+        self.markers.clone()
+    }
+    fn constraints(&self) -> Vec<ConstraintSpec> {
+        self.constraints.iter().map(|(spec, _)| spec.clone()).collect()
+    }
+    fn forces(&self) -> Vec<ForceSpec> {
+        self.forces.iter().map(|(spec, _)| spec.clone()).collect()
+    }
+    fn fixtures(&self) -> Vec<FixtureSpec> {
+        self.fixtures.clone()
+    }
+    fn carried(&self, of: Carried, frame: &FrameAction, q: &[f64], v: &[f64], a: &[f64], out: &mut [f64]) {
+        if let Carried::Rigid(spec) = of {
+            inertia::rigid(spec, frame, out);
+        }
+        self.with_inertia(of, |inertia| inertia.carried(frame, q, v, a, out));
+    }
+    fn carried_tangent(
+        &self,
+        of: Carried,
+        frame: &FrameAction,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        out: &mut CarriedTangent,
+    ) {
+        if let Carried::Rigid(spec) = of {
+            inertia::rigid_tangent(spec, frame, out);
+        }
+        self.with_inertia(of, |inertia| inertia.carried_tangent(frame, q, v, a, out));
+    }
+    fn fixture_force(
+        &self,
+        dimension: usize,
+        constants: [f64; 3],
+        absolute: bool,
+        frame: &FrameAction,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        force: &mut [f64],
+    ) {
+        assert!(!absolute || frame.spin == [0.0; 3]);
+        self.inertia(&fixture_mass(constants), dimension)
+            .force(frame, q, v, a, force);
+    }
+    fn fixture_tangent(
+        &self,
+        dimension: usize,
+        constants: [f64; 3],
+        _absolute: bool,
+        frame: &FrameAction,
+        stiffness: &mut [f64],
+        damping: &mut [f64],
+    ) {
+        self.inertia(&fixture_mass(constants), dimension)
+            .tangent(frame, stiffness, damping);
+    }
+
+    fn marker_constraint(
+        &self,
+        constraint: usize,
+        level: ConstraintLevel,
+        t: f64,
+        z: &[[Vector; 4]],
+        rows: &mut [f64],
+    ) {
+        const BINOMIAL: [[f64; 4]; 4] = [
+            [1.0, 0.0, 0.0, 0.0],
+            [1.0, 1.0, 0.0, 0.0],
+            [1.0, 2.0, 1.0, 0.0],
+            [1.0, 3.0, 3.0, 1.0],
+        ];
+        let order = level as usize;
+        for (row, form) in rows.iter_mut().zip(&self.constraints[constraint].1) {
+            *row = form.sine * sine(t, order) + if order == 0 { form.constant } else { 0.0 };
+            for &(m, n, factor) in &form.products {
+                for k in 0..=order {
+                    *row += factor * BINOMIAL[order][k] * dot(z[m][k], z[n][order - k]);
+                }
+            }
+            for &(m, b) in &form.linear {
+                *row += dot(b, z[m][order]);
+            }
+        }
+    }
+    fn marker_constraint_gradient(&self, constraint: usize, _t: f64, z: &[Vector], gradient: &mut [f64]) {
+        for (row, form) in gradient
+            .chunks_exact_mut(3 * z.len())
+            .zip(&self.constraints[constraint].1)
+        {
+            for i in 0..3 {
+                for &(m, n, factor) in &form.products {
+                    row[3 * m + i] += factor * z[n][i];
+                    row[3 * n + i] += factor * z[m][i];
+                }
+                for &(m, b) in &form.linear {
+                    row[3 * m + i] += b[i];
+                }
+            }
+        }
+    }
+    fn marker_constraint_rate_gradient(
+        &self,
+        constraint: usize,
+        _t: f64,
+        z: &[Vector],
+        velocity: &[Vector],
+        gradient: &mut [f64],
+    ) {
+        for (row, form) in gradient
+            .chunks_exact_mut(3 * z.len())
+            .zip(&self.constraints[constraint].1)
+        {
+            for i in 0..3 {
+                for &(m, n, factor) in &form.products {
+                    row[3 * m + i] += factor * velocity[n][i];
+                    row[3 * n + i] += factor * velocity[m][i];
+                }
+            }
+        }
+    }
+    fn marker_constraint_hessian(&self, constraint: usize, _t: f64, z: &[Vector], lambda: &[f64], hessian: &mut [f64]) {
+        let width = 3 * z.len();
+        for (lambda, form) in lambda.iter().zip(&self.constraints[constraint].1) {
+            for &(m, n, factor) in &form.products {
+                for i in 0..3 {
+                    hessian[(3 * m + i) * width + 3 * n + i] += lambda * factor;
+                    hessian[(3 * n + i) * width + 3 * m + i] += lambda * factor;
+                }
+            }
+        }
+    }
+    fn marker_force(&self, force: usize, _t: f64, z: &[Vector], velocity: &[Vector], out: &mut [f64]) {
+        match self.forces[force].1 {
+            Law::Spring(k, length, c) => {
+                let (d, rate) = (subtract(z[1], z[0]), subtract(velocity[1], velocity[0]));
+                let pull = add(scale(k * (dot(d, d) - length * length), d), scale(c, rate));
+                for i in 0..3 {
+                    out[i] += pull[i];
+                    out[3 + i] -= pull[i];
+                }
+            }
+            Law::Along(size) => out.iter_mut().zip(z[1]).for_each(|(out, z)| *out += size * z),
+            Law::Drag(c) => out.iter_mut().zip(velocity[0]).for_each(|(out, v)| *out -= c * v),
+        }
+    }
+    fn marker_force_tangent(
+        &self,
+        force: usize,
+        _t: f64,
+        z: &[Vector],
+        _velocity: &[Vector],
+        by_value: &mut [f64],
+        by_velocity: &mut [f64],
+    ) {
+        let width = 3 * z.len();
+        match self.forces[force].1 {
+            Law::Spring(k, length, c) => {
+                let d = subtract(z[1], z[0]);
+                let size = dot(d, d) - length * length;
+                for (m, n, sign) in [(0, 0, -1.0), (0, 1, 1.0), (1, 0, 1.0), (1, 1, -1.0)] {
+                    for i in 0..3 {
+                        for j in 0..3 {
+                            let unit = if i == j { 1.0 } else { 0.0 };
+                            let place = (3 * m + i) * width + 3 * n + j;
+                            by_value[place] += sign * k * (size * unit + 2.0 * d[i] * d[j]);
+                            by_velocity[place] += sign * c * unit;
+                        }
+                    }
+                }
+            }
+            Law::Along(size) => (0..3).for_each(|i| by_value[i * width + 3 + i] += size),
+            Law::Drag(c) => (0..3).for_each(|i| by_velocity[i * width + i] -= c),
+        }
+    }
+    fn marker_energy(&self, force: usize, _t: f64, z: &[Vector]) -> f64 {
+        match self.forces[force].1 {
+            Law::Spring(k, length, _) => {
+                let d = subtract(z[1], z[0]);
+                0.25 * k * (dot(d, d) - length * length).powi(2)
+            }
+            Law::Along(_) | Law::Drag(_) => 0.0,
+        }
+    }
+}
+
+/// A body of two elements along a line of its frame.
+pub fn body(name: &'static str, frame: usize, axes: &'static [usize], to: Vector) -> BodySpec {
+    BodySpec {
+        name,
+        frame,
+        axes,
+        line: Line::Straight { from: [0.0; 3], to },
+        count: 2,
+        meanings: &["position", "slope", "position", "slope"],
+        orders: &[0, 1, 0, 1],
+        connectivity: &[0, 1, 2, 3],
+        vectors_per_node: 2,
+        fidelity: Fidelity::Full,
+        mean_axes: false,
+    }
+}
+
+pub fn joint(name: &'static str, kind: JointKind, body: usize, at_end: bool, frame: usize) -> JointSpec {
+    JointSpec {
+        name,
+        kind,
+        body,
+        at_end,
+        frame,
+        point: None,
+    }
+}
+
+pub fn free(frame: usize, parent: usize, motions: Motions) -> FreeSpec {
+    FreeSpec {
+        frame,
+        parent,
+        is_body: false,
+        motions,
+        position: [0.0; 3],
+        axis: [0.0, 0.0, 1.0],
+        angle: 0.0,
+        velocity: [0.0; 3],
+        spin: [0.0; 3],
+        rigid: RigidSpec::default(),
+    }
+}
+
+/// A rigid body with its mass centre off the origin.
+pub fn stone() -> RigidSpec {
+    RigidSpec {
+        mass: 1.3,
+        moment: [0.2, -0.1, 0.3],
+        inertia: [[0.9, 0.05, -0.1], [0.05, 1.1, 0.07], [-0.1, 0.07, 0.8]],
+    }
+}
+
+const DEAD: Place = Place::At(0.37);
+
+/// Frames of every kind, bodies in them, and everything that acts.
+pub fn everything() -> Hand {
+    let load = |name, kind, frame| LoadSpec { name, kind, frame };
+    let with = |mut spec: FreeSpec, rigid: RigidSpec| {
+        spec.rigid = rigid;
+        spec
+    };
+    let mut spatial = with(free(3, 2, Motions::Spatial), stone());
+    (spatial.position, spatial.axis, spatial.angle) = ([0.2, 0.1, -0.3], [0.6, 0.0, 0.8], 0.4);
+    (spatial.velocity, spatial.spin) = ([0.3, 0.2, 0.1], [0.5, -0.4, 0.3]);
+    let mut planar = free(6, 0, Motions::Planar { normal: 2 });
+    (planar.position, planar.angle, planar.spin) = ([0.0, 0.4, 0.1], 7.0, [0.0, 0.0, 0.6]);
+    let rigid = |name, markers: &'static [usize], law| {
+        let spec = ForceSpec {
+            name,
+            markers,
+            conservative: false,
+        };
+        (spec, law)
+    };
+    Hand {
+        frames: vec![
+            "inertial", "shifting", "turning", "ship", "top", "door", "sledge", "stone", "puck",
+        ],
+        moving: true,
+        bodies: vec![
+            body("mast", 3, &[0, 1, 2], [0.9, 0.3, 0.0]),
+            body("whip", 6, &[0, 1], [0.4, 0.5, 0.0]),
+            body("blade", 2, &[0, 1, 2], [0.0, 0.8, 0.2]),
+        ],
+        joints: vec![
+            joint("step", JointKind::Clamp, 0, false, 3),
+            joint("grip", JointKind::Pin, 1, false, 6),
+            joint("rest", JointKind::Hold { order: 0, axis: 1 }, 1, true, 6),
+            joint("root", JointKind::Pin, 2, false, 0),
+            joint("tip", JointKind::Hold { order: 1, axis: 2 }, 2, true, 2),
+        ],
+        loads: vec![
+            (load("gravity", LoadKind::Gravity, 2), [0.5, -1.0, -3.0]),
+            (load("push", LoadKind::Force { body: 0, at: DEAD }, 2), [0.5, 1.5, -0.7]),
+            (
+                load(
+                    "twist",
+                    LoadKind::Moment {
+                        body: 0,
+                        at: Place::End,
+                    },
+                    0,
+                ),
+                [0.6, 0.4, -0.9],
+            ),
+            (load("lean", LoadKind::Moment { body: 1, at: DEAD }, 0), [0.1, 0.2, 1.1]),
+            (load("blow", LoadKind::Force { body: 2, at: DEAD }, 3), [1.0, -0.3, 0.4]),
+            (
+                load(
+                    "wring",
+                    LoadKind::Moment {
+                        body: 2,
+                        at: Place::End,
+                    },
+                    4,
+                ),
+                [0.3, 0.8, -0.6],
+            ),
+        ],
+        free: vec![
+            spatial,
+            with(free(4, 1, Motions::Turning), stone()),
+            with(free(5, 1, Motions::Hinged { axis: [0.6, 0.8, 0.0] }), stone()),
+            planar,
+            with(free(7, 0, Motions::Shifting), stone()),
+            with(free(8, 0, Motions::ShiftingPlanar { normal: 1 }), stone()),
+        ],
+        markers: vec![
+            MarkerSpec::Point {
+                frame: 3,
+                at: [0.1, 0.2, 0.3],
+            },
+            MarkerSpec::Direction {
+                frame: 4,
+                along: [0.6, 0.0, 0.8],
+            },
+            MarkerSpec::BodyPoint { body: 0, at: DEAD },
+            MarkerSpec::BodySlope {
+                body: 0,
+                at: Place::End,
+            },
+            MarkerSpec::BodyPoint { body: 1, at: DEAD },
+            MarkerSpec::BodyPoint {
+                body: 2,
+                at: Place::Start,
+            },
+            MarkerSpec::Turn { frame: 4 },
+            MarkerSpec::Angle { frame: 5 },
+            MarkerSpec::Matching { frame: 5, marker: 2 },
+            MarkerSpec::Normal {
+                frame: 7,
+                marker: 3,
+                which: 1,
+            },
+            MarkerSpec::Point {
+                frame: 2,
+                at: [0.3, -0.2, 0.1],
+            },
+            MarkerSpec::BodySlope { body: 2, at: DEAD },
+            MarkerSpec::Point {
+                frame: 8,
+                at: [0.0, 0.1, 0.0],
+            },
+            MarkerSpec::Turn { frame: 2 },
+            MarkerSpec::Direction {
+                frame: 2,
+                along: [0.0, 0.6, 0.8],
+            },
+        ],
+        constraints: constraints(),
+        forces: vec![
+            rigid("rope", &[2, 4], Law::Spring(1.2, 0.5, 0.7)),
+            rigid("band", &[10, 0], Law::Spring(0.8, 0.3, 0.4)),
+            rigid("jet", &[5, 1], Law::Along(1.7)),
+            rigid("rudder", &[3, 11], Law::Along(0.9)),
+            rigid("brake", &[6], Law::Drag(0.6)),
+            rigid("friction", &[7], Law::Drag(1.4)),
+            rigid("air", &[12], Law::Drag(0.5)),
+            rigid("wake", &[11], Law::Drag(0.5)),
+        ],
+        fixtures: vec![
+            FixtureSpec {
+                name: "ball",
+                body: 0,
+                at: Place::End,
+                constants: [0.4, 0.1, 0.05],
+            },
+            FixtureSpec {
+                name: "disc",
+                body: 1,
+                at: DEAD,
+                constants: [0.3, -0.1, 0.06],
+            },
+            FixtureSpec {
+                name: "lamp",
+                body: 2,
+                at: Place::End,
+                constants: [0.2, 0.05, 0.04],
+            },
+        ],
+        ..Hand::default()
+    }
+}
+
+fn constraints() -> Vec<(ConstraintSpec, Vec<Quadratic>)> {
+    let spec = |name, markers: &'static [usize], rows: &'static [&'static str]| ConstraintSpec {
+        name,
+        kind: "constraint",
+        rows,
+        markers,
+        first_party: 1,
+        when: super::super::When::Always,
+    };
+    let unit = |axis: usize| std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 });
+    let point = |axis: usize| Quadratic {
+        linear: vec![(0, unit(axis)), (1, scale(-1.0, unit(axis)))],
+        sine: 0.2,
+        ..Quadratic::default()
+    };
+    let product = |products| Quadratic {
+        products,
+        sine: 0.3,
+        ..Quadratic::default()
+    };
+    vec![
+        (
+            spec("ball joint", &[2, 8], &["position x", "position y", "position z"]),
+            vec![point(0), point(1), point(2)],
+        ),
+        (
+            spec("square", &[1, 3], &["direction 1"]),
+            vec![product(vec![(0, 1, 1.0)])],
+        ),
+        (
+            spec("rod", &[4, 5], &["distance"]),
+            vec![product(vec![(0, 0, 1.0), (0, 1, -2.0), (1, 1, 1.0)])],
+        ),
+        (
+            spec("drive", &[7], &["angle"]),
+            vec![Quadratic {
+                linear: vec![(0, unit(0))],
+                sine: 1.0,
+                ..Quadratic::default()
+            }],
+        ),
+        (
+            spec("slot", &[0, 10, 9, 14], &["in the slot", "on the guide"]),
+            vec![
+                product(vec![(2, 0, 1.0), (2, 1, -1.0)]),
+                product(vec![(3, 0, 1.0), (3, 1, -1.0)]),
+            ],
+        ),
+        (
+            spec("wheel", &[11, 14, 12], &["across"]),
+            vec![product(vec![(0, 1, 0.5), (0, 2, 0.7), (2, 2, 0.2)])],
+        ),
+    ]
+}
