@@ -86,6 +86,9 @@ impl ModalBody {
             return None;
         }
         let mut softest = self.softest(elements, &action, p)?;
+        if softest.remaining >= LOWEST {
+            return None;
+        }
         let stretched = self.stretched(&action)?;
         let mut whole = self.whole_stiffness(elements, &action, &stretched, &softest.direction);
         let lost = |softest: &Softest, whole: f64| softest.remaining < LOWEST && whole > softest.remaining + MISSING;
