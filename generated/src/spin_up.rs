@@ -944,9 +944,9 @@ pub mod spin_up_equations {
         slopes[2] = t14 * (xi * (6.0 + xi * (-6.0)));
         slopes[3] = xi * (-2.0 + t15);
     }
-    /// Motion of frame `hub` and its first two derivatives.
+    /// Motion of frame `hub` and its first three derivatives.
     ///
-    /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 9 additions, 17 multiplications, 6 divisions, 4 function calls.
     pub fn frame_hub(
         model: &super::SpinUp,
         t: f64,
@@ -965,8 +965,9 @@ pub mod spin_up_equations {
         let t20 = theta.cos();
         let t21 = theta.sin();
         let t22 = 6.283185307179586 / model.T_s;
+        let t23 = t22 * t17.sin();
         let theta_t = (if t <= model.T_s {
-            t15 * (t - t16 * (t22 * t17.sin()))
+            t15 * (t - t16 * t23)
         } else {
             model.omega_s
         });
@@ -975,8 +976,14 @@ pub mod spin_up_equations {
         } else {
             0.0
         });
+        let theta_t_t_t = (if t <= model.T_s {
+            t15 * (t16 * (t22 * (t22 * t23)))
+        } else {
+            0.0
+        });
         motion.spin[2] = theta_t;
         motion.spin_rate[2] = theta_t_t;
+        motion.spin_jerk[2] = theta_t_t_t;
         motion.rotation[0][0] = t20;
         motion.rotation[0][1] = -t21;
         motion.rotation[1][0] = t21;
@@ -1068,7 +1075,7 @@ pub mod spin_up_equations {
         jacobian[10] = data.normals[0][0];
         jacobian[11] = data.normals[0][1];
     }
-    /// Joint `root`: what it prescribes, with two derivatives.
+    /// Joint `root`: what it prescribes, with three derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
@@ -1083,12 +1090,16 @@ pub mod spin_up_equations {
         prescribed.position[1][1] = 0.0;
         prescribed.position[2][0] = 0.0;
         prescribed.position[2][1] = 0.0;
+        prescribed.position[3][0] = 0.0;
+        prescribed.position[3][1] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[1][0] = 0.0;
         prescribed.slope[1][1] = 0.0;
         prescribed.slope[2][0] = 0.0;
         prescribed.slope[2][1] = 0.0;
+        prescribed.slope[3][0] = 0.0;
+        prescribed.slope[3][1] = 0.0;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -1289,9 +1300,9 @@ pub mod spin_up_equations {
         jacobian[10] = t19 * data.normals[0][0] - t20 * data.normals[0][1];
         jacobian[11] = t20 * data.normals[0][0] + t19 * data.normals[0][1];
     }
-    /// Joint `root`: what it prescribes, with two derivatives.
+    /// Joint `root`: what it prescribes, with three derivatives.
     ///
-    /// Operations: 22 additions, 43 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 33 additions, 61 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_prescribed(
         model: &super::SpinUp,
         t: f64,
@@ -1310,32 +1321,38 @@ pub mod spin_up_equations {
         let t24 = theta.cos();
         let t25 = theta.sin();
         let t26 = 6.283185307179586 / model.T_s;
-        let t27 = (if t <= model.T_s {
-            t19 * (t - t20 * (t26 * t21.sin()))
-        } else {
-            model.omega_s
-        });
-        let t28 = t25 * t27;
-        let t29 = t24 * t27;
-        let t30 = (if t <= model.T_s {
+        let t27 = t26 * t21.sin();
+        let t28 = (if t <= model.T_s { t19 * (t - t20 * t27) } else { model.omega_s });
+        let t29 = t25 * t28;
+        let t30 = t24 * t28;
+        let t31 = (if t <= model.T_s {
             t19 * (1.0 - t20 * (t26 * (t22 * t26)))
         } else {
             0.0
         });
-        let t31 = t27 * t29 + t25 * t30;
-        let t32 = t24 * t30 - t27 * t28;
+        let t32 = t28 * t30 + t25 * t31;
+        let t33 = t24 * t31 - t28 * t29;
+        let t34 = (if t <= model.T_s { t19 * (t20 * (t26 * (t26 * t27))) } else { 0.0 });
+        let t35 = t30 * t31;
+        let t36 = t35 + t28 * t33 + (t35 + t25 * t34);
+        let t37 = t29 * t31;
+        let t38 = t24 * t34 - t37 - (t37 + t28 * t32);
         prescribed.position[0][0] = t24 * data.point[0] - t25 * data.point[1];
         prescribed.position[0][1] = t25 * data.point[0] + t24 * data.point[1];
-        prescribed.position[1][0] = -(data.point[0] * t28 + data.point[1] * t29);
-        prescribed.position[1][1] = data.point[0] * t29 - data.point[1] * t28;
-        prescribed.position[2][0] = -(data.point[0] * t31 + data.point[1] * t32);
-        prescribed.position[2][1] = data.point[0] * t32 - data.point[1] * t31;
+        prescribed.position[1][0] = -(data.point[0] * t29 + data.point[1] * t30);
+        prescribed.position[1][1] = data.point[0] * t30 - data.point[1] * t29;
+        prescribed.position[2][0] = -(data.point[0] * t32 + data.point[1] * t33);
+        prescribed.position[2][1] = data.point[0] * t33 - data.point[1] * t32;
+        prescribed.position[3][0] = -(data.point[0] * t36 + data.point[1] * t38);
+        prescribed.position[3][1] = data.point[0] * t38 - data.point[1] * t36;
         prescribed.slope[0][0] = t24 * data.tangent[0] - t25 * data.tangent[1];
         prescribed.slope[0][1] = t25 * data.tangent[0] + t24 * data.tangent[1];
-        prescribed.slope[1][0] = -(data.tangent[0] * t28 + data.tangent[1] * t29);
-        prescribed.slope[1][1] = data.tangent[0] * t29 - data.tangent[1] * t28;
-        prescribed.slope[2][0] = -(data.tangent[0] * t31 + data.tangent[1] * t32);
-        prescribed.slope[2][1] = data.tangent[0] * t32 - data.tangent[1] * t31;
+        prescribed.slope[1][0] = -(data.tangent[0] * t29 + data.tangent[1] * t30);
+        prescribed.slope[1][1] = data.tangent[0] * t30 - data.tangent[1] * t29;
+        prescribed.slope[2][0] = -(data.tangent[0] * t32 + data.tangent[1] * t33);
+        prescribed.slope[2][1] = data.tangent[0] * t33 - data.tangent[1] * t32;
+        prescribed.slope[3][0] = -(data.tangent[0] * t36 + data.tangent[1] * t38);
+        prescribed.slope[3][1] = data.tangent[0] * t38 - data.tangent[1] * t36;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     ///

@@ -1349,9 +1349,9 @@ pub mod spin_up_spatial_equations {
         slopes[2] = t14 * (xi * (6.0 + xi * (-6.0)));
         slopes[3] = xi * (-2.0 + t15);
     }
-    /// Motion of frame `hub` and its first two derivatives.
+    /// Motion of frame `hub` and its first three derivatives.
     ///
-    /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 9 additions, 17 multiplications, 6 divisions, 4 function calls.
     pub fn frame_hub(
         model: &super::SpinUpSpatial,
         t: f64,
@@ -1370,8 +1370,9 @@ pub mod spin_up_spatial_equations {
         let t20 = theta.cos();
         let t21 = theta.sin();
         let t22 = 6.283185307179586 / model.T_s;
+        let t23 = t22 * t17.sin();
         let theta_t = (if t <= model.T_s {
-            t15 * (t - t16 * (t22 * t17.sin()))
+            t15 * (t - t16 * t23)
         } else {
             model.omega_s
         });
@@ -1380,8 +1381,14 @@ pub mod spin_up_spatial_equations {
         } else {
             0.0
         });
+        let theta_t_t_t = (if t <= model.T_s {
+            t15 * (t16 * (t22 * (t22 * t23)))
+        } else {
+            0.0
+        });
         motion.spin[2] = theta_t;
         motion.spin_rate[2] = theta_t_t;
+        motion.spin_jerk[2] = theta_t_t_t;
         motion.rotation[0][0] = t20;
         motion.rotation[0][1] = -t21;
         motion.rotation[1][0] = t21;
@@ -1501,7 +1508,7 @@ pub mod spin_up_spatial_equations {
         jacobian[28] = data.normals[1][1];
         jacobian[29] = data.normals[1][2];
     }
-    /// Joint `root`: what it prescribes, with two derivatives.
+    /// Joint `root`: what it prescribes, with three derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
@@ -1519,6 +1526,9 @@ pub mod spin_up_spatial_equations {
         prescribed.position[2][0] = 0.0;
         prescribed.position[2][1] = 0.0;
         prescribed.position[2][2] = 0.0;
+        prescribed.position[3][0] = 0.0;
+        prescribed.position[3][1] = 0.0;
+        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
@@ -1528,6 +1538,9 @@ pub mod spin_up_spatial_equations {
         prescribed.slope[2][0] = 0.0;
         prescribed.slope[2][1] = 0.0;
         prescribed.slope[2][2] = 0.0;
+        prescribed.slope[3][0] = 0.0;
+        prescribed.slope[3][1] = 0.0;
+        prescribed.slope[3][2] = 0.0;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -1778,9 +1791,9 @@ pub mod spin_up_spatial_equations {
         jacobian[28] = t24 * data.normals[1][0] + t23 * data.normals[1][1];
         jacobian[29] = data.normals[1][2];
     }
-    /// Joint `root`: what it prescribes, with two derivatives.
+    /// Joint `root`: what it prescribes, with three derivatives.
     ///
-    /// Operations: 22 additions, 43 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 33 additions, 61 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_prescribed(
         model: &super::SpinUpSpatial,
         t: f64,
@@ -1799,38 +1812,46 @@ pub mod spin_up_spatial_equations {
         let t26 = theta.cos();
         let t27 = theta.sin();
         let t28 = 6.283185307179586 / model.T_s;
-        let t29 = (if t <= model.T_s {
-            t21 * (t - t22 * (t28 * t23.sin()))
-        } else {
-            model.omega_s
-        });
-        let t30 = t27 * t29;
-        let t31 = t26 * t29;
-        let t32 = (if t <= model.T_s {
+        let t29 = t28 * t23.sin();
+        let t30 = (if t <= model.T_s { t21 * (t - t22 * t29) } else { model.omega_s });
+        let t31 = t27 * t30;
+        let t32 = t26 * t30;
+        let t33 = (if t <= model.T_s {
             t21 * (1.0 - t22 * (t28 * (t24 * t28)))
         } else {
             0.0
         });
-        let t33 = t29 * t31 + t27 * t32;
-        let t34 = t26 * t32 - t29 * t30;
+        let t34 = t30 * t32 + t27 * t33;
+        let t35 = t26 * t33 - t30 * t31;
+        let t36 = (if t <= model.T_s { t21 * (t22 * (t28 * (t28 * t29))) } else { 0.0 });
+        let t37 = t32 * t33;
+        let t38 = t37 + t30 * t35 + (t37 + t27 * t36);
+        let t39 = t31 * t33;
+        let t40 = t26 * t36 - t39 - (t39 + t30 * t34);
         prescribed.position[0][0] = t26 * data.point[0] - t27 * data.point[1];
         prescribed.position[0][1] = t27 * data.point[0] + t26 * data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = -(data.point[0] * t30 + data.point[1] * t31);
-        prescribed.position[1][1] = data.point[0] * t31 - data.point[1] * t30;
+        prescribed.position[1][0] = -(data.point[0] * t31 + data.point[1] * t32);
+        prescribed.position[1][1] = data.point[0] * t32 - data.point[1] * t31;
         prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = -(data.point[0] * t33 + data.point[1] * t34);
-        prescribed.position[2][1] = data.point[0] * t34 - data.point[1] * t33;
+        prescribed.position[2][0] = -(data.point[0] * t34 + data.point[1] * t35);
+        prescribed.position[2][1] = data.point[0] * t35 - data.point[1] * t34;
         prescribed.position[2][2] = 0.0;
+        prescribed.position[3][0] = -(data.point[0] * t38 + data.point[1] * t40);
+        prescribed.position[3][1] = data.point[0] * t40 - data.point[1] * t38;
+        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = t26 * data.tangent[0] - t27 * data.tangent[1];
         prescribed.slope[0][1] = t27 * data.tangent[0] + t26 * data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = -(data.tangent[0] * t30 + data.tangent[1] * t31);
-        prescribed.slope[1][1] = data.tangent[0] * t31 - data.tangent[1] * t30;
+        prescribed.slope[1][0] = -(data.tangent[0] * t31 + data.tangent[1] * t32);
+        prescribed.slope[1][1] = data.tangent[0] * t32 - data.tangent[1] * t31;
         prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = -(data.tangent[0] * t33 + data.tangent[1] * t34);
-        prescribed.slope[2][1] = data.tangent[0] * t34 - data.tangent[1] * t33;
+        prescribed.slope[2][0] = -(data.tangent[0] * t34 + data.tangent[1] * t35);
+        prescribed.slope[2][1] = data.tangent[0] * t35 - data.tangent[1] * t34;
         prescribed.slope[2][2] = 0.0;
+        prescribed.slope[3][0] = -(data.tangent[0] * t38 + data.tangent[1] * t40);
+        prescribed.slope[3][1] = data.tangent[0] * t40 - data.tangent[1] * t38;
+        prescribed.slope[3][2] = 0.0;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     ///

@@ -6,7 +6,8 @@ use super::equations::Equations;
 use super::kernel::documentation;
 use super::number::number;
 use super::{module_name, visibility};
-use crate::model::{Model, Space};
+use crate::lower::markers::list;
+use crate::model::{Body, Fidelity, INERTIAL, Model, Motions, Space};
 
 /// The struct, its defaults and what it says of itself.
 pub fn declaration(model: &Model, equations: &Equations) -> String {
@@ -158,17 +159,105 @@ fn notes(model: &Model, equations: &Equations) -> Vec<String> {
                 body.name
             ));
         }
-        if body.frame == crate::model::INERTIAL {
+        notes.push(placed(model, body));
+        notes.extend(described(body));
+    }
+    notes.extend(moving(model, equations));
+    notes
+}
+
+/// Where a body lives.
+fn placed(model: &Model, body: &Body) -> String {
+    let (name, frame) = (&body.name, &model.frames[body.frame.0]);
+    if body.frame == INERTIAL {
+        return format!(
+            "Body `{name}` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame."
+        );
+    }
+    if frame.free.is_none() {
+        return format!(
+            "Body `{name}` moves in the prescribed frame `{}`: no unknowns for the frame, its reactions are evaluated.",
+            frame.name
+        );
+    }
+    let follows = if body.mean_axes {
+        ", which follows the body's mean axes"
+    } else {
+        ""
+    };
+    format!(
+        "Body `{name}` moves in the free frame `{}`{follows}: force and moment of its inertia on the frame, and their \
+         derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
+        frame.name
+    )
+}
+
+/// How finely a body's deformation is described, where not by all nodal vectors.
+fn described(body: &Body) -> Option<String> {
+    let name = &body.name;
+    match body.fidelity {
+        Fidelity::Full => None,
+        Fidelity::Modal(_) => Some(format!(
+            "Body `{name}` deforms in its lowest modes in its frame (Eqs. 15-17)."
+        )),
+        Fidelity::Small(_) => Some(format!(
+            "Body `{name}` deforms little, in its lowest modes in its frame (Eqs. 18-20)."
+        )),
+        Fidelity::Rigid => Some(format!("Body `{name}` does not deform.")),
+    }
+}
+
+/// Free frames, constraints, forces and fixtures.
+fn moving(model: &Model, equations: &Equations) -> Vec<String> {
+    let mut notes = Vec::new();
+    for frame in &model.frames {
+        if let Some(free) = &frame.free {
+            let what = if free.is_body { "Rigid body" } else { "Frame" };
             notes.push(format!(
-                "Body `{}` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
-                body.name
-            ));
-        } else {
-            notes.push(format!(
-                "Body `{}` moves in the prescribed frame `{}`: no unknowns for the frame, its reactions are evaluated.",
-                body.name, model.frames[body.frame.0].name
+                "{what} `{}` is free in {}.",
+                frame.name,
+                unknowns(&free.motions)
             ));
         }
     }
+    for kernels in &equations.constraints {
+        let names = list(kernels.of.iter().map(|&index| model.constraints[index].name.as_str()));
+        let first = &model.constraints[kernels.of[0]];
+        let form = match kernels.hessian {
+            Some(_) => "gradient and second derivatives are derived",
+            None => "linear in its vectors, no second derivatives",
+        };
+        let count = first.rows.len();
+        let multipliers = if count == 1 { "multiplier" } else { "multipliers" };
+        notes.push(format!(
+            "Constraint {names} ({}): {count} {multipliers}; {form}.",
+            first.kind
+        ));
+    }
+    for kernels in &equations.forces {
+        let names = list(kernels.of.iter().map(|&index| model.forces[index].name.as_str()));
+        let potential = if kernels.energy.is_some() { "a" } else { "no" };
+        notes.push(format!(
+            "Force {names}: {potential} potential; its tangents are derived."
+        ));
+    }
+    for fixture in &model.fixtures {
+        let body = &model.bodies[fixture.body.0].name;
+        notes.push(format!(
+            "Fixture `{}` adds constants to the inertia of `{body}` and no unknowns.",
+            fixture.name
+        ));
+    }
     notes
+}
+
+fn unknowns(motions: &Motions) -> &'static str {
+    match motions {
+        Motions::Spatial => "six motions: three positions and a rotation vector that begins anew every step",
+        Motions::Planar { .. } => "three motions: two positions and an angle",
+        Motions::Turning => "three motions: a rotation vector that begins anew every step",
+        Motions::Hinged { .. } => "one motion: an angle",
+        Motions::Shifting => "three motions: a point mass does not turn",
+        Motions::ShiftingPlanar { .. } => "two motions: a point mass does not turn",
+    }
 }

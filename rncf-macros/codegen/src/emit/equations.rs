@@ -1,12 +1,17 @@
 //! All kernels of a model, derived once.
 
 use super::kernel::{documentation, function};
+use super::moving::document_rows;
 use crate::elements::Library;
+use crate::lower::carried::{self, CarriedKernels, FixtureKernels};
+use crate::lower::constraints::{ConstraintKernels, constraint_kernels};
 use crate::lower::elastic::Form;
+use crate::lower::forces::{ForceKernels, force_kernels};
+use crate::lower::free::free_kernel;
 use crate::lower::inertia::{InertiaKernels, inertia_kernels};
 use crate::lower::joints::{JointKernels, joint_kernels};
 use crate::lower::{ElasticKernels, Kernel, Variant, elastic_kernels, loads, motions};
-use crate::model::{FrameId, INERTIAL, LoadKind, Model, Observable};
+use crate::model::{Body, Expr, Fidelity, FrameId, INERTIAL, Joint, LoadKind, Marker, Model, Observable};
 
 /// An element variant with its kernels.
 pub struct VariantKernels {
@@ -24,6 +29,8 @@ pub struct VariantKernels {
     pub row: String,
     /// Whether a body of this variant lives in a moving frame.
     pub moving: bool,
+    /// What a free frame feels of an element, where a body of this variant lives in one.
+    pub carried: Option<CarriedKernels>,
 }
 
 /// Everything that is derived for a model.
@@ -32,11 +39,22 @@ pub struct Equations {
     pub variants: Vec<VariantKernels>,
     /// Variant of every body.
     pub variant_of: Vec<usize>,
-    /// Motion of every frame but the inertial one.
-    pub frames: Vec<Kernel>,
-    /// Conditions of every joint: in the body's frame (`None` where that is the inertial one), and in
-    /// the inertial frame.
-    pub joints: Vec<(Option<JointKernels>, JointKernels)>,
+    /// Motion of every prescribed frame but the inertial one, with its index.
+    pub frames: Vec<(usize, Kernel)>,
+    /// Start of every free frame, with its index.
+    pub free: Vec<(usize, Kernel)>,
+    /// What a free frame feels of its rigid parts, where one has any.
+    pub rigid: Option<CarriedKernels>,
+    /// Inertia of fixtures, by dimension, where needed.
+    pub fixtures: Vec<FixtureKernels>,
+    /// Conditions of every joint: in the body's frame (`None` where that is the inertial one, or
+    /// where the two move relative to each other in an unknown way), and in the inertial frame
+    /// (`None` where the joint's frame moves freely).
+    pub joints: Vec<(Option<JointKernels>, Option<JointKernels>)>,
+    /// Constraints of markers.
+    pub constraints: Vec<ConstraintKernels>,
+    /// Forces on markers.
+    pub forces: Vec<ForceKernels>,
     /// Loads.
     pub loads: Vec<Kernel>,
     /// Moment on a slope, by dimension, where needed.
@@ -66,6 +84,9 @@ impl Equations {
                     variants.len() - 1
                 });
             variants[index].moving |= body.frame != INERTIAL;
+            if is_free(model, body.frame) && variants[index].carried.is_none() {
+                variants[index].carried = Some(carried::element_kernels(&variants[index].variant, library));
+            }
             variant_of.push(index);
         }
         let mut moments: Vec<(usize, [Kernel; 2])> = Vec::new();
@@ -77,25 +98,43 @@ impl Equations {
                 }
             }
         }
-        let joints = model.joints.iter().map(|joint| {
-            let moving = model.bodies[joint.body.0].frame != INERTIAL;
-            (
-                moving.then(|| joint_kernels(model, joint, false)),
-                joint_kernels(model, joint, true),
-            )
-        });
+        let mut fixtures: Vec<FixtureKernels> = Vec::new();
+        for fixture in &model.fixtures {
+            let body = &model.bodies[fixture.body.0];
+            let dimension = body.space.dimension();
+            let found = fixtures.iter().position(|other| other.dimension == dimension);
+            let index = found.unwrap_or_else(|| {
+                fixtures.push(carried::fixture_kernels(dimension));
+                fixtures.len() - 1
+            });
+            fixtures[index].moving |= body.frame != INERTIAL;
+            fixtures[index].free |= is_free(model, body.frame);
+        }
+        let frames = model.frames.iter().enumerate().skip(1);
+        let prescribed = frames.clone().filter(|(_, frame)| frame.free.is_none());
+        let free = frames.filter_map(|(index, frame)| Some((index, frame, frame.free.as_ref()?)));
+        let parts = free.clone().any(|(_, _, free)| !free.parts.is_empty());
+        let mut constraints = constraint_kernels(model);
+        constraints.iter_mut().for_each(|kernels| document_rows(kernels, model));
         Self {
+            conservative: conservative(model, &variants, &variant_of),
             variant_of,
-            frames: (1..model.frames.len())
-                .map(|frame| motions::frame_kernel(model, FrameId(frame)))
+            frames: prescribed
+                .map(|(index, _)| (index, motions::frame_kernel(model, FrameId(index))))
                 .collect(),
-            joints: joints.collect(),
+            free: free
+                .map(|(index, frame, free)| (index, free_kernel(model, frame, free)))
+                .collect(),
+            rigid: parts.then(carried::rigid_kernels),
+            fixtures,
+            joints: model.joints.iter().map(|joint| conditions(model, joint)).collect(),
+            constraints,
+            forces: force_kernels(model),
             loads: model.loads.iter().map(|load| loads::load_kernel(model, load)).collect(),
             moments,
             kinks: motions::kinks_kernel(model),
             outputs: loads::outputs_kernel(model),
             run: loads::run_kernel(model),
-            conservative: conservative(model, &variants),
             variants,
         }
     }
@@ -122,25 +161,69 @@ impl Equations {
                 add(&inertia.referenced_tangent);
             }
             add(&inertia.absolute);
+            if let Some(carried) = &variant.carried {
+                add(&carried.force);
+                add(&carried.tangent);
+            }
             add(&variant.shapes);
         }
-        self.frames.iter().chain(&self.loads).for_each(&mut add);
-        for (referenced, absolute) in &self.joints {
-            for kernels in referenced.iter().chain([absolute]) {
-                kernels.levels.iter().for_each(&mut add);
-                add(&kernels.jacobian);
-                add(&kernels.prescribed);
-            }
-        }
-        for (_, kernels) in &self.moments {
-            kernels.iter().for_each(&mut add);
-        }
-        add(&self.kinks.0);
-        add(&self.outputs.0);
-        add(&self.run);
+        self.rest().into_iter().for_each(&mut add);
         let rows: String = self.variants.iter().map(|variant| variant.row.clone()).collect();
         rows + &text
     }
+
+    /// The functions that belong to no element.
+    fn rest(&self) -> Vec<&Kernel> {
+        let mut kernels: Vec<&Kernel> = Vec::new();
+        if let Some(carried) = &self.rigid {
+            kernels.extend([&carried.force, &carried.tangent]);
+        }
+        for fixture in &self.fixtures {
+            kernels.push(&fixture.absolute);
+            if fixture.moving {
+                kernels.extend([&fixture.referenced, &fixture.referenced_tangent]);
+            }
+            if fixture.free {
+                kernels.extend([&fixture.carried.force, &fixture.carried.tangent]);
+            }
+        }
+        kernels.extend(self.frames.iter().chain(&self.free).map(|(_, kernel)| kernel));
+        kernels.extend(&self.loads);
+        for (referenced, absolute) in &self.joints {
+            for joint in referenced.iter().chain(absolute) {
+                kernels.extend(&joint.levels);
+                kernels.extend([&joint.jacobian, &joint.prescribed]);
+            }
+        }
+        for constraint in &self.constraints {
+            kernels.extend(&constraint.levels);
+            kernels.push(&constraint.gradient);
+            kernels.extend(constraint.rate_gradient.iter().chain(&constraint.hessian));
+        }
+        for force in &self.forces {
+            kernels.push(&force.force);
+            kernels.extend(force.tangent.iter().chain(&force.energy));
+        }
+        kernels.extend(self.moments.iter().flat_map(|(_, kernels)| kernels));
+        kernels.extend([&self.kinks.0, &self.outputs.0, &self.run]);
+        kernels
+    }
+}
+
+/// Whether a frame's pose is unknown.
+pub fn is_free(model: &Model, frame: FrameId) -> bool {
+    model.frames[frame.0].free.is_some()
+}
+
+/// The conditions of a joint where they are linear in the nodal vectors.
+fn conditions(model: &Model, joint: &Joint) -> (Option<JointKernels>, Option<JointKernels>) {
+    let frame = model.bodies[joint.body.0].frame;
+    let known = joint.frame == frame || !(is_free(model, frame) || is_free(model, joint.frame));
+    let referenced = frame != INERTIAL && known;
+    (
+        referenced.then(|| joint_kernels(model, joint, false)),
+        (!is_free(model, joint.frame)).then(|| joint_kernels(model, joint, true)),
+    )
 }
 
 fn variant_kernels(variant: Variant, library: &Library) -> VariantKernels {
@@ -154,6 +237,7 @@ fn variant_kernels(variant: Variant, library: &Library) -> VariantKernels {
         name,
         row,
         moving: false,
+        carried: None,
         variant,
     }
 }
@@ -190,21 +274,54 @@ fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Librar
     text + "/// Damping of the strain measures, s.\npub damping: f64,\n}\n"
 }
 
-/// Energy is conserved where no frame that matters moves, no load varies and nothing damps. Moments
-/// have no potential in general.
-fn conservative(model: &Model, variants: &[VariantKernels]) -> bool {
+/// Energy is conserved where no frame that matters moves in a prescribed way, no load, constraint or
+/// force varies, and nothing damps. Moments have no potential in general.
+fn conservative(model: &Model, variants: &[VariantKernels], variant_of: &[usize]) -> bool {
     let frames = model
         .bodies
         .iter()
         .map(|body| body.frame)
         .chain(model.joints.iter().map(|joint| joint.frame));
-    let mut frames = frames.chain(model.loads.iter().filter_map(|load| match load.kind {
+    let frames = frames.chain(model.loads.iter().filter_map(|load| match load.kind {
         LoadKind::Force { frame, .. } => Some(frame),
         _ => None,
     }));
+    let frames = frames.chain(
+        (0..model.frames.len())
+            .map(FrameId)
+            .filter(|&frame| is_free(model, frame)),
+    );
+    let used = model.constraints.iter().map(|constraint| &constraint.markers);
+    let used = used.chain(model.forces.iter().map(|force| &force.markers)).flatten();
+    let mut frames = frames.chain(used.filter_map(|marker| marker_frame(&model.markers[marker.0])));
     let loads = model.loads.iter().all(|load| match &load.kind {
         LoadKind::Gravity(components) | LoadKind::Force { components, .. } => !motions::varies(model, components),
         LoadKind::Moment { .. } => false,
     });
-    loads && variants.iter().all(|v| !v.variant.damped) && !frames.any(|frame| motions::moves(model, frame))
+    let rows = model.constraints.iter().flat_map(|constraint| &constraint.rows);
+    let rheonomic = motions::varies(model, rows.map(|(_, row)| row));
+    let forces = model.forces.iter().all(|force| {
+        let exprs: Vec<&Expr> = force.components.iter().flatten().chain(&force.energy).collect();
+        force.energy.is_some() && !motions::varies(model, exprs)
+    });
+    let damps =
+        |(body, &variant): (&Body, &usize)| body.fidelity != Fidelity::Rigid && variants[variant].variant.damped;
+    loads
+        && forces
+        && !rheonomic
+        && !model.bodies.iter().zip(variant_of).any(damps)
+        && !frames.any(|frame| motions::moves(model, frame))
+}
+
+/// The frame that a marker is fixed in; markers on bodies are in the bodies' frames.
+fn marker_frame(marker: &Marker) -> Option<FrameId> {
+    match marker {
+        Marker::Point { frame, .. }
+        | Marker::Direction { frame, .. }
+        | Marker::Turn { frame }
+        | Marker::Angle { frame }
+        | Marker::Matching { frame, .. }
+        | Marker::Normal { frame, .. } => Some(*frame),
+        Marker::BodyPoint { .. } | Marker::BodySlope { .. } => None,
+    }
 }

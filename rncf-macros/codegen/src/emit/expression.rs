@@ -32,6 +32,8 @@ pub struct Writer<'g> {
     uses: HashMap<Id, usize>,
     texts: HashMap<Id, Text>,
     taken: HashSet<String>,
+    /// Names that no variable gets, which do not count in the numbering of variables.
+    forbidden: HashSet<String>,
 }
 
 impl<'g> Writer<'g> {
@@ -55,7 +57,13 @@ impl<'g> Writer<'g> {
             uses,
             texts: HashMap::new(),
             taken,
+            forbidden: HashSet::new(),
         }
+    }
+
+    /// Forbids a name, e.g. of an argument: a motion may be called anything.
+    pub fn forbid(&mut self, name: &str) {
+        self.forbidden.insert(name.to_string());
     }
 
     /// Takes a name so that no variable gets it.
@@ -101,7 +109,7 @@ impl<'g> Writer<'g> {
         };
         let mut name = wanted.clone();
         let mut count = 2;
-        while !self.taken.insert(name.clone()) {
+        while self.forbidden.contains(&name) || !self.taken.insert(name.clone()) {
             name = format!("{wanted}_{count}");
             count += 1;
         }

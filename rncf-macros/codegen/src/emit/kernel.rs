@@ -57,6 +57,9 @@ fn body(kernel: &Kernel) -> Vec<String> {
     ] {
         writer.reserve(word);
     }
+    for argument in &kernel.arguments {
+        writer.forbid(argument.split(':').next().unwrap_or_default());
+    }
     let mut out = kernel.bindings.clone();
     // What the loop or the outputs read again must have a name, or would be evaluated repeatedly.
     let needed_inside: HashSet<Id> = inside.iter().flat_map(|&id| graph.children(id)).collect();

@@ -5,6 +5,7 @@ pub mod declaration;
 pub mod equations;
 pub mod expression;
 pub mod kernel;
+mod moving;
 pub mod number;
 pub mod parts;
 

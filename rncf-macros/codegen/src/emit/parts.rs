@@ -8,7 +8,9 @@ use crate::elements::Library;
 use crate::lower::camel_case;
 use crate::lower::joints::LEVELS;
 use crate::lower::motions::Time;
-use crate::model::{Body, Expr, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity, Space};
+use crate::model::{
+    Body, Expr, Fidelity, INERTIAL, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity, Space,
+};
 use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
 
 /// The struct with the constants of all bodies and its implementation.
@@ -49,31 +51,40 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     text += &writer.element_functions();
     text += &writer.moments();
     text += &writer.conditions();
+    text += &writer.free();
+    text += &writer.markers();
+    text += &writer.constraints();
+    text += &writer.forces();
+    text += &writer.fixtures();
+    text += &writer.carried();
     text + "}\n"
 }
 
-struct Parts<'a> {
-    model: &'a Model,
-    library: &'a Library,
-    equations: &'a Equations,
+/// Writes the methods of one implementation; those of what moves freely are in [`super::moving`].
+pub(super) struct Parts<'a> {
+    pub model: &'a Model,
+    pub library: &'a Library,
+    pub equations: &'a Equations,
 }
 
 impl Parts<'_> {
     /// Text of an expression of the parameters, with `model` in scope.
-    fn expr(&self, expr: &Expr) -> String {
+    pub fn expr(&self, expr: &Expr) -> String {
         let mut time = Time::new(self.model);
         let id = time.expression(expr);
         inline(&time.graph, id)
     }
 
-    fn vector(&self, exprs: &[Expr; 3]) -> String {
+    /// Text of three expressions as an array.
+    pub fn vector(&self, exprs: &[Expr; 3]) -> String {
         format!(
             "[{}]",
             exprs.iter().map(|expr| self.expr(expr)).collect::<Vec<_>>().join(", ")
         )
     }
 
-    fn place(&self, location: &Location) -> String {
+    /// Text of a place on a body.
+    pub fn place(&self, location: &Location) -> String {
         match location {
             Location::Start => "::rncf::mesh::Place::Start".to_string(),
             Location::End => "::rncf::mesh::Place::End".to_string(),
@@ -120,22 +131,36 @@ impl Parts<'_> {
             let vectors = variant.declaration(self.library).vectors;
             let meanings: Vec<&str> = vectors.iter().map(|vector| vector.meaning).collect();
             let orders: Vec<usize> = vectors.iter().map(|vector| vector.order).collect();
-            let count = match &body.count {
-                Expr::Number(value) => format!("{}", *value as usize),
-                // A count that is computed is rounded down, and a negative one refused as zero.
-                other => format!("{} as usize", self.expr(other)),
-            };
+            let count = self.count(&body.count);
             let _ = writeln!(
                 text,
-                "::rncf::mesh::BodySpec {{ name: {:?}, frame: {}, axes: &{:?}, line: {}, count: {count}, meanings: &{meanings:?}, orders: &{orders:?}, connectivity: &{connectivity:?}, vectors_per_node: {vectors_per_node}, fidelity: ::rncf::mesh::Fidelity::Full, mean_axes: {} }},",
+                "::rncf::mesh::BodySpec {{ name: {:?}, frame: {}, axes: &{:?}, line: {}, count: {count}, meanings: &{meanings:?}, orders: &{orders:?}, connectivity: &{connectivity:?}, vectors_per_node: {vectors_per_node}, fidelity: ::rncf::mesh::Fidelity::{}, mean_axes: {} }},",
                 body.name,
                 body.frame.0,
                 body.space.axes(),
                 self.line(body),
+                self.fidelity(body),
                 body.mean_axes,
             );
         }
         text + "])\n}\n"
+    }
+
+    fn count(&self, count: &Expr) -> String {
+        match count {
+            Expr::Number(value) => format!("{}", *value as usize),
+            // A count that is computed is rounded down, and a negative one refused as zero.
+            other => format!("{} as usize", self.expr(other)),
+        }
+    }
+
+    fn fidelity(&self, body: &Body) -> String {
+        match &body.fidelity {
+            Fidelity::Full => "Full".to_string(),
+            Fidelity::Modal(count) => format!("Modal({})", self.count(count)),
+            Fidelity::Small(count) => format!("Small({})", self.count(count)),
+            Fidelity::Rigid => "Rigid".to_string(),
+        }
     }
 
     fn joints(&self) -> String {
@@ -270,10 +295,11 @@ impl Parts<'_> {
 
     /// One arm for each body; the last one takes the rest.
     fn by_body(&self, arm: impl Fn(usize, &Body) -> String) -> String {
-        if let [body] = &self.model.bodies[..] {
-            return arm(0, body) + "\n";
-        }
-        let last = self.model.bodies.len() - 1;
+        let last = match &self.model.bodies[..] {
+            [] => return String::new(),
+            [body] => return arm(0, body) + "\n",
+            bodies => bodies.len() - 1,
+        };
         let arms = self.model.bodies.iter().enumerate().map(|(index, body)| {
             let pattern = if index == last {
                 "_".to_string()
@@ -285,7 +311,8 @@ impl Parts<'_> {
         format!("match body {{\n{}}}\n", arms.collect::<String>())
     }
 
-    fn variant(&self, body: usize) -> &super::equations::VariantKernels {
+    /// The element variant of a body.
+    pub fn variant(&self, body: usize) -> &super::equations::VariantKernels {
         &self.equations.variants[self.equations.variant_of[body]]
     }
 
@@ -330,8 +357,8 @@ impl Parts<'_> {
 
     fn time_functions(&self) -> String {
         let mut text = "fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {\nmotions[0] = ::rncf::mesh::FrameMotion::INERTIAL;\n".to_string();
-        for (index, kernel) in self.equations.frames.iter().enumerate() {
-            let _ = writeln!(text, "{}(&self.model, t, &mut motions[{}]);", kernel.name, index + 1);
+        for (index, kernel) in &self.equations.frames {
+            let _ = writeln!(text, "{}(&self.model, t, &mut motions[{index}]);", kernel.name);
         }
         text += "}\nfn load(&self, load: usize, t: f64) -> [f64; 3] {\nlet mut value = [0.0; 3];\nmatch load {\n";
         for (index, kernel) in self.equations.loads.iter().enumerate() {
@@ -358,7 +385,7 @@ impl Parts<'_> {
             let v = if self.variant(index).variant.damped { "v, " } else { "" };
             let size = self.variant(index).variant.size(self.library);
             let inertial = format!("{name}_absolute_inertia_force(&self.row_{row}, frame, a, force);");
-            let inertia = if body.frame == crate::model::INERTIAL {
+            let inertia = if body.frame == INERTIAL {
                 inertial
             } else {
                 format!("if absolute {{ {inertial} }} else {{ {name}_inertia_force(&self.row_{row}, frame, q, v, a, force); }}")
@@ -372,7 +399,7 @@ impl Parts<'_> {
             let size = self.variant(index).variant.size(self.library);
             let damped = self.variant(index).variant.damped;
             let (v, damping) = if damped { ("v, ", ", damping_matrix") } else { ("", "") };
-            let inertial = body.frame == crate::model::INERTIAL;
+            let inertial = body.frame == INERTIAL;
             // An undamped body at rest has no velocity terms: no kernel would fix the matrix's size.
             let matrix = if damped || !inertial {
                 "let damping_matrix = ::rncf::mesh::array_mut(damping);\n"
@@ -437,7 +464,13 @@ impl Parts<'_> {
             if let Some(kernels) = referenced {
                 let _ = writeln!(arms, "({index}, false) => {{ {} }}", call(kernels));
             }
-            let _ = writeln!(arms, "({index}, _) => {{ {} }}", call(absolute));
+            if let Some(kernels) = absolute {
+                // Where the body's frame moves freely, nothing is known in it of a prescribed one.
+                let body = self.model.joints[index].body;
+                let unknown = referenced.is_none() && self.model.bodies[body.0].frame != INERTIAL;
+                let absolute = if unknown { "true" } else { "_" };
+                let _ = writeln!(arms, "({index}, {absolute}) => {{ {} }}", call(kernels));
+            }
         }
         format!("match (joint, absolute) {{\n{arms}_ => {{}}\n}}\n")
     }

@@ -89,16 +89,20 @@ fn name_force(residual: &[Id]) -> Vec<(String, Id)> {
         .collect()
 }
 
-struct Inertia<'a> {
+/// A graph with the mass matrix of an element.
+pub(super) struct Inertia<'a> {
     variant: &'a Variant,
     library: &'a Library,
-    graph: Graph,
+    /// The graph.
+    pub graph: Graph,
     length: Id,
-    mass: Id,
+    /// Mass of the element, kg.
+    pub mass: Id,
 }
 
 impl<'a> Inertia<'a> {
-    fn new(variant: &'a Variant, library: &'a Library) -> Self {
+    /// A graph with the constants of an element.
+    pub fn new(variant: &'a Variant, library: &'a Library) -> Self {
         let mut graph = Graph::new();
         let length = graph.symbol("length");
         let density = graph.symbol(variant.declaration(library).inertia);
@@ -114,7 +118,7 @@ impl<'a> Inertia<'a> {
     }
 
     /// `l^order` of a nodal vector times the element's mass, one entry of the mass matrix.
-    fn entry(&mut self, unit: &[Vec<f64>], a: usize, b: usize) -> Id {
+    pub fn entry(&mut self, unit: &[Vec<f64>], a: usize, b: usize) -> Id {
         let vectors = self.variant.declaration(self.library).vectors;
         let power = self
             .graph
@@ -139,7 +143,21 @@ impl<'a> Inertia<'a> {
         outputs
     }
 
-    fn symbols(&mut self, prefix: &str) -> Vec<Vector> {
+    /// `d^a = int rhoA s_a dx`: first moments of the shape functions, with the exact integral.
+    pub fn moments(&mut self) -> Vec<Id> {
+        let vectors = self.variant.declaration(self.library).vectors;
+        let moments = vectors.iter().map(|vector| {
+            let power = self.graph.power(self.length, vector.order as i32);
+            let scale = self.graph.multiply(self.mass, power);
+            let number = self.graph.number((vector.shape)().integral().to_f64());
+            let moment = self.graph.multiply(number, scale);
+            self.graph.name(moment, format!("moment_{}", vector.name))
+        });
+        moments.collect()
+    }
+
+    /// Symbols of the nodal vectors' components with a prefix.
+    pub fn symbols(&mut self, prefix: &str) -> Vec<Vector> {
         let names = self.variant.component_names(self.library, prefix);
         names
             .into_iter()
@@ -222,7 +240,7 @@ impl<'a> Inertia<'a> {
 }
 
 /// `w x u`: in the plane w is the component along the normal.
-fn cross(graph: &mut Graph, w: &[Id], u: &[Id]) -> Vector {
+pub(super) fn cross(graph: &mut Graph, w: &[Id], u: &[Id]) -> Vector {
     if let [w] = w {
         let (x, y) = (graph.multiply(*w, u[0]), graph.multiply(*w, u[1]));
         return vec![graph.negate(y), x];

@@ -151,13 +151,13 @@ pub fn joint_kernels(model: &Model, joint: &Joint, absolute: bool) -> JointKerne
         let mut conditions = Conditions::new(model, joint, absolute);
         let mut outputs = Vec::new();
         for (what, mut vector) in ["position", "slope"].into_iter().zip(conditions.targets.clone()) {
-            for level in 0..3 {
+            for level in 0..4 {
                 let place = |(component, &id)| (format!("prescribed.{what}[{level}][{component}]"), id);
                 outputs.extend(vector.iter().enumerate().map(place));
                 vector = conditions.rate(&vector);
             }
         }
-        let title = format!("Joint `{}`: what it prescribes, with two derivatives.", joint.name);
+        let title = format!("Joint `{}`: what it prescribes, with three derivatives.", joint.name);
         conditions.kernel(
             name("prescribed"),
             title,

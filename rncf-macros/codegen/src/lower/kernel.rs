@@ -115,3 +115,34 @@ impl Kernel {
             + self.outputs.len()
     }
 }
+
+/// Derivatives that are not zero, rows first.
+pub(super) fn derivatives(graph: &mut Graph, rows: &[Id], with: &[Id], name: &str) -> Vec<(String, Id)> {
+    block(graph, rows, with, name, (with.len(), 0))
+}
+
+/// The same in a matrix of a given width, from a given column on.
+pub(super) fn block(
+    graph: &mut Graph,
+    rows: &[Id],
+    with: &[Id],
+    name: &str,
+    (width, from): (usize, usize),
+) -> Vec<(String, Id)> {
+    let mut outputs = Vec::new();
+    for (row, &of) in rows.iter().enumerate() {
+        for (column, &symbol) in with.iter().enumerate() {
+            let derivative = graph.partial(of, symbol);
+            if !graph.is_zero(derivative) {
+                outputs.push((format!("{name}[{}]", row * width + from + column), derivative));
+            }
+        }
+    }
+    outputs
+}
+
+/// Values in order.
+pub(super) fn values(rows: &[Id], name: &str) -> Vec<(String, Id)> {
+    let place = |(row, &id)| (format!("{name}[{row}]"), id);
+    rows.iter().enumerate().map(place).collect()
+}

@@ -1,17 +1,25 @@
 //! From energies and motions to kernels: everything that is derived is derived here, and the
 //! cheapest form is chosen by counted operations.
 
+pub mod carried;
 pub mod choose;
+pub mod constraints;
 pub mod elastic;
+pub mod forces;
+pub mod free;
 pub mod inertia;
 pub mod invariants;
 pub mod joints;
 pub mod kernel;
 pub mod loads;
+pub mod markers;
 pub mod motions;
 pub mod quadratic;
 mod signature;
 pub mod variant;
+
+#[cfg(test)]
+mod tests;
 
 pub use choose::{ElasticKernels, elastic_kernels};
 pub use kernel::{Kernel, PointLoop};

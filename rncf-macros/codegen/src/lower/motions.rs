@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::kernel::Kernel;
-use crate::model::{Binary, Expr, Frame, FrameId, INERTIAL, Model, Observable};
+use crate::model::{Binary, Expr, Frame, FrameId, INERTIAL, Model, Motions, Observable};
 use crate::symbolic::linear::{Matrix3, Vector};
 use crate::symbolic::{Graph, Id, Node};
 
@@ -124,13 +124,21 @@ impl<'m> Time<'m> {
         &self.model.frames[frame.0]
     }
 
-    /// Rotation matrix and origin of a frame in the inertial frame.
+    /// Rotation matrix and origin of a prescribed frame in the inertial frame.
+    ///
+    /// # Panics
+    /// If the frame is free: its pose is no expression of time.
     pub fn pose(&mut self, frame: FrameId) -> (Matrix3, Vector) {
         if frame == INERTIAL {
             let zero = self.graph.zero();
             return (self.graph.identity(), vec![zero; 3]);
         }
         let declaration = self.frame(frame);
+        assert!(
+            declaration.free.is_none(),
+            "the pose of `{}` is unknown",
+            declaration.name
+        );
         let (parent, position) = self.pose(declaration.parent);
         let origin = self.vector(&declaration.origin);
         let moved = self.graph.apply(&parent, &origin);
@@ -184,19 +192,22 @@ impl<'m> Time<'m> {
     }
 }
 
-fn unit(axis: [f64; 3]) -> [f64; 3] {
+/// A direction of length one.
+pub(super) fn unit(axis: [f64; 3]) -> [f64; 3] {
     let size = (axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]).sqrt();
     axis.map(|x| x / size)
 }
 
-/// Motion of a frame: pose, velocity, acceleration, spin and its rate.
+/// Motion of a frame: pose, velocity, acceleration and jerk; spin and its first two derivatives.
 pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
     let mut time = Time::new(model);
     let (rotation, position) = time.pose(frame);
     let velocity = time.derivatives(&position);
     let acceleration = time.derivatives(&velocity);
+    let jerk = time.derivatives(&acceleration);
     let spin = time.spin(frame);
     let spin_rate = time.derivatives(&spin);
+    let spin_jerk = time.derivatives(&spin_rate);
     let mut outputs = Vec::new();
     for (name, vector) in [
         ("position", &position),
@@ -204,6 +215,8 @@ pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
         ("acceleration", &acceleration),
         ("spin", &spin),
         ("spin_rate", &spin_rate),
+        ("jerk", &jerk),
+        ("spin_jerk", &spin_jerk),
     ] {
         outputs.extend(
             vector
@@ -228,7 +241,10 @@ pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
         );
     }
     let declaration = &model.frames[frame.0];
-    let title = format!("Motion of frame `{}` and its first two derivatives.", declaration.name);
+    let title = format!(
+        "Motion of frame `{}` and its first three derivatives.",
+        declaration.name
+    );
     let mut kernel = time.kernel(format!("frame_{}", declaration.name), title, outputs);
     kernel
         .arguments
@@ -263,13 +279,25 @@ impl Time<'_> {
 pub fn kinks_kernel(model: &Model) -> (Kernel, usize) {
     let mut time = Time::new(model);
     let mut roots = Vec::new();
-    for index in 0..model.frames.len() {
-        let (rotation, position) = time.pose(FrameId(index));
-        roots.extend(rotation.iter().flatten().copied().chain(position));
+    for (index, frame) in model.frames.iter().enumerate() {
+        if frame.free.is_none() {
+            let (rotation, position) = time.pose(FrameId(index));
+            roots.extend(rotation.iter().flatten().copied().chain(position));
+        }
     }
     for load in &model.loads {
         roots.extend(time.vector(load.kind.components()));
     }
+    for (_, row) in model.constraints.iter().flat_map(|constraint| &constraint.rows) {
+        roots.push(time.expression(row));
+    }
+    for force in &model.forces {
+        for components in &force.components {
+            roots.extend(time.vector(components));
+        }
+        roots.extend(force.energy.iter().map(|energy| time.expression(energy)));
+    }
+    let observed: Vec<Id> = time.observed.iter().map(|&(_, symbol)| symbol).collect();
     let zero = time.graph.zero();
     let start = HashMap::from([(time.t, zero)]);
     let mut kinks = Vec::new();
@@ -279,7 +307,9 @@ pub fn kinks_kernel(model: &Model) -> (Kernel, usize) {
         };
         let gap = time.graph.subtract(left, right);
         let slope = time.graph.partial(gap, time.t);
-        if time.graph.is_zero(slope) || time.graph.depends_on(slope, &[time.t]) {
+        // What depends on the state changes its branch at times that nobody knows before.
+        let known = !time.graph.depends_on(gap, &observed);
+        if !known || time.graph.is_zero(slope) || time.graph.depends_on(slope, &[time.t]) {
             continue;
         }
         let first = time.graph.substitute(gap, &start);
@@ -302,8 +332,14 @@ pub fn kinks_kernel(model: &Model) -> (Kernel, usize) {
     (kernel, count)
 }
 
-/// Whether a frame moves at all.
+/// Whether a frame moves in a prescribed way. A free one does so only where its origin stays that of
+/// a parent which moves.
 pub fn moves(model: &Model, frame: FrameId) -> bool {
+    let declaration = &model.frames[frame.0];
+    if let Some(free) = &declaration.free {
+        let hangs = matches!(free.motions, Motions::Turning | Motions::Hinged { .. });
+        return hangs && moves(model, declaration.parent);
+    }
     let mut time = Time::new(model);
     let (rotation, position) = time.pose(frame);
     let t = time.t;
@@ -314,9 +350,12 @@ pub fn moves(model: &Model, frame: FrameId) -> bool {
         .any(|&id| time.graph.depends_on(id, &[t]))
 }
 
-/// Whether a vector of expressions depends on time.
-pub fn varies(model: &Model, exprs: &[Expr; 3]) -> bool {
+/// Whether any of some expressions depends on time.
+pub fn varies<'e>(model: &Model, exprs: impl IntoIterator<Item = &'e Expr>) -> bool {
     let mut time = Time::new(model);
     let t = time.t;
-    time.vector(exprs).into_iter().any(|id| time.graph.depends_on(id, &[t]))
+    exprs.into_iter().any(|expr| {
+        let id = time.expression(expr);
+        time.graph.depends_on(id, &[t])
+    })
 }

@@ -16,7 +16,7 @@ pub(super) struct Signature<'a> {
 
 impl Signature<'_> {
     /// The row's fields and the nodal components, bound to the names that the symbols have.
-    fn bindings(&self, coefficients: bool, states: &[(&str, &str)]) -> Vec<String> {
+    pub fn bindings(&self, coefficients: bool, states: &[(&str, &str)]) -> Vec<String> {
         let element = self.variant.declaration(self.library);
         let mut fields = vec!["length"];
         if coefficients {
@@ -193,7 +193,8 @@ impl Signature<'_> {
     }
 }
 
-fn frame_bindings(dimension: usize, suffix: &str) -> Vec<String> {
+/// Statements that bind what a frame does to the names of its symbols.
+pub(super) fn frame_bindings(dimension: usize, suffix: &str) -> Vec<String> {
     let acceleration = if dimension == 2 {
         "let [e_x, e_y, _] = frame.acceleration;"
     } else {

@@ -1,0 +1,354 @@
+//! The methods of `Parts` for what moves freely: free frames, markers with their constraints and
+//! forces, fixtures, and the inertia of what free frames carry. A model without any of these gets
+//! none of them.
+
+use std::fmt::Write;
+
+use super::equations::is_free;
+use super::expression::inline;
+use super::parts::Parts;
+use crate::lower::Kernel;
+use crate::lower::camel_case;
+use crate::lower::carried::{CarriedKernels, FixtureKernels};
+use crate::lower::constraints::ConstraintKernels;
+use crate::lower::joints::LEVELS;
+use crate::model::{Marker, Model, Motions};
+
+const ACTION: &str = "frame: &::rncf::mesh::FrameAction";
+const STATES: &str = "q: &[f64], v: &[f64], a: &[f64]";
+const VECTORS: &str = "&[[f64; 3]]";
+
+/// Formulas longer than this are not repeated in the documentation.
+const LONGEST_FORMULA: usize = 250;
+
+/// Adds to the documentation what each row of a constraint fixes, and by which formula.
+pub(super) fn document_rows(kernels: &mut ConstraintKernels, model: &Model) {
+    let kernel = &mut kernels.levels[0];
+    let rows = model.constraints[kernels.of[0]].rows.iter().zip(&kernel.outputs);
+    let lines = rows.map(|((what, _), &(_, id))| {
+        let formula = inline(&kernel.graph, id);
+        if formula.len() > LONGEST_FORMULA {
+            format!("* {what}")
+        } else {
+            format!("* {what}: `{formula}`")
+        }
+    });
+    let lines: Vec<String> = lines.collect();
+    kernel.doc.push(lines.join("\n"));
+}
+
+/// `0 | 2 | 5` for the indices that share a function.
+fn pattern(of: &[usize]) -> String {
+    of.iter().map(usize::to_string).collect::<Vec<_>>().join(" | ")
+}
+
+/// A method that returns a list.
+fn list(name: &str, kind: &str, entries: &[String]) -> String {
+    format!(
+        "fn {name}(&self) -> ::std::vec::Vec<::rncf::mesh::{kind}> {{\nlet model = &self.model;\n::std::vec::Vec::from([\n{}])\n}}\n",
+        entries.iter().map(|entry| format!("{entry},\n")).collect::<String>()
+    )
+}
+
+/// Arms that call one kernel each, and a last one that does nothing.
+fn arms<'k>(kernels: impl Iterator<Item = (&'k [usize], &'k Kernel)>, arguments: &str) -> String {
+    let arm = |(of, kernel): (&[usize], &Kernel)| format!("{} => {}({arguments}),\n", pattern(of), kernel.name);
+    kernels.map(arm).collect::<String>() + "_ => {}\n"
+}
+
+impl Parts<'_> {
+    /// Free frames.
+    pub fn free(&self) -> String {
+        if self.equations.free.is_empty() {
+            return String::new();
+        }
+        let mut text = "fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {\nlet still = ::rncf::mesh::FreeSpec { frame: 0, parent: 0, is_body: false, motions: ::rncf::mesh::Motions::Spatial, position: [0.0; 3], axis: [0.0; 3], angle: 0.0, velocity: [0.0; 3], spin: [0.0; 3], rigid: ::rncf::mesh::RigidSpec::default() };\nlet mut specs = ::std::vec::Vec::from([\n".to_string();
+        for &(index, _) in &self.equations.free {
+            let frame = &self.model.frames[index];
+            if let Some(free) = &frame.free {
+                let _ = writeln!(
+                    text,
+                    "::rncf::mesh::FreeSpec {{ frame: {index}, parent: {}, is_body: {}, motions: ::rncf::mesh::Motions::{}, ..still.clone() }},",
+                    frame.parent.0,
+                    free.is_body,
+                    motions(&free.motions)
+                );
+            }
+        }
+        text += "]);\n";
+        for (place, (_, kernel)) in self.equations.free.iter().enumerate() {
+            let _ = writeln!(text, "{}(&self.model, &mut specs[{place}]);", kernel.name);
+        }
+        text + "specs\n}\n"
+    }
+
+    /// Markers.
+    pub fn markers(&self) -> String {
+        if self.model.markers.is_empty() {
+            return String::new();
+        }
+        let marker = |marker: &Marker| match marker {
+            Marker::Point { frame, at } => format!("Point {{ frame: {}, at: {} }}", frame.0, self.vector(at)),
+            Marker::Direction { frame, along } => {
+                format!("Direction {{ frame: {}, along: {} }}", frame.0, self.vector(along))
+            }
+            Marker::BodyPoint { body, at } => format!("BodyPoint {{ body: {}, at: {} }}", body.0, self.place(at)),
+            Marker::BodySlope { body, at } => format!("BodySlope {{ body: {}, at: {} }}", body.0, self.place(at)),
+            Marker::Turn { frame } => format!("Turn {{ frame: {} }}", frame.0),
+            Marker::Angle { frame } => format!("Angle {{ frame: {} }}", frame.0),
+            Marker::Matching { frame, marker } => {
+                format!("Matching {{ frame: {}, marker: {} }}", frame.0, marker.0)
+            }
+            Marker::Normal { frame, marker, which } => {
+                format!("Normal {{ frame: {}, marker: {}, which: {which} }}", frame.0, marker.0)
+            }
+        };
+        let entries = self
+            .model
+            .markers
+            .iter()
+            .map(|entry| format!("::rncf::mesh::MarkerSpec::{}", marker(entry)));
+        list("markers", "MarkerSpec", &entries.collect::<Vec<_>>())
+    }
+
+    /// Constraints and their functions.
+    pub fn constraints(&self) -> String {
+        if self.model.constraints.is_empty() {
+            return String::new();
+        }
+        let entries = self.model.constraints.iter().map(|constraint| {
+            let rows: Vec<&String> = constraint.rows.iter().map(|(what, _)| what).collect();
+            let markers: Vec<usize> = constraint.markers.iter().map(|marker| marker.0).collect();
+            let when = match constraint.absolute {
+                None => "Always".to_string(),
+                Some(body) => format!("Absolute({})", body.0),
+            };
+            format!(
+                "::rncf::mesh::ConstraintSpec {{ name: {:?}, kind: {:?}, rows: &{rows:?}, markers: &{markers:?}, first_party: {}, when: ::rncf::mesh::When::{when} }}",
+                constraint.name, constraint.kind, constraint.first_party
+            )
+        });
+        let mut text = list("constraints", "ConstraintSpec", &entries.collect::<Vec<_>>());
+        let kernels = &self.equations.constraints;
+        let levels = kernels.iter().map(|constraint| {
+            let levels = constraint.levels.iter().zip(LEVELS).map(|(kernel, level)| {
+                format!(
+                    "::rncf::system::ConstraintLevel::{} => {}(&self.model, t, z, rows),\n",
+                    camel_case(level),
+                    kernel.name
+                )
+            });
+            format!(
+                "{} => match level {{\n{}}},\n",
+                pattern(&constraint.of),
+                levels.collect::<String>()
+            )
+        });
+        let _ = writeln!(
+            text,
+            "fn marker_constraint(&self, constraint: usize, level: ::rncf::system::ConstraintLevel, t: f64, z: &[[[f64; 3]; 4]], rows: &mut [f64]) {{\nmatch constraint {{\n{}_ => {{}}\n}}\n}}",
+            levels.collect::<String>()
+        );
+        let gradient = arms(
+            kernels.iter().map(|k| (&k.of[..], &k.gradient)),
+            "&self.model, t, z, gradient",
+        );
+        let _ = writeln!(
+            text,
+            "fn marker_constraint_gradient(&self, constraint: usize, t: f64, z: {VECTORS}, gradient: &mut [f64]) {{\ngradient.fill(0.0);\nmatch constraint {{\n{gradient}}}\n}}"
+        );
+        let rate = kernels
+            .iter()
+            .filter_map(|k| Some((&k.of[..], k.rate_gradient.as_ref()?)));
+        let rate = arms(rate, "&self.model, t, z, velocity, gradient");
+        let _ = writeln!(
+            text,
+            "fn marker_constraint_rate_gradient(&self, constraint: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, gradient: &mut [f64]) {{\ngradient.fill(0.0);\nmatch constraint {{\n{rate}}}\n}}"
+        );
+        let hessian = kernels.iter().filter_map(|k| Some((&k.of[..], k.hessian.as_ref()?)));
+        let hessian = arms(hessian, "&self.model, t, z, lambda, hessian");
+        let _ = writeln!(
+            text,
+            "fn marker_constraint_hessian(&self, constraint: usize, t: f64, z: {VECTORS}, lambda: &[f64], hessian: &mut [f64]) {{\nhessian.fill(0.0);\nmatch constraint {{\n{hessian}}}\n}}"
+        );
+        text
+    }
+
+    /// Forces on markers and their functions.
+    pub fn forces(&self) -> String {
+        if self.model.forces.is_empty() {
+            return String::new();
+        }
+        let entries = self.model.forces.iter().map(|force| {
+            let markers: Vec<usize> = force.markers.iter().map(|marker| marker.0).collect();
+            format!(
+                "::rncf::mesh::ForceSpec {{ name: {:?}, markers: &{markers:?}, conservative: {} }}",
+                force.name,
+                force.energy.is_some()
+            )
+        });
+        let mut text = list("forces", "ForceSpec", &entries.collect::<Vec<_>>());
+        let kernels = &self.equations.forces;
+        let force = arms(
+            kernels.iter().map(|k| (&k.of[..], &k.force)),
+            "&self.model, t, z, velocity, out",
+        );
+        let _ = writeln!(
+            text,
+            "fn marker_force(&self, force: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, out: &mut [f64]) {{\nout.fill(0.0);\nmatch force {{\n{force}}}\n}}"
+        );
+        let tangent = kernels.iter().filter_map(|k| Some((&k.of[..], k.tangent.as_ref()?)));
+        let tangent = arms(tangent, "&self.model, t, z, velocity, by_value, by_velocity");
+        let _ = writeln!(
+            text,
+            "fn marker_force_tangent(&self, force: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, by_value: &mut [f64], by_velocity: &mut [f64]) {{\nby_value.fill(0.0);\nby_velocity.fill(0.0);\nmatch force {{\n{tangent}}}\n}}"
+        );
+        let energy = kernels.iter().filter_map(|k| Some((&k.of[..], k.energy.as_ref()?)));
+        let energy = arms(energy, "&self.model, t, z, &mut energy");
+        let _ = writeln!(
+            text,
+            "fn marker_energy(&self, force: usize, t: f64, z: {VECTORS}) -> f64 {{\nlet mut energy = 0.0;\nmatch force {{\n{energy}}}\nenergy\n}}"
+        );
+        text
+    }
+
+    /// Fixtures of flexible bodies and their inertia.
+    pub fn fixtures(&self) -> String {
+        if self.model.fixtures.is_empty() {
+            return String::new();
+        }
+        let entries = self.model.fixtures.iter().map(|fixture| {
+            format!(
+                "::rncf::mesh::FixtureSpec {{ name: {:?}, body: {}, at: {}, constants: {} }}",
+                fixture.name,
+                fixture.body.0,
+                self.place(&fixture.at),
+                self.vector(&fixture.constants)
+            )
+        });
+        let mut text = list("fixtures", "FixtureSpec", &entries.collect::<Vec<_>>());
+        let by_dimension = |arm: &dyn Fn(&FixtureKernels) -> String| -> String {
+            let arms = self.equations.fixtures.iter();
+            arms.map(|kernels| format!("{} => {{\n{}}}\n", kernels.dimension, arm(kernels)))
+                .collect()
+        };
+        let array = "::rncf::mesh::array";
+        let force = by_dimension(&|kernels| {
+            let absolute = format!(
+                "{}(constants, frame, {array}(a), {array}_mut(force));",
+                kernels.absolute.name
+            );
+            if !kernels.moving {
+                return absolute;
+            }
+            let name = &kernels.referenced.name;
+            let moving = format!("{name}(constants, frame, {array}(q), {array}(v), {array}(a), {array}_mut(force));");
+            format!("if absolute {{ {absolute} }} else {{ {moving} }}\n")
+        });
+        let tangent = by_dimension(&|kernels| {
+            if !kernels.moving {
+                return String::new();
+            }
+            let name = &kernels.referenced_tangent.name;
+            let call = format!("{name}(constants, frame, {array}_mut(stiffness), {array}_mut(damping));");
+            format!("if !absolute {{ {call} }}\n")
+        });
+        let _ = writeln!(
+            text,
+            "fn fixture_force(&self, dimension: usize, constants: [f64; 3], absolute: bool, {ACTION}, {STATES}, force: &mut [f64]) {{\nmatch dimension {{\n{force}_ => {{}}\n}}\n}}\n\
+             fn fixture_tangent(&self, dimension: usize, constants: [f64; 3], absolute: bool, {ACTION}, stiffness: &mut [f64], damping: &mut [f64]) {{\nmatch dimension {{\n{tangent}_ => {{}}\n}}\n}}"
+        );
+        text
+    }
+
+    /// What free frames feel of what they carry.
+    pub fn carried(&self) -> String {
+        if self.equations.free.is_empty() {
+            return String::new();
+        }
+        let array = "::rncf::mesh::array";
+        let force = self.carried_arms(&|kernels, first| {
+            let states = if first == "rigid" {
+                String::new()
+            } else {
+                format!("{array}(q), {array}(v), {array}(a), ")
+            };
+            format!("{}({first}, frame, {states}{array}_mut(out))", kernels.force.name)
+        });
+        let tangent = self.carried_arms(&|kernels, first| {
+            let (states, blocks): (_, &[&str]) = if first == "rigid" {
+                (String::new(), &["mass", "damping"])
+            } else {
+                let states = format!("{array}(q), {array}(v), {array}(a), ");
+                (states, &["mass", "damping", "spin", "stiffness"])
+            };
+            let blocks: Vec<String> = blocks
+                .iter()
+                .map(|block| format!("{array}_mut(&mut out.{block})"))
+                .collect();
+            format!(
+                "{}({first}, frame, {states}{})",
+                kernels.tangent.name,
+                blocks.join(", ")
+            )
+        });
+        let dimensions: Vec<usize> = self.model.bodies.iter().map(|body| body.space.dimension()).collect();
+        let arguments = format!("&self, of: ::rncf::mesh::Carried, {ACTION}, {STATES}");
+        format!(
+            "fn carried({arguments}, out: &mut [f64]) {{\nmatch of {{\n{force}_ => {{}}\n}}\n}}\n\
+             fn carried_tangent({arguments}, out: &mut ::rncf::mesh::CarriedTangent) {{\n\
+             const DIMENSIONS: [usize; {}] = {dimensions:?};\n\
+             let (d, n) = match of {{\n\
+             ::rncf::mesh::Carried::Element {{ body }} => (DIMENSIONS[body], q.len()),\n\
+             ::rncf::mesh::Carried::Fixture {{ dimension, .. }} => (dimension, q.len()),\n\
+             ::rncf::mesh::Carried::Rigid(_) => (3, 0),\n}};\n\
+             let s = if d == 2 {{ 1 }} else {{ 3 }};\n\
+             let b = d + s;\n\
+             for (block, size) in [(&mut out.mass, b * (b + n)), (&mut out.damping, b * (s + n)), (&mut out.spin, n * s), (&mut out.stiffness, b * n)] {{\n\
+             block.clear();\nblock.resize(size, 0.0);\n}}\n\
+             match of {{\n{tangent}_ => {{}}\n}}\n}}\n",
+            dimensions.len()
+        )
+    }
+
+    /// Arms over what a model's free frames carry; `call` gets the kernels and their first argument.
+    fn carried_arms(&self, call: &dyn Fn(&CarriedKernels, &str) -> String) -> String {
+        let mut arms = String::new();
+        for (index, body) in self.model.bodies.iter().enumerate() {
+            let kernels = self.variant(index).carried.as_ref();
+            if let Some(kernels) = kernels.filter(|_| is_free(self.model, body.frame)) {
+                let call = call(kernels, &format!("&self.row_{}", body.name));
+                let _ = writeln!(arms, "::rncf::mesh::Carried::Element {{ body: {index} }} => {call},");
+            }
+        }
+        for fixture in self.equations.fixtures.iter().filter(|fixture| fixture.free) {
+            let (dimension, call) = (fixture.dimension, call(&fixture.carried, "constants"));
+            let _ = writeln!(
+                arms,
+                "::rncf::mesh::Carried::Fixture {{ dimension: {dimension}, constants }} => {call},"
+            );
+        }
+        if let Some(kernels) = &self.equations.rigid {
+            let _ = writeln!(
+                arms,
+                "::rncf::mesh::Carried::Rigid(rigid) => {},",
+                call(kernels, "rigid")
+            );
+        }
+        arms
+    }
+}
+
+fn motions(motions: &Motions) -> String {
+    match motions {
+        Motions::Spatial => "Spatial".to_string(),
+        Motions::Planar { normal } => format!("Planar {{ normal: {normal} }}"),
+        Motions::Turning => "Turning".to_string(),
+        Motions::Hinged { axis } => {
+            let size = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
+            format!("Hinged {{ axis: {:?} }}", axis.map(|x| x / size))
+        }
+        Motions::Shifting => "Shifting".to_string(),
+        Motions::ShiftingPlanar { normal } => format!("ShiftingPlanar {{ normal: {normal} }}"),
+    }
+}

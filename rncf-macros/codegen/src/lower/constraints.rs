@@ -1,0 +1,212 @@
+//! Constraints of markers: written down as C(z, t) = 0, with every derivative derived. Constraints
+//! that differ in nothing but their markers share their functions.
+
+use std::collections::HashMap;
+
+use super::joints::LEVELS;
+use super::kernel::{Kernel, derivatives, values};
+use super::markers::{Marked, describe, function_name, list, localise};
+use crate::model::{Expr, Model};
+use crate::symbolic::Id;
+
+/// The functions of one or more constraints.
+#[derive(Clone, Debug)]
+pub struct ConstraintKernels {
+    /// Indices of the constraints.
+    pub of: Vec<usize>,
+    /// Rows, and their total time derivatives along z', z'', z'''.
+    pub levels: [Kernel; 4],
+    /// dC/dz.
+    pub gradient: Kernel,
+    /// d(dC/dt)/dz, where it is not zero.
+    pub rate_gradient: Option<Kernel>,
+    /// `sum_i lambda_i d^2 C_i/dz dz`, where it is not zero.
+    pub hessian: Option<Kernel>,
+}
+
+/// Rows with their markers counted in the constraint's own list.
+struct Rows<'m> {
+    model: &'m Model,
+    count: usize,
+    rows: Vec<Expr>,
+    /// Last word of the functions' names, and what they belong to.
+    name: String,
+    title: String,
+    /// What z is.
+    markers: String,
+}
+
+/// The functions of all constraints of a model, each once.
+pub fn constraint_kernels(model: &Model) -> Vec<ConstraintKernels> {
+    let local: Vec<(usize, Vec<Expr>)> = model
+        .constraints
+        .iter()
+        .map(|constraint| {
+            let rows = constraint
+                .rows
+                .iter()
+                .map(|(_, row)| localise(row, &constraint.markers));
+            (constraint.markers.len(), rows.collect())
+        })
+        .collect();
+    let mut names = Vec::new();
+    let mut kernels = Vec::new();
+    for (index, rows) in local.iter().enumerate() {
+        if local[..index].contains(rows) {
+            continue;
+        }
+        let of: Vec<usize> = (index..local.len()).filter(|&other| local[other] == *rows).collect();
+        let first = &model.constraints[index];
+        let name = function_name(&first.name, &names);
+        names.push(name.clone());
+        let members = of.iter().map(|&other| model.constraints[other].name.as_str());
+        let rows = Rows {
+            model,
+            count: rows.0,
+            rows: rows.1.clone(),
+            name,
+            title: format!("Constraint {} ({})", list(members), first.kind),
+            markers: describe(model, &first.name, &first.markers),
+        };
+        kernels.push(rows.kernels(of));
+    }
+    kernels
+}
+
+impl Rows<'_> {
+    fn kernels(&self, of: Vec<usize>) -> ConstraintKernels {
+        ConstraintKernels {
+            of,
+            levels: std::array::from_fn(|level| self.level(level)),
+            gradient: self.gradient(),
+            rate_gradient: self.rate_gradient(),
+            hessian: self.hessian(),
+        }
+    }
+
+    /// The rows in a graph whose markers are `z[marker][component]`.
+    fn in_graph(&self, marked: &mut Marked) -> Vec<Id> {
+        self.rows.iter().map(|row| marked.time.expression(row)).collect()
+    }
+
+    fn kernel(
+        &self,
+        marked: Marked,
+        what: &str,
+        title: &str,
+        outputs: Vec<(String, Id)>,
+        arguments: &[&str],
+    ) -> Kernel {
+        let title = format!("{}: {title}", self.title);
+        let mut kernel = marked
+            .time
+            .kernel(format!("constraint_{what}_{}", self.name), title, outputs);
+        kernel
+            .arguments
+            .extend(arguments.iter().map(|argument| argument.to_string()));
+        kernel.bindings.push(format!("let z = &z[..{}];", self.count));
+        kernel
+    }
+
+    /// Rows differentiated `level` times along the markers' derivatives.
+    fn level(&self, level: usize) -> Kernel {
+        let text = |derivative: usize| {
+            move |marker: usize, component: usize| format!("z[{marker}][{derivative}][{component}]")
+        };
+        let (value, rate, acceleration, jerk) = (text(0), text(1), text(2), text(3));
+        let mut marked = Marked::new(self.model, self.count, &[&value, &rate, &acceleration, &jerk]);
+        let mut rows = self.in_graph(&mut marked);
+        let one = marked.time.graph.one();
+        let mut rates = HashMap::from([(marked.time.t, one)]);
+        for pair in marked.symbols.windows(2) {
+            rates.extend(pair[0].iter().copied().zip(pair[1].iter().copied()));
+        }
+        for _ in 0..level {
+            rows = rows
+                .iter()
+                .map(|&row| marked.time.graph.differentiate(row, &rates))
+                .collect();
+        }
+        let what = [
+            "rows C(z, t).",
+            "their rate dC/dt.",
+            "their second time derivative.",
+            "their third time derivative.",
+        ];
+        let arguments = ["z: &[[[f64; 3]; 4]]", "rows: &mut [f64]"];
+        let mut kernel = self.kernel(marked, LEVELS[level], what[level], values(&rows, "rows"), &arguments);
+        if level == 0 {
+            kernel.doc.push(self.markers.clone());
+        }
+        kernel
+    }
+
+    fn gradient(&self) -> Kernel {
+        let mut marked = Marked::values_and_rates(self.model, self.count);
+        let rows = self.in_graph(&mut marked);
+        let z = marked.symbols[0].clone();
+        let outputs = derivatives(&mut marked.time.graph, &rows, &z, "gradient");
+        let title = "writes dC/dz, rows first; entries that are always zero are left alone.";
+        self.kernel(
+            marked,
+            "gradient",
+            title,
+            outputs,
+            &["z: &[[f64; 3]]", "gradient: &mut [f64]"],
+        )
+    }
+
+    fn rate_gradient(&self) -> Option<Kernel> {
+        let mut marked = Marked::values_and_rates(self.model, self.count);
+        let rows = self.in_graph(&mut marked);
+        let (z, velocity) = (marked.symbols[0].clone(), marked.symbols[1].clone());
+        let one = marked.time.graph.one();
+        let mut rates = HashMap::from([(marked.time.t, one)]);
+        rates.extend(z.iter().copied().zip(velocity));
+        let rows: Vec<Id> = rows
+            .iter()
+            .map(|&row| marked.time.graph.differentiate(row, &rates))
+            .collect();
+        let outputs = derivatives(&mut marked.time.graph, &rows, &z, "gradient");
+        let arguments = ["z: &[[f64; 3]]", "velocity: &[[f64; 3]]", "gradient: &mut [f64]"];
+        let title = "writes d(dC/dt)/dz at constant z', rows first; entries that are always zero are left alone.";
+        let mut kernel = self.kernel(marked, "rate_gradient", title, outputs, &arguments);
+        kernel
+            .bindings
+            .push(format!("let velocity = &velocity[..{}];", self.count));
+        (!kernel.outputs.is_empty()).then_some(kernel)
+    }
+
+    /// Symmetric: the lower triangle is derived, the upper one is its mirror image.
+    fn hessian(&self) -> Option<Kernel> {
+        let mut marked = Marked::values_and_rates(self.model, self.count);
+        let rows = self.in_graph(&mut marked);
+        let z = marked.symbols[0].clone();
+        let graph = &mut marked.time.graph;
+        let multipliers: Vec<Id> = (0..rows.len())
+            .map(|row| graph.symbol(format!("lambda[{row}]")))
+            .collect();
+        let sum = graph.dot(&multipliers, &rows);
+        let mut outputs = Vec::new();
+        for (row, &first) in z.iter().enumerate() {
+            let slope = graph.partial(sum, first);
+            for (column, &second) in z[..=row].iter().enumerate() {
+                let entry = graph.partial(slope, second);
+                if graph.is_zero(entry) {
+                    continue;
+                }
+                outputs.push((format!("hessian[{}]", row * z.len() + column), entry));
+                if column != row {
+                    outputs.push((format!("hessian[{}]", column * z.len() + row), entry));
+                }
+            }
+        }
+        let title = "writes sum_i lambda_i d^2 C_i/dz dz, rows first; entries that are always zero are left alone.";
+        let arguments = ["z: &[[f64; 3]]", "lambda: &[f64]", "hessian: &mut [f64]"];
+        let mut kernel = self.kernel(marked, "hessian", title, outputs, &arguments);
+        kernel
+            .bindings
+            .push(format!("let lambda = &lambda[..{}];", self.rows.len()));
+        (!kernel.outputs.is_empty()).then_some(kernel)
+    }
+}

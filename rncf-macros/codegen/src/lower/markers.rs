@@ -1,0 +1,120 @@
+//! Expressions of markers: what constraints and forces are functions of, counted in the order of
+//! their own lists, so that joints of one kind share their functions.
+
+use super::motions::Time;
+use crate::model::{Expr, Marker, MarkerId, Model, Observable};
+use crate::symbolic::Id;
+
+/// An expression with its markers counted in a constraint's or force's own list.
+pub fn localise(expr: &Expr, markers: &[MarkerId]) -> Expr {
+    let walk = |expr: &Expr| Box::new(localise(expr, markers));
+    match expr {
+        Expr::Number(_) | Expr::Param(_) | Expr::Time => expr.clone(),
+        Expr::Motion(motion, argument) => Expr::Motion(*motion, walk(argument)),
+        Expr::Negate(a) => Expr::Negate(walk(a)),
+        Expr::Binary(operator, a, b) => Expr::Binary(*operator, walk(a), walk(b)),
+        Expr::Power(a, b) => Expr::Power(walk(a), walk(b)),
+        Expr::Call(function, arguments) => Expr::Call(
+            *function,
+            arguments.iter().map(|argument| localise(argument, markers)).collect(),
+        ),
+        Expr::If(comparison, a, b, c, d) => Expr::If(*comparison, walk(a), walk(b), walk(c), walk(d)),
+        Expr::Observed(Observable::Marker {
+            marker,
+            derivative,
+            component,
+        }) => {
+            let place = markers.iter().position(|other| other == marker);
+            let place = place.unwrap_or_else(|| panic!("marker {} is missing in the list of an expression", marker.0));
+            Expr::Observed(Observable::Marker {
+                marker: MarkerId(place),
+                derivative: *derivative,
+                component: *component,
+            })
+        }
+        Expr::Observed(_) => expr.clone(),
+    }
+}
+
+/// A graph with the symbols of local markers and their derivatives.
+pub struct Marked<'m> {
+    /// Graph, time and parameters.
+    pub time: Time<'m>,
+    /// Symbols by derivative, three for each marker.
+    pub symbols: Vec<Vec<Id>>,
+}
+
+impl<'m> Marked<'m> {
+    /// Symbols of `count` markers; `texts` gives the text of each derivative's symbol by marker and
+    /// component.
+    pub fn new(model: &'m Model, count: usize, texts: &[&dyn Fn(usize, usize) -> String]) -> Self {
+        let mut time = Time::new(model);
+        let mut symbols = Vec::new();
+        for (derivative, text) in texts.iter().enumerate() {
+            let mut ids = Vec::new();
+            for marker in 0..count {
+                for component in 0..3 {
+                    let symbol = time.graph.symbol(text(marker, component));
+                    let observable = Observable::Marker {
+                        marker: MarkerId(marker),
+                        derivative,
+                        component,
+                    };
+                    time.observed.push((observable, symbol));
+                    ids.push(symbol);
+                }
+            }
+            symbols.push(ids);
+        }
+        Self { time, symbols }
+    }
+
+    /// Values as `z`, rates as `velocity`.
+    pub fn values_and_rates(model: &'m Model, count: usize) -> Self {
+        let value = |marker: usize, component: usize| format!("z[{marker}][{component}]");
+        let rate = |marker: usize, component: usize| format!("velocity[{marker}][{component}]");
+        Self::new(model, count, &[&value, &rate])
+    }
+}
+
+/// The last word of function names: letters, digits and underscores, and none of those taken.
+pub fn function_name(name: &str, taken: &[String]) -> String {
+    let wanted: String = name
+        .chars()
+        .map(|letter| if letter.is_alphanumeric() { letter } else { '_' })
+        .collect();
+    let mut free = wanted.clone();
+    let mut count = 2;
+    while taken.contains(&free) {
+        free = format!("{wanted}_{count}");
+        count += 1;
+    }
+    free
+}
+
+/// Names in backquotes, separated by commas.
+pub fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+    let names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
+    names.join(", ")
+}
+
+/// What the vectors z are, for documentation.
+pub fn describe(model: &Model, name: &str, markers: &[MarkerId]) -> String {
+    let frame = |frame: &crate::model::FrameId| format!("`{}`", model.frames[frame.0].name);
+    let body = |body: &crate::model::BodyId| format!("`{}`", model.bodies[body.0].name);
+    let words = markers.iter().enumerate().map(|(place, marker)| {
+        let what = match &model.markers[marker.0] {
+            Marker::Point { frame: of, .. } => format!("a point of {}", frame(of)),
+            Marker::Direction { frame: of, .. } => format!("a direction of {}", frame(of)),
+            Marker::BodyPoint { body: of, .. } => format!("a place on {}", body(of)),
+            Marker::BodySlope { body: of, .. } => format!("a slope of {}", body(of)),
+            Marker::Turn { frame: of } => format!("the turning of {}", frame(of)),
+            Marker::Angle { frame: of } => format!("the angle of {}", frame(of)),
+            Marker::Matching { frame: of, .. } => format!("fixed in {}, where another vector starts", frame(of)),
+            Marker::Normal { frame: of, .. } => format!("fixed in {}, normal to a direction at the start", frame(of)),
+        };
+        format!("`z[{place}]` {what}")
+    });
+    let words: Vec<String> = words.collect();
+    format!("Of `{name}`: {} (inertial axes).", words.join("; "))
+}

@@ -1,0 +1,127 @@
+//! What is written for a model with everything that moves freely.
+
+use super::model::{base, moving, number};
+use super::{Inputs, evaluate};
+use crate::elements::Library;
+use crate::emit;
+use crate::emit::equations::Equations;
+use crate::expand;
+use crate::lower::free::free_kernel;
+use crate::lower::motions::kinks_kernel;
+use crate::model::{Expr, Force, MarkerId, Model, MotionId};
+
+fn text(model: &Model) -> String {
+    expand::format(&emit::model(model, &Library::standard()))
+}
+
+#[test]
+fn only_what_is_needed_is_written() {
+    let text = text(&moving());
+    for there in [
+        "fn free(",
+        "fn cable_spatial_carried_tangent(",
+        "fn cable_planar_carried(",
+        "fn fixture_planar_inertia_force(",
+        "fn rigid_carried_tangent(",
+        "fn marker_constraint_hessian(",
+        "0 | 2 => constraint_gradient_pin(",
+        "fn joint_root_referenced_position(",
+        "Fidelity::Small(3)",
+        "mean_axes: true",
+        "When::Absolute(0)",
+        "ObservedSpec::ConstraintReaction",
+    ] {
+        assert!(text.contains(there), "{there} is missing");
+    }
+    // Where the pose of a frame is unknown, nothing can be written that needs it.
+    for absent in [
+        "fn frame_hub(",
+        "fn joint_root_absolute_position(",
+        "constraint_hessian_pin",
+    ] {
+        assert!(!text.contains(absent), "{absent} should not be there");
+    }
+    assert!(text.contains("fn frame_rotor("));
+    // `Carried::Element { body: 2 }`: the body in the inertial frame carries nothing.
+    assert!(!text.contains("row_rope, frame, ::rncf::mesh::array(q), ::rncf::mesh::array(v), ::rncf::mesh::array(a), ::rncf::mesh::array_mut(out)"));
+    let still = self::text(&base());
+    for absent in ["fn free(", "carried", "fixture", "fn marker", "rigid"] {
+        assert!(!still.contains(absent), "{absent} should not be there");
+    }
+}
+
+/// Two parts about the frame's origin, by hand.
+#[test]
+fn rigid_parts_add_up() {
+    let model = moving();
+    let frame = &model.frames[2];
+    let kernel = free_kernel(&model, frame, frame.free.as_ref().unwrap());
+    let inputs = Inputs::from([("model.mass".to_string(), 2.0), ("model.gap".to_string(), 0.5)]);
+    let values = evaluate(&kernel, &inputs);
+    let at = |place: &str| values.get(&format!("spec.{place}")).copied().unwrap_or(0.0);
+    for (place, wanted) in [
+        ("position[0]", 1.0),
+        ("position[1]", 0.5),
+        ("velocity[2]", 0.3),
+        ("spin[2]", 2.0),
+        ("axis[2]", 1.0),
+        ("rigid.mass", 5.0),
+        ("rigid.moment[0]", 2.0 * 0.1 - 3.0 * 0.5),
+        ("rigid.moment[1]", 0.4),
+        ("rigid.moment[2]", 0.6 + 1.2),
+        ("rigid.inertia[0][0]", 1.0 + 2.0 * 0.13 + 3.0 * 0.16),
+        ("rigid.inertia[1][1]", 2.0 + 2.0 * 0.10 + 3.0 * 0.41),
+        ("rigid.inertia[2][2]", 3.0 + 2.0 * 0.05 + 3.0 * 0.25),
+        ("rigid.inertia[0][1]", 0.1 - 2.0 * 0.02),
+        ("rigid.inertia[1][0]", 0.1 - 2.0 * 0.02),
+        ("rigid.inertia[2][0]", 0.2 - 2.0 * 0.03 + 3.0 * 0.2),
+        ("rigid.inertia[1][2]", 0.3 - 2.0 * 0.06),
+    ] {
+        assert!(
+            (at(place) - wanted).abs() < 1e-14,
+            "{place}: {} instead of {wanted}",
+            at(place)
+        );
+    }
+    // A planar frame counts its angle about its own normal, whichever axis was written.
+    let sled = &model.frames[3];
+    let values = evaluate(&free_kernel(&model, sled, sled.free.as_ref().unwrap()), &inputs);
+    assert_eq!(values["spec.axis[2]"], 1.0);
+    assert!((values["spec.angle"] + 20.0_f64.to_radians()).abs() < 1e-15);
+}
+
+#[test]
+fn kinks_of_constraints_and_forces_are_known() {
+    let mut model = moving();
+    model.frames.remove(1);
+    // Without the rotor only the constraint knows the motion.
+    model.frames.insert(1, model.frames[0].clone());
+    let (kernel, count) = kinks_kernel(&model);
+    assert_eq!(count, 1);
+    assert_eq!(evaluate(&kernel, &Inputs::new())["kinks[0]"], 2.0);
+}
+
+#[test]
+fn energy_is_conserved_where_nothing_drives_or_damps() {
+    let conservative = |model: &Model| Equations::derive(model, &Library::standard()).conservative;
+    let mut model = moving();
+    assert!(!conservative(&model));
+    // The strut damps, the thrust has no potential, the hinge is driven.
+    model.forces.remove(2);
+    model.forces.remove(0);
+    assert!(!conservative(&model));
+    model.constraints[1].rows.pop();
+    assert!(conservative(&model));
+    model.forces.push(Force {
+        name: "push".to_string(),
+        doc: String::new(),
+        markers: vec![MarkerId(0)],
+        components: vec![[
+            number(0.0),
+            Expr::Motion(MotionId(0), Box::new(Expr::Time)),
+            number(0.0),
+        ]],
+        energy: None,
+    });
+    assert!(!conservative(&model));
+}
