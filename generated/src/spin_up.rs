@@ -141,11 +141,7 @@ impl ::rncf::Model for SpinUp {
     > {
         ::rncf::mesh::check_params(self)?;
         let equations = spin_up_equations::Equations::new(self);
-        Ok(
-            ::std::boxed::Box::new(
-                ::rncf::mesh::MeshScene::new(equations, formulation, joints)?,
-            ),
-        )
+        ::rncf::mesh::build(equations, formulation, joints)
     }
 }
 /// Equations of [`SpinUp`]: derived, checked and written by the generator.

@@ -148,11 +148,7 @@ impl ::rncf::Model for SpinUpSpatial {
     > {
         ::rncf::mesh::check_params(self)?;
         let equations = spin_up_spatial_equations::Equations::new(self);
-        Ok(
-            ::std::boxed::Box::new(
-                ::rncf::mesh::MeshScene::new(equations, formulation, joints)?,
-            ),
-        )
+        ::rncf::mesh::build(equations, formulation, joints)
     }
 }
 /// Equations of [`SpinUpSpatial`]: derived, checked and written by the generator.

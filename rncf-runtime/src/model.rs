@@ -196,6 +196,12 @@ pub trait Scene: System + Send {
 
     /// Largest angular velocity of a body's frame at `t`, rad/s.
     fn spin(&self, t: f64) -> f64;
+
+    /// Where the model does not describe its bodies well at a state, one sentence each, naming the body
+    /// and what to do (THEORY 10, T10).
+    fn warnings(&mut self, _state: &State) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// Nodal vectors of all bodies in their declared frames at one time.

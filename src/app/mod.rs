@@ -155,7 +155,7 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
         counts.factorizations,
         parameters::digits(result.seconds.cpu, 3),
     );
-    finish(head, files, failure)
+    finish(head, &result.warnings, files, failure)
 }
 
 fn execute_steady<M: Model>(arguments: &Arguments<M>) -> Result<String, Failure> {
@@ -178,15 +178,16 @@ fn execute_steady<M: Model>(arguments: &Arguments<M>) -> Result<String, Failure>
         parameters::short(result.history.keys.last().copied().unwrap_or(0.0)),
         parameters::digits(result.seconds.cpu, 3),
     );
-    finish(head, files, failure)
+    finish(head, &result.warnings, files, failure)
 }
 
 /// What to say at the end: with a failure, the files go into its message.
-fn finish(head: String, files: String, failure: Option<Failure>) -> Result<String, Failure> {
+fn finish(head: String, warnings: &[String], files: String, failure: Option<Failure>) -> Result<String, Failure> {
+    let warnings: String = warnings.iter().map(|text| format!("warning: {text}\n")).collect();
     match failure {
-        None => Ok(format!("{head}\n{files}")),
+        None => Ok(format!("{head}\n{warnings}{files}")),
         Some(failure) => Err(Failure {
-            message: format!("{}\nup to there:\n{files}", failure.message),
+            message: format!("{}\n{warnings}up to there:\n{files}", failure.message),
             ..failure
         }),
     }

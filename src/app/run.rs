@@ -83,6 +83,8 @@ pub struct RunResult {
     /// Largest deviation of the total energy from its initial value, relative to the largest energy
     /// met; `None` where the model does not conserve it.
     pub energy_error: Option<f64>,
+    /// What the scene warns of at the first row where it does.
+    pub warnings: Vec<String>,
     /// Last good state.
     pub state: State,
     /// Time that the run took.
@@ -189,6 +191,7 @@ pub fn run_watched<M: Model>(
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
         energy_error: None,
+        warnings: Vec::new(),
         state: start.clone(),
         seconds: Seconds::default(),
         incomplete: None,
@@ -277,6 +280,7 @@ fn integrate(
         }
     }
     result.energy_error = energy.relative();
+    result.warnings = rows.warnings;
     result.state.clone_from(integrator.state());
     result.statistics = integrator.statistics().clone();
     result.incomplete = incomplete;
@@ -296,6 +300,7 @@ struct Rows {
     count: u64,
     state: State,
     values: Vec<f64>,
+    warnings: Vec<String>,
 }
 
 impl Rows {
@@ -308,6 +313,7 @@ impl Rows {
             count: (t_end / every * (1.0 + 1e-12)).floor() as u64 + 1,
             state: state.clone(),
             values: vec![0.0; columns],
+            warnings: Vec::new(),
         }
     }
 
@@ -332,6 +338,9 @@ impl Rows {
                 integrator.interpolate(t, &mut self.state);
             }
             integrator.system().outputs(&self.state, &mut self.values);
+            if self.warnings.is_empty() {
+                self.warnings = integrator.system().warnings(&self.state);
+            }
             history.push(time, &self.values).map_err(Incomplete::Output)?;
             self.next += 1;
         }
@@ -401,6 +410,19 @@ mod tests {
         let e = 2.0 * k / (k - w * w);
         let part = |f: fn(f64) -> f64| (2.0 - e) * (w1 * f(w2 * t) - w2 * f(w1 * t)) / (w1 - w2);
         (e + part(f64::cos), part(f64::sin))
+    }
+
+    #[test]
+    fn a_warning_is_given_once_and_stands_in_the_notes() {
+        let mut rotor = Rotor::default();
+        assert!(run(&rotor, &RunSettings::default()).unwrap().warnings.is_empty());
+        rotor.omega = 6.0;
+        let result = run(&rotor, &RunSettings::default()).unwrap();
+        assert_eq!(result.warnings, ["the spring is soft at 6 rad/s"]);
+        let summary = crate::app::summary::of_run(&rotor, &result);
+        assert_eq!(summary["notes"][1], "the spring is soft at 6 rad/s");
+        let steady = super::steady::steady(&rotor, &RunSettings::default()).unwrap();
+        assert_eq!(steady.warnings, result.warnings);
     }
 
     #[test]

@@ -24,6 +24,8 @@ pub struct SteadyResult {
     pub constraints: usize,
     /// Newton iterations of all steps.
     pub newton_iterations: u64,
+    /// What the scene warns of at the full spin.
+    pub warnings: Vec<String>,
     /// Time that it took.
     pub seconds: Seconds,
     /// Why the last equilibrium is not that of the full spin; `None` where it is.
@@ -65,6 +67,9 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
         newton_iterations += u64::from(step.iterations);
         record(scene, step.scale, &step.state);
     });
+    // Where no equilibrium is found the warning may say why.
+    let last = outcome.as_ref().ok().and_then(equilibrium::Equilibrium::state);
+    let warnings = scene.warnings(last.unwrap_or(&rest));
     let incomplete = match (outcome, spoiled) {
         (Err(error), _) if newton_iterations == 0 => return Err(RunError::Start(error)),
         (Err(error), _) => Some(error),
@@ -86,6 +91,7 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
         newton_iterations,
+        warnings,
         seconds: clock.seconds(),
         incomplete,
     };

@@ -66,7 +66,7 @@ pub(super) fn of_run<M: Model>(model: &M, result: &RunResult) -> Summary {
     put(&mut summary, "energy_error", json!(result.energy_error));
     let violation = (result.constraints > 0).then_some(result.statistics.max_constraint_residual);
     put(&mut summary, "max_constraint_residual", json!(violation));
-    tail::<M>(&mut summary, &result.history, &[]);
+    tail::<M>(&mut summary, &result.history, &result.warnings);
     summary
 }
 
@@ -83,7 +83,7 @@ pub(super) fn of_steady<M: Model>(model: &M, result: &SteadyResult) -> Summary {
     put(&mut summary, "steps", json!(result.history.keys.len()));
     put(&mut summary, "newton_iterations", json!(result.newton_iterations));
     seconds(&mut summary, result.seconds);
-    tail::<M>(&mut summary, &result.history, &[]);
+    tail::<M>(&mut summary, &result.history, &result.warnings);
     summary
 }
 

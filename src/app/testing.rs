@@ -339,6 +339,12 @@ impl Scene for RotorScene {
         None
     }
 
+    fn warnings(&mut self, _: &State) -> Vec<String> {
+        let soft = 2.0 * self.omega * self.omega > self.stiffness;
+        let text = || format!("the spring is soft at {} rad/s", self.omega);
+        soft.then(text).into_iter().collect()
+    }
+
     fn spin(&self, _: f64) -> f64 {
         self.omega.abs()
     }

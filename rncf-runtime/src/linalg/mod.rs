@@ -2,6 +2,7 @@
 
 mod banded;
 mod dense;
+mod eigen;
 mod lu;
 mod order;
 mod pattern;
@@ -10,6 +11,7 @@ mod scalar;
 mod sparse;
 
 pub use dense::Dense;
+pub use eigen::{Cholesky, Indefinite, NaturalModes, natural_modes, product, symmetric_eigen, times};
 pub use lu::Lu;
 pub use pattern::Pattern;
 pub use saddle::{Saddle, Singular};

@@ -8,7 +8,7 @@ use super::layout::Layout;
 use super::linked::{Linked, MarkedLoad, Marker, markers};
 use super::markers::When;
 use super::mean_axes::MeanAxes;
-use super::parts::{BodySpec, JointSpec, LoadKind, Parts};
+use super::parts::{BodySpec, Fidelity, JointSpec, LoadKind, Parts};
 use super::scene::{Buffers, MeshBody, MeshScene, Row, undeformed};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
@@ -44,6 +44,12 @@ impl<P: Parts> MeshScene<P> {
                 continue;
             }
             let (first, data) = (firsts[joint.body], joint_data(joint, body, &motions));
+            // Modes are those of the body as its frame holds it.
+            let joints = if body.fidelity == Fidelity::Full {
+                joints
+            } else {
+                Joints::Eliminated
+            };
             conditions.push(condition(index, joint, body, first, data, absolute(body), joints));
         }
         let border = free.iter().map(FreeFrame::count).sum();
@@ -54,6 +60,7 @@ impl<P: Parts> MeshScene<P> {
             connectivity: connectivity(spec, first, &layout),
             scatter: Scatter::default(),
             mass: Vec::new(),
+            modes: None,
             spec: spec.clone(),
         });
         let first_turn = layout.unknowns() - border;
@@ -70,6 +77,7 @@ impl<P: Parts> MeshScene<P> {
             constraint_rows: Vec::new(),
             sizes: Vec::new(),
             mass: Vec::new(),
+            in_modes: false,
             buffers: Buffers::new(layout.components(), motions),
             bodies: bodies.collect(),
             markers: markers(&parts, &specs, &free_of)?,
@@ -279,9 +287,10 @@ impl<P: Parts> MeshScene<P> {
         self.constraint_pattern = Pattern::new(self.layout.unknowns(), self.constraint_rows.len(), entries);
     }
 
-    fn assemble_mass(&mut self) {
+    pub(super) fn assemble_mass(&mut self) {
         self.mass = vec![0.0; self.pattern.entries()];
-        for body in &self.bodies {
+        let in_modes = self.in_modes;
+        for body in self.bodies.iter().filter(|body| !in_modes || body.modes.is_none()) {
             let local = spread_mass(&body.mass, &body.spec);
             for element in 0..body.spec.count {
                 body.scatter.add(element, &local, &mut self.mass);

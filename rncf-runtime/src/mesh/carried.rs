@@ -52,6 +52,20 @@ impl Blocks {
     }
 }
 
+/// Derivatives between a free frame's k unknowns and a body's n modal coordinates.
+pub(super) struct Beside {
+    /// First unknown of the frame.
+    pub first: usize,
+    /// Number of its unknowns.
+    pub count: usize,
+    /// Frame rows by p'', k x n; transposed also p rows by the frame's accelerations.
+    pub mass: Vec<f64>,
+    /// Frame rows by p' (k x n), then p rows by the frame's velocities (n x k).
+    pub damping: [Vec<f64>; 2],
+    /// Frame rows by p (k x n), then p rows by the frame's unknowns (n x k).
+    pub stiffness: [Vec<f64>; 2],
+}
+
 /// Components of a force in the order of the axes, then of a moment (planar: about the normal).
 fn rows_of(axes: &[usize], force: Vector, moment: Vector) -> [f64; ROWS] {
     let mut rows = [0.0; ROWS];
@@ -162,7 +176,7 @@ impl<P: Parts> MeshScene<P> {
     pub(super) fn add_carried_forces(&mut self, gravity: Vector) {
         for index in 0..self.bodies.len() {
             let body = &self.bodies[index];
-            let Some(free) = self.free_of[body.frame] else {
+            let Some(free) = self.free_of[body.frame].filter(|_| !self.is_left_to_modes(body)) else {
                 continue;
             };
             let axes = body.spec.axes;
@@ -217,7 +231,7 @@ impl<P: Parts> MeshScene<P> {
     pub(super) fn add_carried_tangents(&mut self, gravity: Vector, out: &mut Tangent) {
         for index in 0..self.bodies.len() {
             let body = &self.bodies[index];
-            let Some(free) = self.free_of[body.frame] else {
+            let Some(free) = self.free_of[body.frame].filter(|_| !self.is_left_to_modes(body)) else {
                 continue;
             };
             let axes = body.spec.axes;
@@ -308,6 +322,43 @@ impl<P: Parts> MeshScene<P> {
         let mut result = vec![0.0; blocks.width()];
         chain(axes, &unknowns, force, pulled, &blocks, &mut result);
         self.scatter(point.body, free, components, &blocks, &result, out);
+    }
+
+    /// Adds what the inertia of a body's modes makes among the unknowns of its free frame, at the
+    /// loaded state with modal coordinates `at`, and returns what it makes beside them.
+    pub(super) fn add_carried_modes(
+        &self,
+        body: usize,
+        at: [&[f64]; 3],
+        gravity: Vector,
+        out: &mut Tangent,
+    ) -> Option<Beside> {
+        let body = &self.bodies[body];
+        let (free, modes) = (self.free_of[body.frame]?, body.modes.as_ref()?);
+        let axes = body.spec.axes;
+        let action = self.buffers.frames[body.frame].action(axes, gravity);
+        let mut rows = [0.0; ROWS];
+        let (d, s) = counts(axes);
+        modes.carried(&action, at, &mut rows[..d + s]);
+        let mut tangent = CarriedTangent::default();
+        modes.carried_tangent(&action, at, &mut tangent);
+        let unknowns = self.seen_unknowns(free, axes, gravity);
+        let blocks = Blocks {
+            k: unknowns.len(),
+            n: modes.modes(),
+        };
+        let mut result = vec![0.0; blocks.width()];
+        let [force, _] = vectors_of(axes, &rows);
+        chain(axes, &unknowns, force, &tangent, &blocks, &mut result);
+        self.scatter_square(free, &blocks, &result, out);
+        let block = |place: usize| result[blocks.start(place)..][..blocks.k * blocks.n].to_vec();
+        Some(Beside {
+            first: self.layout.unknowns() - self.layout.border() + self.free[free].first,
+            count: blocks.k,
+            mass: block(1),
+            damping: [block(3), block(4)],
+            stiffness: [block(6), block(7)],
+        })
     }
 
     fn scatter_square(&self, free: usize, blocks: &Blocks, result: &[f64], out: &mut Tangent) {

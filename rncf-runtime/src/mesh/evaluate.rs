@@ -115,7 +115,9 @@ impl<P: Parts> MeshScene<P> {
             ..
         } = &mut self.buffers;
         force.fill(0.0);
-        for (index, body) in self.bodies.iter().enumerate() {
+        let in_modes = self.in_modes;
+        let whole = |body: &&MeshBody| !in_modes || body.modes.is_none();
+        for (index, body) in self.bodies.iter().enumerate().filter(|(_, body)| whole(body)) {
             let action = frames[body.frame].action(body.spec.axes, gravity);
             let size = body.spec.element_size();
             let (q, v, a): (&[f64], &[f64], &[f64]) = (q, v, a);
@@ -212,7 +214,9 @@ impl<P: Parts> MeshScene<P> {
         let Buffers {
             q, v, frames, results, ..
         } = &mut self.buffers;
-        for (index, body) in self.bodies.iter().enumerate() {
+        let in_modes = self.in_modes;
+        let whole = |body: &&MeshBody| !in_modes || body.modes.is_none();
+        for (index, body) in self.bodies.iter().enumerate().filter(|(_, body)| whole(body)) {
             let action = frames[body.frame].action(body.spec.axes, [0.0; 3]);
             let size = body.spec.element_size();
             let (q, v): (&[f64], &[f64]) = (q, v);

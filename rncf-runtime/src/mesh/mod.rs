@@ -18,6 +18,7 @@ mod line;
 mod linked;
 mod markers;
 mod mean_axes;
+mod modal;
 mod outputs;
 mod parts;
 mod scene;
@@ -32,6 +33,7 @@ pub use free::{FreeSpec, Motions, RigidSpec};
 pub use layout::{Layout, VectorKind};
 pub use line::Line;
 pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
+pub use modal::build;
 pub use parts::{
     BodySpec, Carried, CarriedTangent, Fidelity, JointData, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec,
     Parts, Place, PointQuantity, Prescribed,

@@ -213,6 +213,7 @@ impl<P: Parts> MeshScene<P> {
             self.full_force(t, load_scale);
             // Joints on a node do not supply what constraints on markers do.
             self.add_marker_constraint_forces(t, lambda);
+            self.hold_modes();
         }
         let observed: Vec<f64> = (0..self.observed.len())
             .map(|index| self.observe(index, t, lambda))

@@ -11,6 +11,7 @@ use super::layout::Layout;
 use super::linked::{Linked, MarkedLoad, Marker};
 use super::markers::ForceSpec;
 use super::mean_axes::MeanAxes;
+use super::modal::ModalBody;
 use super::parts::{BodySpec, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
@@ -28,6 +29,8 @@ pub(super) struct MeshBody {
     pub scatter: Scatter,
     /// Mass matrix of an element's vectors.
     pub mass: Vec<f64>,
+    /// Its modes, where modal coordinates describe it.
+    pub modes: Option<ModalBody>,
 }
 
 impl MeshBody {
@@ -121,6 +124,8 @@ pub struct MeshScene<P> {
     pub(super) sizes: Vec<f64>,
     /// Mass matrix of the nodal vectors.
     pub(super) mass: Vec<f64>,
+    /// Whether inertia and elasticity of bodies with modes are left to the modes.
+    pub(super) in_modes: bool,
     pub(super) buffers: Buffers,
 }
 
@@ -136,6 +141,11 @@ pub(super) enum Row {
 }
 
 impl<P: Parts> MeshScene<P> {
+    /// Whether the elements of a body are left out at present.
+    pub(super) fn is_left_to_modes(&self, body: &MeshBody) -> bool {
+        self.in_modes && body.modes.is_some()
+    }
+
     /// Components of all nodal vectors of the undeformed bodies, in their declared frames.
     pub(super) fn shape(&self) -> Vec<f64> {
         let mut shape = Vec::with_capacity(self.layout.vector_components());

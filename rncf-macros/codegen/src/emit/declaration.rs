@@ -131,7 +131,7 @@ fn implementation(model: &Model, equations: &Equations) -> String {
         "fn build(&self, formulation: ::rncf::Formulation, joints: ::rncf::Joints) -> ::std::result::Result<::std::boxed::Box<dyn ::rncf::Scene>, ::rncf::ModelError> {{\n\
          ::rncf::mesh::check_params(self)?;\n\
          let equations = {module}::Equations::new(self);\n\
-         Ok(::std::boxed::Box::new(::rncf::mesh::MeshScene::new(equations, formulation, joints)?))\n}}\n}}"
+         ::rncf::mesh::build(equations, formulation, joints)\n}}\n}}"
     );
     text
 }

@@ -1,0 +1,614 @@
+//! Scenes with modal bodies: the scene with all nodal vectors in front of the map of [`Reduction`].
+//! Loads, markers, constraints and outputs see nodal vectors; inertia and elasticity of the modal
+//! bodies come from their constants.
+
+use super::reduction::{Block, Reduction};
+use super::{Elements, ModalBody, Nodal};
+use crate::error::ModelError;
+use crate::linalg::Pattern;
+use crate::mesh::assembly::Connectivity;
+use crate::mesh::carried::Beside;
+use crate::mesh::frame::FrameAction;
+use crate::mesh::parts::{Fidelity, Parts};
+use crate::mesh::scene::{MeshScene, Regime};
+use crate::model::{Formulation, FrameState, Joints, Scene};
+use crate::system::{ConstraintLevel, State, System, Tangent};
+
+/// Relative distance up to which a joint holds a body in its undeformed place.
+const ROUND_OFF: f64 = 1e-9;
+
+/// Builds the scene of a model with emitted parts: with modal coordinates where a body asks for them.
+///
+/// # Errors
+/// As [`MeshScene::new`], and a body whose modes do not exist or do not suffice, by name.
+pub fn build<P: Parts>(parts: P, formulation: Formulation, joints: Joints) -> Result<Box<dyn Scene>, ModelError> {
+    let scene = MeshScene::new(parts, formulation, joints)?;
+    if scene.bodies.iter().all(|body| body.spec.fidelity == Fidelity::Full) {
+        return Ok(Box::new(scene));
+    }
+    Ok(Box::new(ModalScene::new(scene)?))
+}
+
+/// Elements of a body as emitted.
+struct Kernels<'a, P> {
+    parts: &'a P,
+    body: usize,
+}
+
+impl<P: Parts> Elements for Kernels<'_, P> {
+    fn force(&self, element: usize, q: &[f64], v: &[f64], force: &mut [f64]) {
+        let (still, rest) = (FrameAction::default(), vec![0.0; q.len()]);
+        self.parts.force(self.body, element, true, &still, q, v, &rest, force);
+    }
+
+    fn tangent(&self, element: usize, q: &[f64], v: &[f64], stiffness: &mut [f64], damping: &mut [f64]) {
+        let still = FrameAction::default();
+        self.parts
+            .tangent(self.body, element, true, &still, q, v, stiffness, damping);
+    }
+}
+
+/// A scene some of whose bodies have modal coordinates.
+pub struct ModalScene<P> {
+    /// With all nodal vectors; the elements of modal bodies are left out.
+    scene: MeshScene<P>,
+    reduction: Reduction,
+    /// Body of every block of the reduction.
+    bodies: Vec<usize>,
+    pattern: Pattern,
+    constraint_pattern: Pattern,
+    turns: Vec<usize>,
+    sizes: Vec<f64>,
+    /// The state with all nodal vectors.
+    full: State,
+    tangent: Tangent,
+    scratch: Vec<f64>,
+}
+
+impl<P: Parts> ModalScene<P> {
+    /// Finds the modes of the bodies that ask for them.
+    ///
+    /// # Errors
+    /// As [`build`].
+    pub(super) fn new(mut scene: MeshScene<P>) -> Result<Self, ModelError> {
+        let (mut blocks, mut bodies) = (Vec::new(), Vec::new());
+        for index in 0..scene.bodies.len() {
+            let fidelity = scene.bodies[index].spec.fidelity;
+            if fidelity == Fidelity::Full {
+                continue;
+            }
+            scene.check_modal(index)?;
+            let (nodal, first) = scene.nodal(index);
+            let elements = Kernels {
+                parts: &scene.parts,
+                body: index,
+            };
+            let modes = ModalBody::new(nodal, fidelity, &elements)?;
+            blocks.push(Block::new(&modes, first));
+            bodies.push(index);
+            scene.bodies[index].modes = Some(modes);
+        }
+        scene.in_modes = true;
+        scene.assemble_mass();
+        let reduction = Reduction::new(blocks, scene.unknowns());
+        let pattern = reduction.square(scene.pattern());
+        let constraint_pattern = reduction.rows(scene.constraint_pattern());
+        let turns = scene.turns().iter().filter_map(|&turn| reduction.same(turn)).collect();
+        let mut sizes = vec![0.0; reduction.unknowns()];
+        for (unknown, &size) in scene.sizes().iter().enumerate() {
+            if let Some(place) = reduction.same(unknown) {
+                sizes[place] = size;
+            }
+        }
+        for (block, &body) in reduction.blocks().iter().zip(&bodies) {
+            if let Some(modes) = &scene.bodies[body].modes {
+                sizes[block.coordinate..][..block.count].copy_from_slice(modes.sizes());
+            }
+        }
+        let entries = scene.pattern().entries();
+        let zeros = || vec![0.0; entries];
+        Ok(Self {
+            full: State::of(&scene, 0.0),
+            tangent: Tangent {
+                mass: zeros(),
+                stiffness: zeros(),
+                damping: zeros(),
+            },
+            scratch: vec![0.0; scene.unknowns()],
+            scene,
+            reduction,
+            bodies,
+            pattern,
+            constraint_pattern,
+            turns,
+            sizes,
+        })
+    }
+
+    /// The map from modal coordinates.
+    #[cfg(test)]
+    pub(super) fn reduction(&self) -> &Reduction {
+        &self.reduction
+    }
+
+    /// Expands the state to all nodal vectors.
+    fn expand(&mut self, state: &State) {
+        let full = &mut self.full;
+        full.t = state.t;
+        full.turns.clone_from(&state.turns);
+        full.lambda.clone_from(&state.lambda);
+        self.reduction.expand(&state.x, true, &mut full.x);
+        self.reduction.expand(&state.v, false, &mut full.v);
+        self.reduction.expand(&state.a, false, &mut full.a);
+    }
+
+    /// The state with modal coordinates.
+    fn restricted(&self, full: &State) -> State {
+        State {
+            t: full.t,
+            x: self.reduction.restrict(&full.x, true),
+            turns: full.turns.clone(),
+            v: self.reduction.restrict(&full.v, false),
+            a: self.reduction.restrict(&full.a, false),
+            lambda: full.lambda.clone(),
+        }
+    }
+
+    /// Calls with every body that has modes: its block, the body, its modes, elements and frame at the
+    /// loaded state.
+    fn each_body(
+        &self,
+        gravity: [f64; 3],
+        mut call: impl FnMut(&Block, usize, &ModalBody, &dyn Elements, &FrameAction),
+    ) {
+        for (block, &index) in self.reduction.blocks().iter().zip(&self.bodies) {
+            let body = &self.scene.bodies[index];
+            if let Some(modes) = &body.modes {
+                let action = self.scene.buffers.frames[body.frame].action(body.spec.axes, gravity);
+                let elements = Kernels {
+                    parts: &self.scene.parts,
+                    body: index,
+                };
+                call(block, index, modes, &elements, &action);
+            }
+        }
+    }
+
+    fn gravity(&self, t: f64, load_scale: f64) -> [f64; 3] {
+        self.scene.gravity(t).map(|g| load_scale * g)
+    }
+
+    /// Residual at the loaded state with the unknowns and their derivatives.
+    fn residual_of(&mut self, t: f64, load_scale: f64, at: [&[f64]; 3], out: &mut [f64]) {
+        self.scene.full_force(t, load_scale);
+        let gravity = self.gravity(t, load_scale);
+        let mut carried = Vec::new();
+        let mut modal = vec![0.0; out.len()];
+        self.each_body(gravity, |block, index, modes, elements, action| {
+            let own = block.coordinate..block.coordinate + block.count;
+            let at = at.map(|values| &values[own.clone()]);
+            modes.force(elements, action, at, &mut modal[own.clone()]);
+            let body = &self.scene.bodies[index];
+            if let Some(free) = self.scene.free_of[body.frame] {
+                let mut rows = vec![0.0; if body.spec.dimension() == 2 { 3 } else { 6 }];
+                modes.carried(action, at, &mut rows);
+                carried.push((free, body.spec.axes, rows));
+            }
+        });
+        for (free, axes, rows) in carried {
+            self.scene.add_to_frame(free, axes, &rows);
+        }
+        self.scene.layout.project(&self.scene.buffers.force, &mut self.scratch);
+        self.reduction.project(&self.scratch, out);
+        out.iter_mut().zip(modal).for_each(|(sum, value)| *sum += value);
+    }
+
+    /// Adds to the tangent of the nodal vectors what modal bodies make among the unknowns of free
+    /// frames, and returns what they make beside them, block by block.
+    fn beside(&mut self, state: &State) -> Vec<Option<Beside>> {
+        let gravity = self.gravity(state.t, 1.0);
+        let pairs = self.reduction.blocks().iter().zip(&self.bodies);
+        pairs
+            .map(|(block, &body)| {
+                let own = block.coordinate..block.coordinate + block.count;
+                let at = [&state.x, &state.v, &state.a].map(|values| &values[own.clone()]);
+                self.scene.add_carried_modes(body, at, gravity, &mut self.tangent)
+            })
+            .collect()
+    }
+
+    /// Adds a k x n block of frame rows and an n x k block of modal rows.
+    fn add_beside(&self, block: &Block, beside: &Beside, lower: &[f64], upper: &[f64], values: &mut [f64]) {
+        let (k, n) = (beside.count, block.count);
+        let Some(frame) = self.reduction.same(beside.first) else {
+            return;
+        };
+        for i in 0..k {
+            for c in 0..n {
+                if let Some(entry) = self.pattern.find(frame + i, block.coordinate + c) {
+                    values[entry] += lower[i * n + c];
+                }
+                if let Some(entry) = self.pattern.find(block.coordinate + c, frame + i) {
+                    values[entry] += upper[c * k + i];
+                }
+            }
+        }
+    }
+
+    /// Adds an n x n block of modal rows and columns.
+    fn add_modal(&self, block: &Block, matrix: &[f64], values: &mut [f64]) {
+        let n = block.count;
+        for (place, value) in matrix.iter().enumerate() {
+            if let Some(entry) = self
+                .pattern
+                .find(block.coordinate + place / n, block.coordinate + place % n)
+            {
+                values[entry] += value;
+            }
+        }
+    }
+
+    /// Reduces the mass of the nodal vectors and adds that of the modes.
+    fn reduce_mass(&self, beside: &[Option<Beside>], values: &mut [f64]) {
+        let from = self.scene.pattern();
+        self.reduction
+            .reduce_square(from, &self.tangent.mass, &self.pattern, values);
+        self.each_body([0.0; 3], |block, _, modes, _, _| {
+            self.add_modal(block, modes.mass(), values)
+        });
+        for (block, beside) in self.reduction.blocks().iter().zip(beside) {
+            if let Some(beside) = beside {
+                let transposed = transposed(&beside.mass, beside.count, block.count);
+                self.add_beside(block, beside, &beside.mass, &transposed, values);
+            }
+        }
+    }
+
+    /// Calls with the scene in which modal bodies are made of elements, for what is read off it.
+    fn in_elements<T>(&mut self, call: impl FnOnce(&mut MeshScene<P>, &State) -> T) -> T {
+        self.scene.in_modes = false;
+        let result = call(&mut self.scene, &self.full);
+        self.scene.in_modes = true;
+        result
+    }
+
+    fn is_small(&self) -> bool {
+        let small = |&body: &usize| matches!(self.scene.bodies[body].spec.fidelity, Fidelity::Small(_));
+        self.bodies.iter().any(small)
+    }
+}
+
+/// The n x k transpose of a k x n matrix.
+fn transposed(matrix: &[f64], k: usize, n: usize) -> Vec<f64> {
+    (0..n).flat_map(|c| (0..k).map(move |i| matrix[i * n + c])).collect()
+}
+
+impl<P: Parts> System for ModalScene<P> {
+    fn unknowns(&self) -> usize {
+        self.reduction.unknowns()
+    }
+
+    fn constraints(&self) -> usize {
+        self.scene.constraints()
+    }
+
+    fn turns(&self) -> &[usize] {
+        &self.turns
+    }
+
+    fn border(&self) -> usize {
+        self.scene.border()
+    }
+
+    fn pattern(&self) -> &Pattern {
+        &self.pattern
+    }
+
+    fn constraint_pattern(&self) -> &Pattern {
+        &self.constraint_pattern
+    }
+
+    fn mass(&mut self, state: &State, values: &mut [f64]) {
+        self.expand(state);
+        self.scene.load_state(&self.full);
+        self.scene.mass(&self.full, &mut self.tangent.mass);
+        let beside = self.beside(state);
+        self.reduce_mass(&beside, values);
+    }
+
+    fn residual(&mut self, state: &State, out: &mut [f64]) {
+        self.expand(state);
+        self.scene.load_state(&self.full);
+        self.residual_of(state.t, 1.0, [&state.x, &state.v, &state.a], out);
+    }
+
+    fn tangent(&mut self, state: &State, out: &mut Tangent) {
+        self.expand(state);
+        self.scene.tangent(&self.full, &mut self.tangent);
+        self.scene.load_state(&self.full);
+        let beside = self.beside(state);
+        let entries = self.pattern.entries();
+        for values in [&mut out.mass, &mut out.stiffness, &mut out.damping] {
+            values.resize(entries, 0.0);
+        }
+        self.reduce_mass(&beside, &mut out.mass);
+        let (from, to) = (self.scene.pattern(), &self.pattern);
+        let Tangent { stiffness, damping, .. } = &self.tangent;
+        self.reduction.reduce_square(from, stiffness, to, &mut out.stiffness);
+        self.reduction.reduce_square(from, damping, to, &mut out.damping);
+        self.each_body(self.gravity(state.t, 1.0), |block, _, modes, elements, action| {
+            let own = block.coordinate..block.coordinate + block.count;
+            let square = block.count * block.count;
+            let (mut k, mut c) = (vec![0.0; square], vec![0.0; square]);
+            let at = [&state.x[own.clone()], &state.v[own]];
+            modes.tangent(elements, action, at, &mut k, &mut c);
+            self.add_modal(block, &k, &mut out.stiffness);
+            self.add_modal(block, &c, &mut out.damping);
+        });
+        for (block, beside) in self.reduction.blocks().iter().zip(&beside) {
+            if let Some(beside) = beside {
+                let [lower, upper] = &beside.stiffness;
+                self.add_beside(block, beside, lower, upper, &mut out.stiffness);
+                let [lower, upper] = &beside.damping;
+                self.add_beside(block, beside, lower, upper, &mut out.damping);
+            }
+        }
+    }
+
+    fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]) {
+        self.expand(state);
+        self.scene.constraint(level, &self.full, out);
+    }
+
+    fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
+        self.expand(state);
+        let mut full = vec![0.0; self.scene.constraint_pattern().entries()];
+        self.scene.constraint_jacobian(&self.full, &mut full);
+        let from = self.scene.constraint_pattern();
+        self.reduction
+            .reduce_rows(from, &full, &self.constraint_pattern, values);
+    }
+
+    fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
+        self.expand(state);
+        let mut full = vec![0.0; self.scene.constraint_pattern().entries()];
+        self.scene.constraint_rate_tangent(&self.full, &mut full);
+        let from = self.scene.constraint_pattern();
+        self.reduction
+            .reduce_rows(from, &full, &self.constraint_pattern, values);
+    }
+
+    fn sizes(&self) -> &[f64] {
+        &self.sizes
+    }
+
+    fn describe_unknown(&self, index: usize) -> String {
+        for (block, &body) in self.reduction.blocks().iter().zip(&self.bodies) {
+            if (block.coordinate..block.coordinate + block.count).contains(&index) {
+                let name = self.scene.bodies[body].spec.name;
+                return format!("body `{name}`, mode {}", index - block.coordinate + 1);
+            }
+        }
+        let full = (0..self.scene.unknowns()).find(|&unknown| self.reduction.same(unknown) == Some(index));
+        full.map_or_else(String::new, |unknown| self.scene.describe_unknown(unknown))
+    }
+
+    fn describe_constraint(&self, index: usize) -> String {
+        self.scene.describe_constraint(index)
+    }
+
+    fn kinks(&self) -> Vec<f64> {
+        self.scene.kinks()
+    }
+
+    fn energy(&mut self, state: &State) -> Option<f64> {
+        // Eqs. (18)-(20) do not conserve it.
+        if self.is_small() {
+            return None;
+        }
+        self.expand(state);
+        self.scene.in_modes = false;
+        self.scene.assemble_mass();
+        let energy = self.scene.energy(&self.full);
+        self.scene.in_modes = true;
+        self.scene.assemble_mass();
+        energy
+    }
+}
+
+impl<P: Parts> Scene for ModalScene<P> {
+    fn output_columns(&self) -> usize {
+        self.scene.output_columns()
+    }
+
+    fn outputs_need_acceleration(&self) -> bool {
+        self.scene.outputs_need_acceleration()
+    }
+
+    fn outputs(&mut self, state: &State, out: &mut [f64]) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.outputs(full, out));
+    }
+
+    fn rest(&self, t: f64) -> State {
+        self.restricted(&self.scene.rest(t))
+    }
+
+    fn frame_state(&mut self, state: &State) -> FrameState {
+        self.expand(state);
+        self.scene.frame_state(&self.full)
+    }
+
+    fn state_of_frame(&self, frame: &FrameState) -> State {
+        self.restricted(&self.scene.state_of_frame(frame))
+    }
+
+    fn is_referenced(&self) -> bool {
+        self.scene.is_referenced()
+    }
+
+    fn steady_residual(&mut self, t: f64, scale: f64, x: &[f64], out: &mut [f64]) {
+        self.load_steady(t, scale, x);
+        let zeros = vec![0.0; x.len()];
+        self.residual_of(t, scale * scale, [x, &zeros, &zeros], out);
+    }
+
+    fn steady_tangent(&mut self, t: f64, scale: f64, x: &[f64], values: &mut [f64]) {
+        self.load_steady(t, scale, x);
+        let full = self.full.x.clone();
+        self.scene.steady_tangent(t, scale, &full, &mut self.tangent.stiffness);
+        let from = self.scene.pattern();
+        self.reduction
+            .reduce_square(from, &self.tangent.stiffness, &self.pattern, values);
+        let gravity = self.gravity(t, scale * scale);
+        self.each_body(gravity, |block, _, modes, elements, action| {
+            let square = block.count * block.count;
+            let (mut k, mut c) = (vec![0.0; square], vec![0.0; square]);
+            let at = [&x[block.coordinate..][..block.count], &vec![0.0; block.count]];
+            modes.tangent(elements, action, at, &mut k, &mut c);
+            self.add_modal(block, &k, values);
+        });
+    }
+
+    fn steady_outputs(&mut self, t: f64, scale: f64, x: &[f64], out: &mut [f64]) {
+        self.load_steady(t, scale, x);
+        self.in_elements(|scene, full| scene.steady_outputs(t, scale, &full.x, out));
+    }
+
+    fn steady_obstacle(&self, t: f64) -> Option<String> {
+        self.scene.steady_obstacle(t)
+    }
+
+    fn spin(&self, t: f64) -> f64 {
+        self.scene.spin(t)
+    }
+
+    fn warnings(&mut self, state: &State) -> Vec<String> {
+        self.expand(state);
+        self.scene.load_state(&self.full);
+        let mut warnings = Vec::new();
+        self.each_body([0.0; 3], |block, _, modes, elements, action| {
+            let p = &state.x[block.coordinate..][..block.count];
+            let loss = modes.loss_of_stiffness(elements, action, p);
+            warnings.extend(loss.map(|loss| loss.to_string()));
+        });
+        warnings
+    }
+}
+
+impl<P: Parts> ModalScene<P> {
+    /// Loads a relative equilibrium.
+    fn load_steady(&mut self, t: f64, scale: f64, x: &[f64]) {
+        self.reduction.expand(x, true, &mut self.full.x);
+        let zeros = vec![0.0; self.full.x.len()];
+        self.scene
+            .load(t, &[], [&self.full.x, &zeros, &zeros], Regime::Steady(scale));
+    }
+}
+
+impl<P: Parts> MeshScene<P> {
+    /// Refuses what modes cannot describe.
+    fn check_modal(&self, index: usize) -> Result<(), ModelError> {
+        let body = &self.bodies[index];
+        let name = body.spec.name;
+        let refuse = |what: String| Err(ModelError::new(what));
+        if body.frame != body.spec.frame {
+            return refuse(format!(
+                "body `{name}` is described in its frame `{}` by modes or as rigid, which absolute coordinates do not have: use the referenced formulation",
+                self.parts.frame_name(body.spec.frame)
+            ));
+        }
+        if body.spec.mean_axes {
+            return refuse(format!(
+                "body `{name}` cannot have both `mean_axes` and modes: clamp it in its frame instead of `mean_axes`"
+            ));
+        }
+        let first = self.layout.offset(body.first_vector);
+        let own = first..first + body.spec.vectors() * body.spec.dimension();
+        let (shape, length) = (self.shape(), body.spec.line.length());
+        for condition in &self.conditions {
+            let joint = &self.joints[condition.joint];
+            if joint.body != index {
+                continue;
+            }
+            if joint.frame != body.spec.frame {
+                return refuse(format!(
+                    "joint `{}` holds body `{name}` in frame `{}`, not in its own: modes are those of a body held by its own frame, so move the joint there, or leave `modal`, `small` or `rigid` out",
+                    joint.name,
+                    self.parts.frame_name(joint.frame)
+                ));
+            }
+            let moved = |&place: &usize| {
+                let distance = (self.buffers.q[place] - shape[place]).abs();
+                own.contains(&place) && distance > ROUND_OFF * length.max(1.0)
+            };
+            if condition.components.iter().any(moved) {
+                return refuse(format!(
+                    "joint `{}` holds body `{name}` away from its undeformed place, about which its modes are: let the joint be where the body is",
+                    joint.name
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// What a modal body is made of, and its first unknown.
+    fn nodal(&self, index: usize) -> (Nodal, usize) {
+        let body = &self.bodies[index];
+        let spec = &body.spec;
+        let (dimension, vectors) = (spec.dimension(), spec.vectors());
+        let offset = self.layout.offset(body.first_vector);
+        let components = offset..offset + vectors * dimension;
+        let unknowns = |range: std::ops::Range<usize>| range.filter_map(|component| self.layout.unknown(component));
+        let after = |range: std::ops::Range<usize>| unknowns(range).map(|(unknown, _)| unknown + 1).max();
+        let first = after(0..offset).unwrap_or(0);
+        let map = components.clone().map(|component| self.layout.unknown(component));
+        let count = spec.orders.len();
+        let mut mass = vec![0.0; vectors * vectors];
+        let mut fixtures = mass.clone();
+        let add = |sum: &mut [f64], element: usize, local: &[f64]| {
+            let place = |a: usize| element * spec.vectors_per_node + spec.connectivity[a];
+            for (entry, value) in local.iter().enumerate() {
+                sum[place(entry / count) * vectors + place(entry % count)] += value;
+            }
+        };
+        (0..spec.count).for_each(|element| add(&mut mass, element, &body.mass));
+        for fixture in self.fixtures.iter().filter(|fixture| fixture.point.body == index) {
+            add(&mut fixtures, fixture.point.element, &fixture.mass());
+        }
+        let order = |vector: usize| spec.orders[spec.locate(vector).1];
+        let nodal = Nodal {
+            name: spec.name.to_string(),
+            dimension,
+            connectivity: Connectivity {
+                size: body.connectivity.size,
+                components: body.connectivity.components.iter().map(|c| c - offset).collect(),
+            },
+            shape: self.shape()[components.clone()].to_vec(),
+            mass,
+            fixtures,
+            whole: (0..vectors)
+                .map(|vector| if order(vector) == 0 { 1.0 } else { 0.0 })
+                .collect(),
+            map: map
+                .map(|entry| entry.map(|(unknown, factor)| (unknown - first, factor)))
+                .collect(),
+            freedoms: after(components).map_or(0, |end| end - first),
+        };
+        (nodal, first)
+    }
+
+    /// Lets the joints of modal bodies take what their modes leave unbalanced in the evaluated forces.
+    pub(in crate::mesh) fn hold_modes(&mut self) {
+        for (index, body) in self.bodies.iter().enumerate() {
+            if let Some(modes) = &body.modes {
+                let first = self.layout.offset(body.first_vector);
+                let elements = Kernels {
+                    parts: &self.parts,
+                    body: index,
+                };
+                modes.held(&elements, &mut self.buffers.force[first..first + modes.shape().len()]);
+            }
+        }
+    }
+}
