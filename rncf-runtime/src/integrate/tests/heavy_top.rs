@@ -25,6 +25,8 @@ pub(super) struct Top {
     /// Centre of mass to reference point, body axes, m.
     offset: Vector,
     gravity: Vector,
+    /// Times at which integrators begin anew, s.
+    pub(super) kinks: Vec<f64>,
     pattern: Pattern,
     constraint_pattern: Pattern,
 }
@@ -65,6 +67,7 @@ impl Top {
             inertia,
             offset: [0.0; 3],
             gravity,
+            kinks: vec![],
             pattern: Pattern::new(6, 6, (0..36).map(|place| (place / 6, place % 6))),
             constraint_pattern: Pattern::new(6, constraints, entries),
         }
@@ -283,7 +286,7 @@ impl System for Top {
         format!("joint point, {}", ["x", "y", "z"][index])
     }
     fn kinks(&self) -> Vec<f64> {
-        vec![]
+        self.kinks.clone()
     }
     fn energy(&mut self, state: &State) -> Option<f64> {
         let (w, a) = (angular(&state.v), attitude(state));
@@ -366,8 +369,9 @@ fn tangents_are_derivatives(top: &mut Top, state: &State) {
     top.constraint_jacobian(state, &mut border);
     top.constraint_rate_tangent(state, &mut rate);
     let step = 1e-5;
-    type Part = fn(&mut State) -> &mut Vec<f64>;
-    let parts: [(Part, &[f64], Option<&[f64]>); 3] = [
+    /// What is varied, and the derivatives of the sum and of the constraint's rate.
+    type Part<'a> = (fn(&mut State) -> &mut Vec<f64>, &'a [f64], Option<&'a [f64]>);
+    let parts: [Part<'_>; 3] = [
         (|state| &mut state.x, &tangent.stiffness, Some(&rate)),
         (|state| &mut state.v, &tangent.damping, Some(&border)),
         (|state| &mut state.a, &tangent.mass, None),

@@ -1,6 +1,7 @@
 //! The alpha family on a Lie group: heavy top (BENCHMARKS 3) and free top (THEORY 10, T9).
 
 use super::heavy_top::{OFFSET, REFERENCE, Top, angular, attitude, errors};
+use super::swarm::{Swarm, TURN};
 use crate::integrate::alpha::{Alpha, Coefficients};
 use crate::integrate::scheme::{Outcome, Scheme};
 use crate::integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
@@ -79,6 +80,29 @@ fn heavy_top_is_second_order_in_all_variables() {
             let [coarse, fine] = [1e-3, 5e-4].map(|h| heavy_top(method, fixed(h, stabilised)).0);
             assert_second_order(&format!("{method:?}, stabilised: {stabilised}"), coarse, fine);
             assert!(fine[0] < 3e-3 && fine[2] < 3.0, "{method:?}: {fine:?}");
+        }
+    }
+}
+
+#[test]
+fn restarts_keep_second_order() {
+    for method in METHODS {
+        for stabilised in [false, true] {
+            let [coarse, fine] = [1e-3, 5e-4].map(|h| {
+                let mut top = Top::heavy();
+                top.kinks = vec![0.1237, 0.3111, 0.4993];
+                let start = top.start();
+                let mut integrator = Integrator::new(&mut top, start, 0.5, method, fixed(h, stabilised)).unwrap();
+                while integrator.step().unwrap() != Stop::End {}
+                assert_eq!(integrator.statistics().restarts, 3);
+                errors(integrator.state(), &REFERENCE[0])
+            });
+            for i in 0..3 {
+                assert!(
+                    coarse[i] > 3.0 * fine[i],
+                    "{method:?}, {stabilised}, variable {i}: {coarse:?} -> {fine:?}"
+                );
+            }
         }
     }
 }
@@ -273,4 +297,46 @@ fn orientations_between_steps_are_as_accurate_as_at_them() {
         }
     }
     assert!(at_steps > 1e-4 && between < 1.1 * at_steps, "{between} {at_steps}");
+}
+
+/// The swarm after half a second.
+fn swarm(held: bool, method: Method, options: Options) -> (State, Statistics) {
+    let mut swarm = Swarm::new(held);
+    let start = swarm.start();
+    let mut integrator = Integrator::new(&mut swarm, start, 0.5, method, options).unwrap();
+    while integrator.step().unwrap() != Stop::End {}
+    (integrator.state().clone(), integrator.statistics().clone())
+}
+
+#[test]
+fn numbers_in_front_of_a_border_are_second_order() {
+    // A core with masses on springs: what is free to move against a free frame.
+    for held in [false, true] {
+        let tight = Options {
+            rtol: 1e-11,
+            stabilised: held,
+            ..Options::default()
+        };
+        let (exact, _) = swarm(held, Method::Radau, tight);
+        let far = |state: &State| {
+            let largest = |y: &[f64], z: &[f64]| y.iter().zip(z).map(|(y, z)| (y - z).abs()).fold(0.0, f64::max);
+            let (one, other) = (state.orientation(0, TURN), exact.orientation(0, TURN));
+            let turned = norm(one.inverse().times(&other).log());
+            [
+                turned.max(largest(&state.x[..TURN], &exact.x[..TURN])),
+                largest(&state.v, &exact.v),
+                largest(&state.a, &exact.a).max(largest(&state.lambda, &exact.lambda)),
+            ]
+        };
+        for method in METHODS {
+            for stabilised in [false, true] {
+                let [coarse, fine] = [2e-3, 1e-3].map(|h| far(&swarm(held, method, fixed(h, stabilised)).0));
+                let what = format!("{method:?}, held: {held}, stabilised: {stabilised}");
+                assert_second_order(&what, coarse, fine);
+            }
+            let (state, counts) = swarm(held, method, Options::default());
+            assert!(far(&state)[0] < 1e-3, "{method:?}: {:?}", far(&state));
+            assert!(counts.newton_iterations < 4 * counts.steps, "{counts:?}");
+        }
+    }
 }

@@ -16,12 +16,12 @@ const STIFFNESS: f64 = 300.0;
 const PLACES: [Vector; 4] = [[1.0, 0.0, 0.2], [-0.4, 0.9, 0.0], [0.0, -0.5, 0.8], [-0.3, -0.2, -0.9]];
 /// First unknowns of position and orientation of the core, behind the displacements.
 const POSITION: usize = 12;
-const TURN: usize = 15;
+pub(super) const TURN: usize = 15;
 const ALL: usize = 18;
 /// Step of difference quotients.
 const STEP: f64 = 1e-5;
 
-struct Swarm {
+pub(super) struct Swarm {
     pattern: Pattern,
     constraint_pattern: Pattern,
 }
@@ -58,7 +58,7 @@ fn point(state: &State, index: usize) -> Point {
 }
 
 impl Swarm {
-    fn new(held: bool) -> Self {
+    pub(super) fn new(held: bool) -> Self {
         let leading = (0..POSITION).map(|i| (i, 3 * (i / 3)));
         let leading = leading.flat_map(|(row, column)| (0..3).map(move |k| (row, column + k)));
         let border = (0..ALL).flat_map(|i| (POSITION..ALL).flat_map(move |j| [(i, j), (j, i)]));
@@ -74,7 +74,7 @@ impl Swarm {
         }
     }
 
-    fn start(&self) -> State {
+    pub(super) fn start(&self) -> State {
         let mut state = State::of(self, 0.0);
         state.v[TURN..].copy_from_slice(&[2.0, 5.0, -1.0]);
         state.v[3..6].copy_from_slice(&[0.3, 0.0, -0.2]);
