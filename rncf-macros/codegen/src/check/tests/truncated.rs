@@ -1,5 +1,6 @@
 //! Half-typed text never panics, and is never a model.
 
+use super::free::FREE;
 use super::joints::JOINTS;
 use super::*;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
