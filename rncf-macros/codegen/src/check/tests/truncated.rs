@@ -92,7 +92,7 @@ fn half_of_a_linkage() {
 
 #[test]
 fn free_frames_cut_after_every_token() {
-    let tokens: TokenStream = free::FREE.parse().unwrap();
+    let tokens: TokenStream = FREE.parse().unwrap();
     let total = count(tokens.clone());
     for budget in 0..total - 8 {
         assert!(
@@ -129,7 +129,7 @@ fn any_one_token_exchanged() {
 
 #[test]
 fn any_one_token_of_free_frames_exchanged() {
-    exchange_each(free::FREE);
+    exchange_each(FREE);
 }
 
 fn exchange_each(text: &str) {
