@@ -71,11 +71,19 @@ impl<'a> Check<'a> {
         };
         let (values, own) = if observes(expr) {
             let vector = self.observed_vector(expr, wanted)?;
+            let components = Vector {
+                values: vector.values.clone(),
+                areas: [expr.area; 3],
+                area: expr.area,
+            };
+            if let Some(hold) = &place {
+                self.lies_in_plane(hold, &components, is_moment, true)?;
+            }
             (vector.values, vector.frame)
         } else {
             let vector = self.vector(expr, Scope::Prescribed, wanted)?;
             if let Some(hold) = &place {
-                self.lies_in_plane(hold, &vector, is_moment)?;
+                self.lies_in_plane(hold, &vector, is_moment, false)?;
             }
             (vector.values, None)
         };
@@ -115,18 +123,19 @@ impl<'a> Check<'a> {
         self.is_wanted_vector(expr, &vector, wanted).then_some(vector)
     }
 
-    /// A load on something planar stays in its plane, and turns about its normal.
-    fn lies_in_plane(&mut self, hold: &Hold, vector: &Vector, is_moment: bool) -> Option<()> {
+    /// A load on something planar stays in its plane, and turns about its normal: other components
+    /// are zero (`strict`), or not known to be something else.
+    fn lies_in_plane(&mut self, hold: &Hold, vector: &Vector, is_moment: bool, strict: bool) -> Option<()> {
         let Some(normal) = self.spot_normal(&hold.spot) else {
             return Some(());
         };
         let before = self.errors.len();
         if !is_moment {
-            self.in_plane(vector, Space::Planar { normal }, "the force", false);
+            self.in_plane(vector, Space::Planar { normal }, "the force", strict);
             return (self.errors.len() == before).then_some(());
         }
         for axis in (0..3).filter(|axis| *axis != normal) {
-            if fold::constant(&vector.values[axis]).is_some_and(|value| value != 0.0) {
+            if fold::constant(&vector.values[axis]).map_or(strict, |value| value != 0.0) {
                 let message = say::moment_out_of_plane(plane(normal), AXES[normal]);
                 self.errors.at(vector.areas[axis], message);
             }

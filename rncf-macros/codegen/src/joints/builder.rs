@@ -191,7 +191,7 @@ impl<'m> Builder<'m> {
         self.numbered("offset", row);
     }
 
-    /// All rows; those that are zero whatever moves have been left out.
+    /// All rows, and the markers that stand in them.
     pub fn finish(self) -> Rows {
         let [first, second] = self.used;
         let first_party = first.len();

@@ -749,3 +749,52 @@ fn rows_and_forces_are_functions_of_markers() {
         .for_each(&mut check);
     assert!(count > 5);
 }
+
+/// What acts on the first party is minus what acts on the second; a prescribed first party has no
+/// markers of its own.
+#[test]
+fn drives_report_what_acts_on_their_first_party() {
+    let model = with(
+        PLANAR,
+        "joint h = revolute(hub, a);  joint g = revolute(a, b);
+         joint from_hub = drive(h.angle, phi(t));  joint between = drive(g.angle, phi(t));
+         output m = from_hub.moment.z;  output n = between.moment.z;",
+    );
+    let reaction = |name: &str| {
+        let output = model.outputs.iter().find(|output| output.name == name).unwrap();
+        match output.components[0].1.clone() {
+            Expr::Negate(inner) => (-1, *inner),
+            other => (1, other),
+        }
+    };
+    for (name, drive, sign, party) in [("m", "from_hub", -1, "a"), ("n", "between", 1, "a")] {
+        let at = model.constraints.iter().position(|other| other.name == drive).unwrap();
+        let constraint = &model.constraints[at];
+        assert_eq!(constraint.first_party, 1, "{drive}");
+        let Marker::Angle { frame } = model.markers[constraint.markers[0].0] else {
+            panic!("an angle");
+        };
+        assert_eq!(model.frames[frame.0].name, party);
+        let observed = Observable::ConstraintReaction {
+            constraint: crate::model::ConstraintId(at),
+            moment: true,
+            component: 2,
+        };
+        assert_eq!(reaction(name), (sign, Expr::Observed(observed)));
+    }
+}
+
+/// In its own frame an end is eliminated, whichever of the two is named first.
+#[test]
+fn the_own_frame_may_be_named_first() {
+    let model = with(
+        SCENE,
+        "rigid f { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
+         body wire in f { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 2 * cable(thin, steel); }
+         joint own = weld(f.at([0, 0, 0] m), wire.start);",
+    );
+    let own = &model.joints[1];
+    assert_eq!((own.name.as_str(), own.kind), ("own", JointKind::Clamp));
+    assert!(own.point.is_some());
+    assert_eq!(model.constraints[0].absolute, Some(own.body));
+}
