@@ -3,6 +3,7 @@
 use super::assembly::{Connectivity, Scatter};
 use super::conditions::{Condition, condition, joint_data, vector_kinds};
 use super::fixtures::Fixture;
+use super::frame::FrameMotion;
 use super::frames::{Frames, FreeFrame, declared_free};
 use super::layout::Layout;
 use super::linked::{Linked, MarkedLoad, Marker, markers};
@@ -13,6 +14,7 @@ use super::scene::{Buffers, MeshBody, MeshScene, Row, undeformed};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints};
+use crate::vector::Vector;
 
 impl<P: Parts> MeshScene<P> {
     /// Builds the scene: geometry, numbering, patterns.
@@ -57,12 +59,14 @@ impl<P: Parts> MeshScene<P> {
         let bodies = specs.iter().zip(&firsts).map(|(spec, &first)| MeshBody {
             first_vector: first,
             frame: if absolute(spec) { 0 } else { spec.frame },
+            offset: plane_offset(spec, absolute(spec), &motions[spec.frame]),
             connectivity: connectivity(spec, first, &layout),
             scatter: Scatter::default(),
             mass: Vec::new(),
             modes: None,
             spec: spec.clone(),
         });
+        let bodies = bodies.collect();
         let first_turn = layout.unknowns() - border;
         let turns = free.iter().filter(|frame| frame.turn.is_some());
         let turns = turns.map(|frame| first_turn + frame.first + frame.shifts()).collect();
@@ -79,7 +83,7 @@ impl<P: Parts> MeshScene<P> {
             mass: Vec::new(),
             in_modes: false,
             buffers: Buffers::new(layout.components(), motions),
-            bodies: bodies.collect(),
+            bodies,
             markers: markers(&parts, &specs, &free_of)?,
             free,
             free_of,
@@ -316,6 +320,16 @@ fn prepare<P: Parts>(parts: &mut P, specs: &[BodySpec]) -> Result<Vec<usize>, Mo
         next += spec.vectors();
     }
     Ok(firsts)
+}
+
+/// Planar bodies have no component along the normal: in absolute coordinates it is that of their frame.
+fn plane_offset(spec: &BodySpec, absolute: bool, frame: &FrameMotion) -> Vector {
+    let mut offset = [0.0; 3];
+    if let ([first, second], true) = (spec.axes, absolute) {
+        let normal = 3 - first - second;
+        offset[normal] = frame.position[normal];
+    }
+    offset
 }
 
 /// The constraints on markers that are there.

@@ -1,7 +1,7 @@
 //! Free frames with their unknowns: from the state to a pose, and from a pose to the state.
 
 use super::frame::FrameMotion;
-use super::free::{FreeSpec, Motions};
+use super::free::{FreeSpec, Motions, RigidSpec};
 use super::mean_axes;
 use super::parts::{BodySpec, Parts};
 use crate::error::ModelError;
@@ -264,8 +264,9 @@ impl Frames {
         let specs = parts.free();
         let (mut first, mut turns) = (0, 0);
         for (place, spec) in specs.iter().enumerate() {
-            check_parent(parts, &specs, spec)?;
             let name = parts.frame_name(spec.frame);
+            check_numbers(spec, name)?;
+            check_parent(parts, &specs, spec)?;
             let mut frame = FreeFrame::new(spec.clone(), place, name, &frames.motions[spec.parent])?;
             let mut averaged = false;
             for body in bodies.iter().filter(|body| body.frame == spec.frame) {
@@ -338,6 +339,30 @@ pub fn normal_of(motions: Motions) -> Option<usize> {
         Motions::Planar { normal } | Motions::ShiftingPlanar { normal } => Some(normal),
         _ => None,
     }
+}
+
+/// Start and rigid parts are finite, masses not negative, axes of turning unit vectors.
+fn check_numbers(spec: &FreeSpec, name: &str) -> Result<(), ModelError> {
+    let refuse = |what: &str| {
+        Err(ModelError::new(format!(
+            "frame `{name}`: {what}; check the values and parameters of its declaration"
+        )))
+    };
+    let RigidSpec { mass, moment, inertia } = spec.rigid;
+    let start = [spec.position, spec.axis, spec.velocity, spec.spin, moment];
+    let all = start.iter().chain(&inertia).flatten().chain([&spec.angle, &mass]);
+    if !all.into_iter().all(|value| value.is_finite()) {
+        return refuse("a number of its start or of its rigid parts is not finite");
+    }
+    if mass < 0.0 || (0..3).any(|axis| inertia[axis][axis] < 0.0) {
+        return refuse("its mass or moment of inertia is negative");
+    }
+    let axis = angle_axis(spec.motions).unwrap_or(spec.axis);
+    let turned = spec.angle != 0.0 || angle_axis(spec.motions).is_some();
+    if turned && (norm(axis) - 1.0).abs() > ROUND_OFF {
+        return refuse("the axis that it turns about is no unit vector");
+    }
+    Ok(())
 }
 
 /// A planar frame starts in its plane, with velocities in it.

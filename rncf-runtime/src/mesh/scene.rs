@@ -25,6 +25,8 @@ pub(super) struct MeshBody {
     pub first_vector: usize,
     /// Frame that its vectors live in: the declared one, or the inertial one.
     pub frame: usize,
+    /// Where the plane of a planar body lies in that frame, m.
+    pub offset: Vector,
     pub connectivity: Connectivity,
     pub scatter: Scatter,
     /// Mass matrix of an element's vectors.

@@ -100,7 +100,12 @@ impl<P: Parts> MeshScene<P> {
             Marker::Body { point, is_point } => {
                 let buffers = &self.buffers;
                 let weights = if *is_point { &point.values } else { &point.slopes };
-                [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks].map(|full| self.at_point(point, weights, full))
+                let full = [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks];
+                let mut jet = full.map(|full| self.at_point(point, weights, full));
+                if *is_point {
+                    jet[0] = add(jet[0], self.bodies[point.body].offset);
+                }
+                jet
             }
             Marker::Turn { .. } | Marker::Angle { .. } => [[0.0; 3]; 4],
         }

@@ -313,6 +313,48 @@ fn frames_and_formulations_do_not_matter() {
     );
 }
 
+/// A planar flyer: in the plane the ties are a pinned start and a held end.
+fn planar_flyer() -> Hand {
+    let mut hand = flyer(false);
+    hand.bodies[0].axes = &[0, 1];
+    hand.loads[0].1 = [0.0, -G, 0.0];
+    let frame = &mut hand.free[0];
+    frame.motions = Motions::Planar { normal: 2 };
+    (frame.velocity, frame.spin) = ([0.3, 0.2, 0.0], [0.0, 0.0, 1.7]);
+    hand.joints[0].kind = JointKind::Pin;
+    hand.joints[1].kind = JointKind::Hold { order: 0, axis: 1 };
+    let (spec, rows) = &mut hand.constraints[0];
+    spec.rows = &["position x", "position y", "held"];
+    let held = Quadratic {
+        products: vec![(2, 4, 1.0), (3, 4, -1.0)],
+        // Where the arc ends.
+        constant: -0.8 * (1.0 - 1.4f64.cos()),
+        ..Quadratic::default()
+    };
+    *rows = vec![rows[0].clone(), rows[1].clone(), held];
+    hand
+}
+
+#[test]
+fn planar_frames_and_formulations_do_not_matter() {
+    let mut scene = planar_flyer().scene(Formulation::Rncf);
+    assert_eq!((scene.border(), scene.turns().len()), (3, 0));
+    let mut state = scene.rest(0.0);
+    let mut random = Random(19);
+    for i in 0..state.x.len() - 3 {
+        state.x[i] += 0.1 * random.number();
+        state.v[i] += random.number();
+    }
+    let frame = scene.frame_state(&state);
+    let (referenced, _) = accelerations(planar_flyer(), Formulation::Rncf, &frame);
+    let (absolute, there) = accelerations(planar_flyer(), Formulation::Ancf, &frame);
+    let size = referenced.iter().fold(0.0, |size: f64, a| size.max(a.abs()));
+    assert!(size > 1.0 && there.lambda.len() == 3);
+    for (value, expected) in absolute.iter().zip(&referenced) {
+        assert!((value - expected).abs() < 1e-9 * size, "{value} instead of {expected}");
+    }
+}
+
 /// What a joint to the body's own free frame exerts is the same number in both formulations, and
 /// nothing where the frame has no mass.
 #[test]
@@ -529,6 +571,13 @@ fn what_does_not_fit_is_refused_by_name() {
         change(&mut hand);
         refused(hand)
     };
+    let message = with(&|hand| hand.free[4].velocity[1] = f64::NAN);
+    assert!(message.contains("`stone`") && message.contains("finite"), "{message}");
+    let message = with(&|hand| hand.free[2].motions = Motions::Hinged { axis: [0.0; 3] });
+    assert!(
+        message.contains("`door`") && message.contains("unit vector"),
+        "{message}"
+    );
     let message = with(&|hand| hand.free[1].parent = 2);
     assert!(message.contains("`top`") && message.contains("`turning`"), "{message}");
     let message = with(&|hand| hand.free[2].parent = 3);
