@@ -421,7 +421,7 @@ mod tests {
         assert_eq!(result.warnings, ["the spring is soft at 6 rad/s"]);
         let summary = crate::app::summary::of_run(&rotor, &result);
         assert_eq!(summary["notes"][1], "the spring is soft at 6 rad/s");
-        let steady = super::steady::steady(&rotor, &RunSettings::default()).unwrap();
+        let steady = steady::steady(&rotor, &RunSettings::default()).unwrap();
         assert_eq!(steady.warnings, result.warnings);
     }
 

@@ -3,7 +3,7 @@
 
 use rncf::linalg::Pattern;
 use rncf::prelude::*;
-use rncf::system::{ConstraintLevel, State, System, Tangent};
+use rncf::system::{ConstraintLevel, State, Tangent};
 use rncf_models::*;
 
 /// Difference step relative to the sizes of the unknowns.
@@ -145,7 +145,7 @@ fn check<M: Model>(formulation: Formulation) {
     for column in 0..scene.unknowns() {
         let h = STEP * scene.sizes()[column];
         let unknown = scene.describe_unknown(column);
-        let mut verify = |what: &str, ours: Vec<f64>, differences: Vec<f64>| {
+        let verify = |what: &str, ours: Vec<f64>, differences: Vec<f64>| {
             compare(
                 &name,
                 what,
