@@ -1,6 +1,8 @@
 //! Bodies described by their lowest natural modes: the floating frame of reference, THEORY 3.2.
 //! Nodal vectors are `q = q0 + phi_i p_i`; inertia comes from constants, Eqs. (15)-(20).
 
+#[cfg(test)]
+mod arm;
 mod elastic;
 mod invariants;
 mod reduction;
@@ -8,6 +10,7 @@ mod scene;
 #[cfg(test)]
 mod scene_tests;
 mod softening;
+mod sources;
 #[cfg(test)]
 mod tests;
 

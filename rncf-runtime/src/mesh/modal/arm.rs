@@ -1,0 +1,442 @@
+//! A model for tests of modal scenes.
+
+use super::invariants::{Action, Invariants, Motion};
+use super::tests::{Cable, element_mass};
+use super::{Elements, picked};
+use crate::mesh::*;
+use crate::model::{Formulation, Joints};
+use crate::system::ConstraintLevel;
+use crate::vector::Vector;
+use crate::{ModelError, Rotation};
+
+/// A heavy cable arm clamped in frame 1, which is free or turns uniformly; a unit at its tip, a spring
+/// from its middle to the ground, a moment on its tip, and the tip at a constant distance from the ground.
+#[derive(Clone)]
+pub struct Arm {
+    pub cable: Cable,
+    pub fidelity: Fidelity,
+    pub free: bool,
+    pub spin: f64,
+    pub linked: bool,
+}
+
+/// Number of elements.
+pub const COUNT: usize = 3;
+/// Constants of the unit at the tip.
+const TIP: [f64; 3] = [0.5, 0.02, 0.01];
+/// Mass of the hub, kg.
+const HUB: f64 = 3.0;
+
+impl Arm {
+    pub fn new(dimension: usize, fidelity: Fidelity, free: bool) -> Self {
+        let cable = Cable {
+            dimension,
+            length: 1.0 / COUNT as f64,
+            axial: 1e3,
+            bending: 1.0,
+            damping: 1e-3,
+        };
+        let (spin, linked) = (2.0, true);
+        Self {
+            cable,
+            fidelity,
+            free,
+            spin,
+            linked,
+        }
+    }
+
+    fn d(&self) -> usize {
+        self.cable.dimension
+    }
+
+    pub fn scene(&self) -> MeshScene<Arm> {
+        MeshScene::new(self.clone(), Formulation::Rncf, Joints::Eliminated).unwrap()
+    }
+
+    /// Constants of something whose components are its own modes.
+    fn inertia(&self, of: Carried) -> Invariants {
+        let d = self.d();
+        if let Carried::Rigid(_) = of {
+            // Equal masses at the corners of a tetrahedron.
+            let mass: Vec<f64> = (0..16)
+                .map(|entry| if entry % 5 == 0 { HUB / 4.0 } else { 0.0 })
+                .collect();
+            let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+            return Invariants::new(&mass, &[1.0; 4], &corners.map(|corner| corner.map(|x| 0.1 * x)), &[]);
+        }
+        let (mass, whole) = match of {
+            Carried::Fixture {
+                constants: [m, s, j], ..
+            } => (vec![m, s, s, j], vec![1.0, 0.0]),
+            _ => (element_mass(self.cable.length).concat(), vec![1.0, 0.0, 1.0, 0.0]),
+        };
+        let unit = |place: usize| -> Vec<Vector> {
+            let vector = |a: usize| std::array::from_fn(|c| if a * d + c == place && c < d { 1.0 } else { 0.0 });
+            (0..whole.len()).map(vector).collect()
+        };
+        let modes: Vec<Vec<Vector>> = (0..whole.len() * d).map(unit).collect();
+        Invariants::new(&mass, &whole, &vec![[0.0; 3]; whole.len()], &modes)
+    }
+
+    /// Components of something carried, and its rows of force and moment.
+    fn shape_of(&self, of: Carried) -> (usize, &'static [usize]) {
+        match of {
+            Carried::Rigid(_) => (3, &[0, 1, 2, 3, 4, 5]),
+            _ => (self.d(), self.rows()),
+        }
+    }
+
+    fn rows(&self) -> &'static [usize] {
+        if self.d() == 2 { &[0, 1, 5] } else { &[0, 1, 2, 3, 4, 5] }
+    }
+}
+
+impl Parts for Arm {
+    fn bodies(&self) -> Vec<BodySpec> {
+        let axes: &'static [usize] = if self.d() == 2 { &[0, 1] } else { &[0, 1, 2] };
+        vec![BodySpec {
+            name: "arm",
+            frame: 1,
+            axes,
+            line: Line::Straight {
+                from: [0.2, 0.0, 0.0],
+                to: [1.2, 0.0, 0.0],
+            },
+            count: COUNT,
+            meanings: &["position", "slope", "position", "slope"],
+            orders: &[0, 1, 0, 1],
+            connectivity: &[0, 1, 2, 3],
+            vectors_per_node: 2,
+            fidelity: self.fidelity,
+            mean_axes: false,
+        }]
+    }
+    fn joints(&self) -> Vec<JointSpec> {
+        vec![JointSpec {
+            name: "root",
+            kind: JointKind::Clamp,
+            body: 0,
+            at_end: false,
+            frame: 1,
+            point: None,
+        }]
+    }
+    fn loads(&self) -> Vec<LoadSpec> {
+        let load = |name, kind| LoadSpec { name, kind, frame: 0 };
+        let moment = LoadKind::Moment {
+            body: 0,
+            at: Place::End,
+        };
+        vec![load("weight", LoadKind::Gravity), load("twist", moment)]
+    }
+    fn observed(&self) -> Vec<ObservedSpec> {
+        let reaction = |moment, component| ObservedSpec::Reaction {
+            joint: 0,
+            moment,
+            component,
+        };
+        let tip = |component| ObservedSpec::Point {
+            body: 0,
+            at: Place::End,
+            what: PointQuantity::Position,
+            component,
+        };
+        vec![
+            tip(0),
+            tip(1),
+            reaction(false, 0),
+            reaction(false, 1),
+            reaction(true, 2),
+        ]
+    }
+    fn output_columns(&self) -> usize {
+        5
+    }
+    fn frame_count(&self) -> usize {
+        2
+    }
+    fn frame_name(&self, frame: usize) -> &'static str {
+        ["ground", "hub"][frame]
+    }
+    fn conservative(&self) -> bool {
+        false
+    }
+    fn kinks(&self) -> Vec<f64> {
+        Vec::new()
+    }
+    fn prepare(&mut self, _body: usize, _length: f64, _shape: &[f64]) -> Result<(), ModelError> {
+        Ok(())
+    }
+    fn frames(&self, t: f64, motions: &mut [FrameMotion]) {
+        motions[0] = FrameMotion::INERTIAL;
+        motions[1] = FrameMotion {
+            rotation: Rotation::exp([0.0, 0.0, self.spin * t]).matrix(),
+            spin: [0.0, 0.0, self.spin],
+            ..FrameMotion::INERTIAL
+        };
+    }
+    fn load_varies(&self, _load: usize) -> bool {
+        false
+    }
+    fn load(&self, load: usize, _t: f64) -> [f64; 3] {
+        let plane = if self.d() == 2 { 0.0 } else { 1.0 };
+        [[0.3, -9.81, 0.7 * plane], [0.2 * plane, 0.1 * plane, 0.5]][load]
+    }
+    fn mass(&self, _body: usize, mass: &mut [f64]) {
+        mass.copy_from_slice(&element_mass(self.cable.length).concat());
+    }
+    fn force(
+        &self,
+        body: usize,
+        element: usize,
+        _absolute: bool,
+        frame: &FrameAction,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        force: &mut [f64],
+    ) {
+        self.cable.force(element, q, v, force);
+        let inertia = self.inertia(Carried::Element { body });
+        inertia.modal_force(&Action::new(frame, self.d()), Motion { p: q, v, a }, force);
+    }
+    fn tangent(
+        &self,
+        body: usize,
+        element: usize,
+        _absolute: bool,
+        frame: &FrameAction,
+        q: &[f64],
+        v: &[f64],
+        stiffness: &mut [f64],
+        damping: &mut [f64],
+    ) {
+        self.cable.tangent(element, q, v, stiffness, damping);
+        let inertia = self.inertia(Carried::Element { body });
+        inertia.modal_tangent(&Action::new(frame, self.d()), stiffness, damping);
+    }
+    fn energy(&self, _body: usize, _element: usize, _q: &[f64]) -> f64 {
+        0.0
+    }
+    fn shapes(&self, _body: usize, x: f64, values: &mut [f64], slopes: &mut [f64]) {
+        let l = self.cable.length;
+        values.copy_from_slice(&[
+            1.0 - 3.0 * x * x + 2.0 * x * x * x,
+            l * (x - 2.0 * x * x + x * x * x),
+            3.0 * x * x - 2.0 * x * x * x,
+            l * (x * x * x - x * x),
+        ]);
+        slopes.copy_from_slice(&self.cable.slopes(x)[0]);
+    }
+    fn moment(&self, dimension: usize, slope: &[f64], moment: [f64; 3], force: &mut [f64]) {
+        // m x s / |s|^2, here at |s| = 1.
+        if dimension == 2 {
+            force[0] -= moment[0] * slope[1];
+            force[1] += moment[0] * slope[0];
+        } else {
+            let cross = crate::vector::cross(moment, [slope[0], slope[1], slope[2]]);
+            force.iter_mut().zip(cross).for_each(|(sum, value)| *sum += value);
+        }
+    }
+    fn moment_tangent(&self, dimension: usize, _slope: &[f64], moment: [f64; 3], tangent: &mut [f64]) {
+        if dimension == 2 {
+            tangent[1] -= moment[0];
+            tangent[2] += moment[0];
+        } else {
+            let skew = crate::vector::skew(moment);
+            tangent
+                .iter_mut()
+                .zip(skew.concat())
+                .for_each(|(sum, value)| *sum += value);
+        }
+    }
+    fn condition(
+        &self,
+        _joint: usize,
+        _absolute: bool,
+        _level: ConstraintLevel,
+        _t: f64,
+        _data: &JointData,
+        _q: &[f64],
+        _v: &[f64],
+        _a: &[f64],
+        _rows: &mut [f64],
+    ) {
+    }
+    fn condition_jacobian(&self, _joint: usize, _absolute: bool, _t: f64, _data: &JointData, _jacobian: &mut [f64]) {}
+    fn prescribed(&self, _joint: usize, _absolute: bool, _t: f64, data: &JointData, prescribed: &mut Prescribed) {
+        prescribed.position[0] = data.point;
+    }
+    fn outputs(&self, _t: f64, observed: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(observed);
+    }
+
+    fn free(&self) -> Vec<FreeSpec> {
+        let motions = if self.d() == 2 {
+            Motions::Planar { normal: 2 }
+        } else {
+            Motions::Spatial
+        };
+        let free = FreeSpec {
+            frame: 1,
+            parent: 0,
+            is_body: false,
+            motions,
+            position: [0.0; 3],
+            axis: [0.0, 0.0, 1.0],
+            angle: 0.3,
+            velocity: [0.0; 3],
+            spin: [0.0, 0.0, self.spin],
+            rigid: RigidSpec {
+                mass: HUB,
+                moment: [0.0; 3],
+                inertia: std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 0.02 * HUB } else { 0.0 })),
+            },
+        };
+        if self.free { vec![free] } else { Vec::new() }
+    }
+    fn markers(&self) -> Vec<MarkerSpec> {
+        let on_body = |at| MarkerSpec::BodyPoint { body: 0, at };
+        let ground = MarkerSpec::Point {
+            frame: 0,
+            at: [0.1, 0.4, 0.0],
+        };
+        vec![on_body(Place::At(0.55)), on_body(Place::End), ground]
+    }
+    fn constraints(&self) -> Vec<ConstraintSpec> {
+        let rod = ConstraintSpec {
+            name: "rod",
+            kind: "constraint",
+            rows: &["distance"],
+            markers: &[1, 2],
+            first_party: 1,
+            when: When::Always,
+        };
+        if self.linked { vec![rod] } else { Vec::new() }
+    }
+    fn forces(&self) -> Vec<ForceSpec> {
+        let spring = ForceSpec {
+            name: "spring",
+            markers: &[0, 2],
+            conservative: false,
+        };
+        if self.linked { vec![spring] } else { Vec::new() }
+    }
+    fn fixtures(&self) -> Vec<FixtureSpec> {
+        let unit = FixtureSpec {
+            name: "unit",
+            body: 0,
+            at: Place::End,
+            constants: TIP,
+        };
+        if self.linked { vec![unit] } else { Vec::new() }
+    }
+    fn carried(&self, of: Carried, frame: &FrameAction, q: &[f64], v: &[f64], a: &[f64], out: &mut [f64]) {
+        let (d, rows) = self.shape_of(of);
+        let action = Action::new(frame, d);
+        let all = self.inertia(of).frame_force(&action, Motion { p: q, v, a }).concat();
+        for (value, &row) in out.iter_mut().zip(rows) {
+            *value += all[row];
+        }
+    }
+    fn carried_tangent(
+        &self,
+        of: Carried,
+        frame: &FrameAction,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        out: &mut CarriedTangent,
+    ) {
+        let (d, rows) = self.shape_of(of);
+        let action = Action::new(frame, d);
+        self.inertia(of)
+            .frame_tangent(&action, Motion { p: q, v, a }, true, out);
+        if d == 2 {
+            let n = q.len();
+            let columns = |first: &[usize], before: usize| -> Vec<usize> {
+                first.iter().copied().chain(before..before + n).collect()
+            };
+            out.mass = picked(&out.mass, 6 + n, rows, &columns(rows, 6));
+            out.damping = picked(&out.damping, 3 + n, rows, &columns(&[2], 3));
+            out.stiffness = picked(&out.stiffness, n, rows, &columns(&[], 0));
+            out.spin = out.spin.iter().skip(2).step_by(3).copied().collect();
+        }
+    }
+    fn fixture_force(
+        &self,
+        dimension: usize,
+        constants: [f64; 3],
+        _absolute: bool,
+        frame: &FrameAction,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        force: &mut [f64],
+    ) {
+        let inertia = self.inertia(Carried::Fixture { dimension, constants });
+        inertia.modal_force(&Action::new(frame, dimension), Motion { p: q, v, a }, force);
+    }
+    fn fixture_tangent(
+        &self,
+        dimension: usize,
+        constants: [f64; 3],
+        _absolute: bool,
+        frame: &FrameAction,
+        stiffness: &mut [f64],
+        damping: &mut [f64],
+    ) {
+        let inertia = self.inertia(Carried::Fixture { dimension, constants });
+        inertia.modal_tangent(&Action::new(frame, dimension), stiffness, damping);
+    }
+    fn marker_constraint(
+        &self,
+        _constraint: usize,
+        _level: ConstraintLevel,
+        _t: f64,
+        z: &[[Vector; 4]],
+        rows: &mut [f64],
+    ) {
+        let gap = crate::vector::subtract(z[0][0], z[1][0]);
+        rows[0] = 0.5 * crate::vector::dot(gap, gap) - 0.4;
+    }
+    fn marker_constraint_gradient(&self, _constraint: usize, _t: f64, z: &[Vector], gradient: &mut [f64]) {
+        let gap = crate::vector::subtract(z[0], z[1]);
+        gradient.copy_from_slice(&[gap, gap.map(|x| -x)].concat());
+    }
+    fn marker_constraint_hessian(
+        &self,
+        _constraint: usize,
+        _t: f64,
+        _z: &[Vector],
+        lambda: &[f64],
+        hessian: &mut [f64],
+    ) {
+        (0..36).for_each(|entry| hessian[entry] = lambda[0] * spring_entry(entry));
+    }
+    fn marker_force(&self, _force: usize, _t: f64, z: &[Vector], _velocity: &[Vector], out: &mut [f64]) {
+        let gap = crate::vector::subtract(z[1], z[0]);
+        out.copy_from_slice(&[gap.map(|x| 40.0 * x), gap.map(|x| -40.0 * x)].concat());
+    }
+    fn marker_force_tangent(
+        &self,
+        _force: usize,
+        _t: f64,
+        _z: &[Vector],
+        _velocity: &[Vector],
+        by_value: &mut [f64],
+        _by_velocity: &mut [f64],
+    ) {
+        (0..36).for_each(|entry| by_value[entry] = -40.0 * spring_entry(entry));
+    }
+}
+
+/// Entry of `[[1, -1], [-1, 1]]` of two points.
+fn spring_entry(entry: usize) -> f64 {
+    match (entry / 6, entry % 6) {
+        (i, j) if i == j => 1.0,
+        (i, j) if i % 3 == j % 3 => -1.0,
+        _ => 0.0,
+    }
+}

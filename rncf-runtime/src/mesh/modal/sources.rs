@@ -1,0 +1,139 @@
+//! What modal bodies are made of, from the scene with all nodal vectors.
+
+use super::{Elements, Nodal};
+use crate::error::ModelError;
+use crate::mesh::assembly::Connectivity;
+use crate::mesh::frame::FrameAction;
+use crate::mesh::parts::Parts;
+use crate::mesh::scene::MeshScene;
+
+/// Relative distance up to which a joint holds a body in its undeformed place.
+const ROUND_OFF: f64 = 1e-9;
+
+/// Elements of a body as emitted.
+pub struct Kernels<'a, P> {
+    /// Emitted parts.
+    pub parts: &'a P,
+    /// Body.
+    pub body: usize,
+}
+
+impl<P: Parts> Elements for Kernels<'_, P> {
+    fn force(&self, element: usize, q: &[f64], v: &[f64], force: &mut [f64]) {
+        let (still, rest) = (FrameAction::default(), vec![0.0; q.len()]);
+        self.parts.force(self.body, element, true, &still, q, v, &rest, force);
+    }
+
+    fn tangent(&self, element: usize, q: &[f64], v: &[f64], stiffness: &mut [f64], damping: &mut [f64]) {
+        let still = FrameAction::default();
+        self.parts
+            .tangent(self.body, element, true, &still, q, v, stiffness, damping);
+    }
+}
+
+impl<P: Parts> MeshScene<P> {
+    /// Refuses what modes cannot describe.
+    pub(super) fn check_modal(&self, index: usize) -> Result<(), ModelError> {
+        let body = &self.bodies[index];
+        let name = body.spec.name;
+        let refuse = |what: String| Err(ModelError::new(what));
+        if body.frame != body.spec.frame {
+            return refuse(format!(
+                "body `{name}` is described in its frame `{}` by modes or as rigid, which absolute coordinates do not have: use the referenced formulation",
+                self.parts.frame_name(body.spec.frame)
+            ));
+        }
+        if body.spec.mean_axes {
+            return refuse(format!(
+                "body `{name}` cannot have both `mean_axes` and modes: clamp it in its frame instead of `mean_axes`"
+            ));
+        }
+        let first = self.layout.offset(body.first_vector);
+        let own = first..first + body.spec.vectors() * body.spec.dimension();
+        let (shape, length) = (self.shape(), body.spec.line.length());
+        for condition in &self.conditions {
+            let joint = &self.joints[condition.joint];
+            if joint.body != index {
+                continue;
+            }
+            if joint.frame != body.spec.frame {
+                return refuse(format!(
+                    "joint `{}` holds body `{name}` in frame `{}`, not in its own: modes are those of a body held by its own frame, so move the joint there, or leave `modal`, `small` or `rigid` out",
+                    joint.name,
+                    self.parts.frame_name(joint.frame)
+                ));
+            }
+            let moved = |&place: &usize| {
+                let distance = (self.buffers.q[place] - shape[place]).abs();
+                own.contains(&place) && distance > ROUND_OFF * length.max(1.0)
+            };
+            if condition.components.iter().any(moved) {
+                return refuse(format!(
+                    "joint `{}` holds body `{name}` away from its undeformed place, about which its modes are: let the joint be where the body is",
+                    joint.name
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// What a modal body is made of, and its first unknown.
+    pub(super) fn nodal(&self, index: usize) -> (Nodal, usize) {
+        let body = &self.bodies[index];
+        let spec = &body.spec;
+        let (dimension, vectors) = (spec.dimension(), spec.vectors());
+        let offset = self.layout.offset(body.first_vector);
+        let components = offset..offset + vectors * dimension;
+        let unknowns = |range: std::ops::Range<usize>| range.filter_map(|component| self.layout.unknown(component));
+        let after = |range: std::ops::Range<usize>| unknowns(range).map(|(unknown, _)| unknown + 1).max();
+        let first = after(0..offset).unwrap_or(0);
+        let map = components.clone().map(|component| self.layout.unknown(component));
+        let count = spec.orders.len();
+        let mut mass = vec![0.0; vectors * vectors];
+        let mut fixtures = mass.clone();
+        let add = |sum: &mut [f64], element: usize, local: &[f64]| {
+            let place = |a: usize| element * spec.vectors_per_node + spec.connectivity[a];
+            for (entry, value) in local.iter().enumerate() {
+                sum[place(entry / count) * vectors + place(entry % count)] += value;
+            }
+        };
+        (0..spec.count).for_each(|element| add(&mut mass, element, &body.mass));
+        for fixture in self.fixtures.iter().filter(|fixture| fixture.point.body == index) {
+            add(&mut fixtures, fixture.point.element, &fixture.mass());
+        }
+        let order = |vector: usize| spec.orders[spec.locate(vector).1];
+        let nodal = Nodal {
+            name: spec.name.to_string(),
+            dimension,
+            connectivity: Connectivity {
+                size: body.connectivity.size,
+                components: body.connectivity.components.iter().map(|c| c - offset).collect(),
+            },
+            shape: self.shape()[components.clone()].to_vec(),
+            mass,
+            fixtures,
+            whole: (0..vectors)
+                .map(|vector| if order(vector) == 0 { 1.0 } else { 0.0 })
+                .collect(),
+            map: map
+                .map(|entry| entry.map(|(unknown, factor)| (unknown - first, factor)))
+                .collect(),
+            freedoms: after(components).map_or(0, |end| end - first),
+        };
+        (nodal, first)
+    }
+
+    /// Lets the joints of modal bodies take what their modes leave unbalanced in the evaluated forces.
+    pub(in crate::mesh) fn hold_modes(&mut self) {
+        for (index, body) in self.bodies.iter().enumerate() {
+            if let Some(modes) = &body.modes {
+                let first = self.layout.offset(body.first_vector);
+                let elements = Kernels {
+                    parts: &self.parts,
+                    body: index,
+                };
+                modes.held(&elements, &mut self.buffers.force[first..first + modes.shape().len()]);
+            }
+        }
+    }
+}
