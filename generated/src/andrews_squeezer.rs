@@ -1,0 +1,1371 @@
+//! Expansion of `models/src/andrews_squeezer.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
+
+/// Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank turns eight times a
+/// second after 30 ms; the published angles at 0.03 s have ten digits.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct AndrewsSqueezer {
+    /// Torque of the motor on the crank. (SI; declared in N m)
+    pub torque: f64,
+}
+impl Default for AndrewsSqueezer {
+    fn default() -> Self {
+        Self { torque: 0.033 }
+    }
+}
+#[allow(clippy::all)]
+impl ::rncf::Model for AndrewsSqueezer {
+    const NAME: &'static str = "AndrewsSqueezer";
+    const DOC: &'static str = "Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank turns eight times a\nsecond after 30 ms; the published angles at 0.03 s have ten digits.";
+    const SOURCE: &'static str = r#"pub model AndrewsSqueezer {
+    /// Torque of the motor on the crank.
+    param torque = 0.033 N*m;
+
+    // Angles at the start, which close all loops.
+    const beta_0 = -0.0617138900142764496 rad;
+    const gamma_0 = 0.455279819163070380 rad;
+    const phi_0 = 0.222668390165885885 rad;
+    const delta_0 = 0.487364979543842550 rad;
+    const epsilon_0 = 1.23054744454982119 rad;
+
+    // Lengths between joints, under their published names.
+    const rr = 7 mm;
+    const d = 28 mm;
+    const ss = 35 mm;
+    const e = 20 mm;
+    const zt = 40 mm;
+    const zf = 20 mm;
+    const u = 40 mm;
+    // Fixed points on the ground: A carries k5 and k7, B carries k3, the spring ends at C.
+    const x_a = -69.34 mm;
+    const y_a = -2.27 mm;
+    const x_b = -36.35 mm;
+    const y_b = 32.73 mm;
+
+    /// Crank, turning about the origin.
+    rigid k1 {
+        plane xy;
+        mass = 0.04325 kg;
+        inertia = 2.194e-6 kg*m^2;
+        center = [0.92, 0, 0] mm;
+        angle = beta_0;
+    }
+    /// Rod from the crank's end to the point F, in which four bodies meet.
+    rigid k2 {
+        plane xy;
+        mass = 0.00365 kg;
+        inertia = 4.410e-7 kg*m^2;
+        center = [-11.5, 0, 0] mm;
+        origin = [rr * cos(beta_0), rr * sin(beta_0), 0];
+        angle = beta_0;
+    }
+    /// Triangle on the ground's point B, which the spring pulls.
+    rigid k3 {
+        plane xy;
+        mass = 0.02373 kg;
+        inertia = 5.255e-6 kg*m^2;
+        center = [10.43, -18.74, 0] mm;
+        origin = [x_b, y_b, 0];
+        angle = gamma_0;
+    }
+    /// Rod from k5 to F.
+    rigid k4 {
+        plane xy;
+        mass = 0.00706 kg;
+        inertia = 5.667e-7 kg*m^2;
+        center = [0, -5.79, 0] mm;
+        origin = [x_a + zt * cos(delta_0), y_a + zt * sin(delta_0), 0];
+        angle = phi_0 + delta_0;
+    }
+    /// Lower arm on the ground's point A.
+    rigid k5 {
+        plane xy;
+        mass = 0.07050 kg;
+        inertia = 1.169e-5 kg*m^2;
+        center = [23.08, 9.16, 0] mm;
+        origin = [x_a, y_a, 0];
+        angle = delta_0;
+    }
+    /// Rod from k7 to F.
+    rigid k6 {
+        plane xy;
+        mass = 0.00706 kg;
+        inertia = 5.667e-7 kg*m^2;
+        center = [5.79, 0, 0] mm;
+        origin = [x_a + u * sin(epsilon_0), y_a - u * cos(epsilon_0), 0];
+        angle = epsilon_0 - phi_0;
+    }
+    /// Upper arm on the ground's point A.
+    rigid k7 {
+        plane xy;
+        mass = 0.05498 kg;
+        inertia = 1.912e-5 kg*m^2;
+        center = [-4.49, -12.28, 0] mm;
+        origin = [x_a, y_a, 0];
+        angle = epsilon_0;
+    }
+
+    joint o = revolute(k1, inertial.at([0, 0, 0] m));
+    joint a5 = revolute(k5, inertial.at([x_a, y_a, 0]));
+    joint a7 = revolute(k7, inertial.at([x_a, y_a, 0]));
+    joint b = revolute(k3, inertial.at([x_b, y_b, 0]));
+    joint k = revolute(k1.at([rr, 0, 0]), k2.at([0, 0, 0] m));
+    joint e54 = revolute(k5.at([zt, 0, 0]), k4.at([0, 0, 0] m));
+    joint h76 = revolute(k7.at([0, -u, 0]), k6.at([0, 0, 0] m));
+    joint f23 = revolute(k2.at([-d, 0, 0]), k3.at([0, -ss, 0]));
+    joint f24 = revolute(k2.at([-d, 0, 0]), k4.at([0, -e, 0]));
+    joint f26 = revolute(k2.at([-d, 0, 0]), k6.at([zf, 0, 0]));
+
+    load motor = moment(k1, [0, 0, torque]);
+    spring tension = linear(
+        k3.at([20, -18, 0] mm), inertial.at([14, 72, 0] mm), stiffness = 4530 [N/m], length = 77.85 mm
+    );
+
+    /// Angle of the crank.
+    output beta = k1.angle;
+    /// Angle of k2 to the crank.
+    output theta = k2.angle - k1.angle;
+    /// Angle of the triangle.
+    output gamma = k3.angle;
+    /// Angle of k4 to k5.
+    output phi = k4.angle - k5.angle;
+    /// Angle of the lower arm.
+    output delta = k5.angle;
+    /// Angle of k6 to k7.
+    output omega = k6.angle - k7.angle;
+    /// Angle of the upper arm.
+    output epsilon = k7.angle;
+
+    run { t_end = 0.03 s; every = 0.1 ms; }
+}"#;
+    const NOTES: &'static [&'static str] = &[
+        "Rigid body `k1` is free in three motions: two positions and an angle.",
+        "Rigid body `k2` is free in three motions: two positions and an angle.",
+        "Rigid body `k3` is free in three motions: two positions and an angle.",
+        "Rigid body `k4` is free in three motions: two positions and an angle.",
+        "Rigid body `k5` is free in three motions: two positions and an angle.",
+        "Rigid body `k6` is free in three motions: two positions and an angle.",
+        "Rigid body `k7` is free in three motions: two positions and an angle.",
+        "Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): 2 multipliers; linear in its vectors, no second derivatives.",
+        "Force `tension`: a potential; its tangents are derived.",
+        "Force `motor`: no potential; its tangents are derived.",
+    ];
+    fn params() -> &'static [::rncf::Param] {
+        &[
+            ::rncf::Param {
+                name: "torque",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "N m",
+                unit_si: 1.0,
+                dimension: [2, 1, -2, 0, 0, 0],
+                default: 0.033,
+                doc: "Torque of the motor on the crank.",
+            },
+        ]
+    }
+    fn outputs() -> &'static [::rncf::Output] {
+        &[
+            ::rncf::Output {
+                name: "beta",
+                unit: "rad",
+                components: &[],
+                doc: "Angle of the crank.",
+            },
+            ::rncf::Output {
+                name: "theta",
+                unit: "rad",
+                components: &[],
+                doc: "Angle of k2 to the crank.",
+            },
+            ::rncf::Output {
+                name: "gamma",
+                unit: "rad",
+                components: &[],
+                doc: "Angle of the triangle.",
+            },
+            ::rncf::Output {
+                name: "phi",
+                unit: "rad",
+                components: &[],
+                doc: "Angle of k4 to k5.",
+            },
+            ::rncf::Output {
+                name: "delta",
+                unit: "rad",
+                components: &[],
+                doc: "Angle of the lower arm.",
+            },
+            ::rncf::Output {
+                name: "omega",
+                unit: "rad",
+                components: &[],
+                doc: "Angle of k6 to k7.",
+            },
+            ::rncf::Output {
+                name: "epsilon",
+                unit: "rad",
+                components: &[],
+                doc: "Angle of the upper arm.",
+            },
+        ]
+    }
+    fn get(&self, index: usize) -> f64 {
+        match index {
+            0 => self.torque,
+            _ => panic!("AndrewsSqueezer has 1 parameters, not {index}"),
+        }
+    }
+    fn set(&mut self, index: usize, value: f64) {
+        match index {
+            0 => self.torque = value,
+            _ => panic!("AndrewsSqueezer has 1 parameters, not {index}"),
+        }
+    }
+    fn run(&self) -> ::rncf::RunDefaults {
+        let mut run = ::rncf::RunDefaults {
+            t_end: 0.0,
+            every: 0.0,
+        };
+        andrews_squeezer_equations::run_defaults(self, &mut run);
+        run
+    }
+    fn build(
+        &self,
+        formulation: ::rncf::Formulation,
+        joints: ::rncf::Joints,
+    ) -> ::std::result::Result<
+        ::std::boxed::Box<dyn ::rncf::Scene>,
+        ::rncf::ModelError,
+    > {
+        ::rncf::mesh::check_params(self)?;
+        let equations = andrews_squeezer_equations::Equations::new(self);
+        ::rncf::mesh::build(equations, formulation, joints)
+    }
+}
+/// Equations of [`AndrewsSqueezer`]: derived, checked and written by the generator.
+#[allow(
+    missing_docs,
+    non_snake_case,
+    unused_variables,
+    unused_mut,
+    unused_parens,
+    clippy::all
+)]
+pub mod andrews_squeezer_equations {
+    /// Adds force and moment about the origin that the inertia of a frame's rigid parts needs, in frame axes (Eq. 14): F = m e + w' x S + w x (w x S), T = S x e + J w' + w x J w, with the first moment S and the inertia J about the origin.
+    ///
+    /// Operations: 45 additions, 51 multiplications.
+    pub fn rigid_carried(
+        rigid: &::rncf::mesh::RigidSpec,
+        frame: &::rncf::mesh::FrameAction,
+        out: &mut [f64; 6],
+    ) {
+        let [e_x, e_y, e_z] = frame.acceleration;
+        let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
+        let t34 = w_y * rigid.moment[2] - w_z * rigid.moment[1];
+        let t35 = w_z * rigid.moment[0] - w_x * rigid.moment[2];
+        let t36 = w_x * rigid.moment[1] - w_y * rigid.moment[0];
+        let t37 = w_y * t36 - w_z * t35
+            + (e_x * rigid.mass + (dw_y * rigid.moment[2] - dw_z * rigid.moment[1]));
+        let t38 = w_z * t34 - w_x * t36
+            + (e_y * rigid.mass + (dw_z * rigid.moment[0] - dw_x * rigid.moment[2]));
+        let t39 = w_x * t35 - w_y * t34
+            + (e_z * rigid.mass + (dw_x * rigid.moment[1] - dw_y * rigid.moment[0]));
+        let t40 = w_x * rigid.inertia[0][0] + w_y * rigid.inertia[0][1]
+            + w_z * rigid.inertia[0][2];
+        let t41 = w_x * rigid.inertia[1][0] + w_y * rigid.inertia[1][1]
+            + w_z * rigid.inertia[1][2];
+        let t42 = w_x * rigid.inertia[2][0] + w_y * rigid.inertia[2][1]
+            + w_z * rigid.inertia[2][2];
+        let t43 = e_z * rigid.moment[1] - e_y * rigid.moment[2]
+            + (dw_x * rigid.inertia[0][0] + dw_y * rigid.inertia[0][1]
+                + dw_z * rigid.inertia[0][2]);
+        let t44 = e_x * rigid.moment[2] - e_z * rigid.moment[0]
+            + (dw_x * rigid.inertia[1][0] + dw_y * rigid.inertia[1][1]
+                + dw_z * rigid.inertia[1][2]);
+        let t45 = e_y * rigid.moment[0] - e_x * rigid.moment[1]
+            + (dw_x * rigid.inertia[2][0] + dw_y * rigid.inertia[2][1]
+                + dw_z * rigid.inertia[2][2]);
+        out[0] += t37;
+        out[1] += t38;
+        out[2] += t39;
+        out[3] += w_y * t42 - w_z * t41 + t43;
+        out[4] += w_z * t40 - w_x * t42 + t44;
+        out[5] += w_x * t41 - w_y * t40 + t45;
+    }
+    /// Writes the derivatives of force and moment, rows first: `mass` with respect to e and w', `damping` to w. Entries that are always zero are left alone.
+    ///
+    /// Operations: 33 additions, 30 multiplications.
+    pub fn rigid_carried_tangent(
+        rigid: &::rncf::mesh::RigidSpec,
+        frame: &::rncf::mesh::FrameAction,
+        mass: &mut [f64; 36],
+        damping: &mut [f64; 18],
+    ) {
+        let [e_x, e_y, e_z] = frame.acceleration;
+        let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
+        let t28 = w_y * rigid.moment[2];
+        let t29 = w_z * rigid.moment[1];
+        let t30 = t28 - t29;
+        let t31 = w_z * rigid.moment[0];
+        let t32 = w_x * rigid.moment[2];
+        let t33 = t31 - t32;
+        let t34 = w_x * rigid.moment[1];
+        let t35 = w_y * rigid.moment[0];
+        let t36 = t34 - t35;
+        let t37 = w_y * rigid.inertia[0][1];
+        let t38 = w_z * rigid.inertia[0][2];
+        let t39 = w_x * rigid.inertia[0][0] + t37 + t38;
+        let t40 = w_x * rigid.inertia[1][0];
+        let t41 = w_z * rigid.inertia[1][2];
+        let t42 = t40 + w_y * rigid.inertia[1][1] + t41;
+        let t43 = w_x * rigid.inertia[2][0];
+        let t44 = w_y * rigid.inertia[2][1];
+        let t45 = t43 + t44 + w_z * rigid.inertia[2][2];
+        let t46 = w_y * rigid.moment[1];
+        let t47 = w_z * rigid.moment[2];
+        let t48 = w_x * rigid.moment[0];
+        mass[0] = rigid.mass;
+        mass[4] = rigid.moment[2];
+        mass[5] = -rigid.moment[1];
+        mass[7] = rigid.mass;
+        mass[9] = -rigid.moment[2];
+        mass[11] = rigid.moment[0];
+        mass[14] = rigid.mass;
+        mass[15] = rigid.moment[1];
+        mass[16] = -rigid.moment[0];
+        mass[19] = -rigid.moment[2];
+        mass[20] = rigid.moment[1];
+        mass[21] = rigid.inertia[0][0];
+        mass[22] = rigid.inertia[0][1];
+        mass[23] = rigid.inertia[0][2];
+        mass[24] = rigid.moment[2];
+        mass[26] = -rigid.moment[0];
+        mass[27] = rigid.inertia[1][0];
+        mass[28] = rigid.inertia[1][1];
+        mass[29] = rigid.inertia[1][2];
+        mass[30] = -rigid.moment[1];
+        mass[31] = rigid.moment[0];
+        mass[33] = rigid.inertia[2][0];
+        mass[34] = rigid.inertia[2][1];
+        mass[35] = rigid.inertia[2][2];
+        damping[0] = t46 + t47;
+        damping[1] = t36 - t35;
+        damping[2] = -(t31 + t33);
+        damping[3] = -(t34 + t36);
+        damping[4] = t47 + t48;
+        damping[5] = t30 - t29;
+        damping[6] = t33 - t32;
+        damping[7] = -(t28 + t30);
+        damping[8] = t46 + t48;
+        damping[9] = w_y * rigid.inertia[2][0] - w_z * rigid.inertia[1][0];
+        damping[10] = t44 + t45 - w_z * rigid.inertia[1][1];
+        damping[11] = w_y * rigid.inertia[2][2] - (t41 + t42);
+        damping[12] = w_z * rigid.inertia[0][0] - (t43 + t45);
+        damping[13] = w_z * rigid.inertia[0][1] - w_x * rigid.inertia[2][1];
+        damping[14] = t38 + t39 - w_x * rigid.inertia[2][2];
+        damping[15] = t40 + t42 - w_y * rigid.inertia[0][0];
+        damping[16] = w_x * rigid.inertia[1][1] - (t37 + t39);
+        damping[17] = w_x * rigid.inertia[1][2] - w_y * rigid.inertia[0][2];
+    }
+    /// Rigid body `k1`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `k1`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// Crank, turning about the origin.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_k1(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.angle = -0.06171389001427645;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 0.04325;
+        spec.rigid.moment[0] = 3.979e-5;
+        spec.rigid.inertia[1][1] = 3.66068e-8;
+        spec.rigid.inertia[2][2] = 2.2306068e-6;
+    }
+    /// Rigid body `k2`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `k2`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// Rod from the crank's end to the point F, in which four bodies meet.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_k2(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.position[0] = 0.006986674115451445;
+        spec.position[1] = -0.0004317230645688955;
+        spec.angle = -0.06171389001427645;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 0.00365;
+        spec.rigid.moment[0] = -4.1975e-5;
+        spec.rigid.inertia[1][1] = 4.827125e-7;
+        spec.rigid.inertia[2][2] = 9.237125e-7;
+    }
+    /// Rigid body `k3`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `k3`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// Triangle on the ground's point B, which the spring pulls.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_k3(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.position[0] = -0.03635;
+        spec.position[1] = 0.03273;
+        spec.angle = 0.45527981916307037;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 0.02373;
+        spec.rigid.moment[0] = 0.00024750390000000003;
+        spec.rigid.inertia[0][0] = 8.333681748e-6;
+        spec.rigid.inertia[0][1] = 4.638223086000001e-6;
+        spec.rigid.moment[1] = -0.00044470020000000004;
+        spec.rigid.inertia[1][0] = 4.638223086000001e-6;
+        spec.rigid.inertia[1][1] = 2.581465677e-6;
+        spec.rigid.inertia[2][2] = 1.6170147425e-5;
+    }
+    /// Rigid body `k4`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `k4`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// Rod from k5 to F.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_k4(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.position[0] = -0.03399720388583998;
+        spec.position[1] = 0.01646197167499768;
+        spec.angle = 0.7100333697097284;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 0.00706;
+        spec.rigid.inertia[0][0] = 2.3668014600000003e-7;
+        spec.rigid.moment[1] = -4.08774e-5;
+        spec.rigid.inertia[2][2] = 8.03380146e-7;
+    }
+    /// Rigid body `k5`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `k5`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// Lower arm on the ground's point A.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_k5(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.position[0] = -0.06934;
+        spec.position[1] = -0.00227;
+        spec.angle = 0.48736497954384256;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 0.0705;
+        spec.rigid.moment[0] = 0.0016271399999999998;
+        spec.rigid.inertia[0][0] = 5.915344799999999e-6;
+        spec.rigid.inertia[0][1] = -1.4904602399999998e-5;
+        spec.rigid.moment[1] = 0.0006457799999999999;
+        spec.rigid.inertia[1][0] = -1.4904602399999998e-5;
+        spec.rigid.inertia[1][1] = 3.755439119999999e-5;
+        spec.rigid.inertia[2][2] = 5.515973599999999e-5;
+    }
+    /// Rigid body `k6`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `k6`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// Rod from k7 to F.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_k6(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.position[0] = -0.03163313450740889;
+        spec.position[1] = -0.015618868668304536;
+        spec.angle = 1.0078790543839353;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 0.00706;
+        spec.rigid.moment[0] = 4.08774e-5;
+        spec.rigid.inertia[1][1] = 2.3668014600000003e-7;
+        spec.rigid.inertia[2][2] = 8.03380146e-7;
+    }
+    /// Rigid body `k7`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `k7`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// Upper arm on the ground's point A.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_k7(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.position[0] = -0.06934;
+        spec.position[1] = -0.00227;
+        spec.angle = 1.2305474445498212;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 0.05498;
+        spec.rigid.moment[0] = -0.0002468602;
+        spec.rigid.inertia[0][0] = 8.290896032e-6;
+        spec.rigid.inertia[0][1] = -3.031443256e-6;
+        spec.rigid.moment[1] = -0.0006751544;
+        spec.rigid.inertia[1][0] = -3.031443256e-6;
+        spec.rigid.inertia[1][1] = 1.1084022980000001e-6;
+        spec.rigid.inertia[2][2] = 2.8519298330000002e-5;
+    }
+    /// Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): rows C(z, t).
+    ///
+    /// Of `o`: `z[0]` fixed in `k1`, where another vector starts; `z[1]` a point of `inertial` (inertial axes).
+    ///
+    /// * position x: `z[0][0][0] - z[1][0][0]`
+    /// * position y: `z[0][0][1] - z[1][0][1]`
+    ///
+    /// Operations: 2 additions, 0 multiplications.
+    pub fn constraint_position_o(
+        model: &super::AndrewsSqueezer,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..2];
+        rows[0] = z[0][0][0] - z[1][0][0];
+        rows[1] = z[0][0][1] - z[1][0][1];
+    }
+    /// Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): their rate dC/dt.
+    ///
+    /// Operations: 2 additions, 0 multiplications.
+    pub fn constraint_velocity_o(
+        model: &super::AndrewsSqueezer,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..2];
+        rows[0] = z[0][1][0] - z[1][1][0];
+        rows[1] = z[0][1][1] - z[1][1][1];
+    }
+    /// Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): their second time derivative.
+    ///
+    /// Operations: 2 additions, 0 multiplications.
+    pub fn constraint_acceleration_o(
+        model: &super::AndrewsSqueezer,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..2];
+        rows[0] = z[0][2][0] - z[1][2][0];
+        rows[1] = z[0][2][1] - z[1][2][1];
+    }
+    /// Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): their third time derivative.
+    ///
+    /// Operations: 2 additions, 0 multiplications.
+    pub fn constraint_jerk_o(
+        model: &super::AndrewsSqueezer,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..2];
+        rows[0] = z[0][3][0] - z[1][3][0];
+        rows[1] = z[0][3][1] - z[1][3][1];
+    }
+    /// Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): writes dC/dz, rows first; entries that are always zero are left alone.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn constraint_gradient_o(
+        model: &super::AndrewsSqueezer,
+        t: f64,
+        z: &[[f64; 3]],
+        gradient: &mut [f64],
+    ) {
+        let z = &z[..2];
+        gradient[0] = 1.0;
+        gradient[3] = -1.0;
+        gradient[7] = 1.0;
+        gradient[10] = -1.0;
+    }
+    /// Force `tension`: writes f(z, z', t) on its markers, inertial axes; entries that are always zero are left alone.
+    ///
+    /// Of `tension`: `z[0]` a point of `k3`; `z[1]` a point of `inertial` (inertial axes).
+    ///
+    /// Operations: 4 additions, 5 multiplications, 1 divisions, 1 function calls.
+    pub fn force_value_tension(
+        model: &super::AndrewsSqueezer,
+        t: f64,
+        z: &[[f64; 3]],
+        velocity: &[[f64; 3]],
+        out: &mut [f64],
+    ) {
+        let z = &z[..2];
+        let velocity = &velocity[..2];
+        let t16 = z[1][0] - z[0][0];
+        let t17 = z[1][1] - z[0][1];
+        let t18 = (t16 * t16 + t17 * t17).sqrt();
+        let t19 = 4530.0 * (t18 - 0.07785) / t18;
+        let t20 = t16 * t19;
+        let t21 = t17 * t19;
+        out[0] = t20;
+        out[1] = t21;
+        out[3] = -t20;
+        out[4] = -t21;
+    }
+    /// Force `tension`: writes df/dz and df/dz', rows first; entries that are always zero are left alone.
+    ///
+    /// Operations: 14 additions, 20 multiplications, 6 divisions, 1 function calls.
+    pub fn force_tangent_tension(
+        model: &super::AndrewsSqueezer,
+        t: f64,
+        z: &[[f64; 3]],
+        velocity: &[[f64; 3]],
+        by_value: &mut [f64],
+        by_velocity: &mut [f64],
+    ) {
+        let z = &z[..2];
+        let velocity = &velocity[..2];
+        let t16 = z[1][0] - z[0][0];
+        let t17 = z[1][1] - z[0][1];
+        let t18 = (t16 * t16 + t17 * t17).sqrt();
+        let t19 = 4530.0 * (t18 - 0.07785) / t18;
+        let t20 = 1.0 / (t18 * 2.0);
+        let t21 = t16 * 2.0 * t20;
+        let t22 = 4530.0 * t21;
+        let t23 = t19 * t21;
+        let t24 = (t23 - t22) / t18;
+        let t25 = t16 * t24;
+        let t26 = t17 * 2.0 * t20;
+        let t27 = 4530.0 * t26;
+        let t28 = t19 * t26;
+        let t29 = (t28 - t27) / t18;
+        let t30 = t16 * t29;
+        let t31 = (t22 - t23) / t18;
+        let t32 = t19 + t16 * t31;
+        let t33 = (t27 - t28) / t18;
+        let t34 = t16 * t33;
+        let t35 = t17 * t24;
+        let t36 = t17 * t29;
+        let t37 = t17 * t31;
+        let t38 = t19 + t17 * t33;
+        by_value[0] = t25 - t19;
+        by_value[1] = t30;
+        by_value[3] = t32;
+        by_value[4] = t34;
+        by_value[6] = t35;
+        by_value[7] = t36 - t19;
+        by_value[9] = t37;
+        by_value[10] = t38;
+        by_value[18] = t19 - t25;
+        by_value[19] = -t30;
+        by_value[21] = -t32;
+        by_value[22] = -t34;
+        by_value[24] = -t35;
+        by_value[25] = t19 - t36;
+        by_value[27] = -t37;
+        by_value[28] = -t38;
+    }
+    /// Force `tension`: its potential (J).
+    ///
+    /// Operations: 4 additions, 4 multiplications, 1 function calls.
+    pub fn force_energy_tension(
+        model: &super::AndrewsSqueezer,
+        t: f64,
+        z: &[[f64; 3]],
+        energy: &mut f64,
+    ) {
+        let z = &z[..2];
+        let t16 = 2265.0
+            * (((z[1][0] - z[0][0]).powi(2) + (z[1][1] - z[0][1]).powi(2)).sqrt()
+                - 0.07785)
+                .powi(2);
+        *energy = t16;
+    }
+    /// Force `motor`: writes f(z, z', t) on its markers, inertial axes; entries that are always zero are left alone.
+    ///
+    /// Of `motor`: `z[0]` the turning of `k1` (inertial axes).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn force_value_motor(
+        model: &super::AndrewsSqueezer,
+        t: f64,
+        z: &[[f64; 3]],
+        velocity: &[[f64; 3]],
+        out: &mut [f64],
+    ) {
+        let z = &z[..1];
+        let velocity = &velocity[..1];
+        out[2] = model.torque;
+    }
+    /// Times at which a derivative of a motion or load may jump (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn kinks(model: &super::AndrewsSqueezer, kinks: &mut [f64; 0]) {}
+    /// Output columns from what they observe.
+    ///
+    /// Operations: 3 additions, 0 multiplications.
+    pub fn outputs(
+        model: &super::AndrewsSqueezer,
+        t: f64,
+        observed: &[f64],
+        out: &mut [f64],
+    ) {
+        out[0] = observed[0];
+        out[1] = observed[1] - observed[0];
+        out[2] = observed[2];
+        out[3] = observed[3] - observed[4];
+        out[4] = observed[4];
+        out[5] = observed[5] - observed[6];
+        out[6] = observed[6];
+    }
+    /// Defaults of a run (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn run_defaults(model: &super::AndrewsSqueezer, run: &mut ::rncf::RunDefaults) {
+        run.t_end = 0.03;
+        run.every = 0.0001;
+    }
+    /// Constants of all bodies.
+    #[derive(Clone, Debug)]
+    pub struct Equations {
+        pub model: super::AndrewsSqueezer,
+    }
+    impl Equations {
+        /// Constants for the given parameters; filled in when the bodies are meshed.
+        pub fn new(model: &super::AndrewsSqueezer) -> Self {
+            Self { model: model.clone() }
+        }
+    }
+    impl ::rncf::mesh::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([])
+        }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([])
+        }
+        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([])
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 20,
+                    derivative: 0,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 21,
+                    derivative: 0,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 22,
+                    derivative: 0,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 23,
+                    derivative: 0,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 24,
+                    derivative: 0,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 25,
+                    derivative: 0,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 26,
+                    derivative: 0,
+                    component: 0,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            7
+        }
+        fn frame_count(&self) -> usize {
+            8
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "k1", "k2", "k3", "k4", "k5", "k6", "k7"][frame]
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 0] = [];
+            VARIES[load]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 0];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn prepare(
+            &mut self,
+            body: usize,
+            length: f64,
+            shape: &[f64],
+        ) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            Ok(())
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                _ => {}
+            }
+            value
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn mass(&self, body: usize, mass: &mut [f64]) {}
+        fn force(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            force: &mut [f64],
+        ) {}
+        fn tangent(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {}
+        fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
+            let mut energy = 0.0;
+            energy
+        }
+        fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]) {}
+        fn moment(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            force: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn moment_tangent(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            tangent: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn condition(
+            &self,
+            joint: usize,
+            absolute: bool,
+            level: ::rncf::system::ConstraintLevel,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            rows: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                _ => {}
+            }
+        }
+        fn condition_jacobian(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            jacobian: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                _ => {}
+            }
+        }
+        fn prescribed(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            prescribed: &mut ::rncf::mesh::Prescribed,
+        ) {
+            match (joint, absolute) {
+                _ => {}
+            }
+        }
+        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
+            let still = ::rncf::mesh::FreeSpec {
+                frame: 0,
+                parent: 0,
+                is_body: false,
+                motions: ::rncf::mesh::Motions::Spatial,
+                position: [0.0; 3],
+                axis: [0.0; 3],
+                angle: 0.0,
+                velocity: [0.0; 3],
+                spin: [0.0; 3],
+                rigid: ::rncf::mesh::RigidSpec::default(),
+            };
+            let mut specs = ::std::vec::Vec::from([
+                ::rncf::mesh::FreeSpec {
+                    frame: 1,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+                ::rncf::mesh::FreeSpec {
+                    frame: 2,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+                ::rncf::mesh::FreeSpec {
+                    frame: 3,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+                ::rncf::mesh::FreeSpec {
+                    frame: 4,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+                ::rncf::mesh::FreeSpec {
+                    frame: 5,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+                ::rncf::mesh::FreeSpec {
+                    frame: 6,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+                ::rncf::mesh::FreeSpec {
+                    frame: 7,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+            ]);
+            free_k1(&self.model, &mut specs[0]);
+            free_k2(&self.model, &mut specs[1]);
+            free_k3(&self.model, &mut specs[2]);
+            free_k4(&self.model, &mut specs[3]);
+            free_k5(&self.model, &mut specs[4]);
+            free_k6(&self.model, &mut specs[5]);
+            free_k7(&self.model, &mut specs[6]);
+            specs
+        }
+        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 0,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Matching {
+                    frame: 1,
+                    marker: 0,
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 0,
+                    at: [-0.06934, -0.00227, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Matching {
+                    frame: 5,
+                    marker: 2,
+                },
+                ::rncf::mesh::MarkerSpec::Matching {
+                    frame: 7,
+                    marker: 2,
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 0,
+                    at: [-0.03635, 0.03273, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Matching {
+                    frame: 3,
+                    marker: 5,
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 1,
+                    at: [0.007, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 2,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 5,
+                    at: [0.04, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 4,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 7,
+                    at: [0.0, -0.04, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 6,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 2,
+                    at: [-0.028, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 3,
+                    at: [0.0, -0.035, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 4,
+                    at: [0.0, -0.02, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 6,
+                    at: [0.02, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 3,
+                    at: [0.02, -0.018, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 0,
+                    at: [0.014, 0.072, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Turn {
+                    frame: 1,
+                },
+                ::rncf::mesh::MarkerSpec::Angle {
+                    frame: 1,
+                },
+                ::rncf::mesh::MarkerSpec::Angle {
+                    frame: 2,
+                },
+                ::rncf::mesh::MarkerSpec::Angle {
+                    frame: 3,
+                },
+                ::rncf::mesh::MarkerSpec::Angle {
+                    frame: 4,
+                },
+                ::rncf::mesh::MarkerSpec::Angle {
+                    frame: 5,
+                },
+                ::rncf::mesh::MarkerSpec::Angle {
+                    frame: 6,
+                },
+                ::rncf::mesh::MarkerSpec::Angle {
+                    frame: 7,
+                },
+            ])
+        }
+        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ConstraintSpec {
+                    name: "o",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[1, 0],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "a5",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[3, 2],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "a7",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[4, 2],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "b",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[6, 5],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "k",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[7, 8],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "e54",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[9, 10],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "h76",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[11, 12],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "f23",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[13, 14],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "f24",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[13, 15],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "f26",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[13, 16],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+            ])
+        }
+        fn marker_constraint(
+            &self,
+            constraint: usize,
+            level: ::rncf::system::ConstraintLevel,
+            t: f64,
+            z: &[[[f64; 3]; 4]],
+            rows: &mut [f64],
+        ) {
+            match constraint {
+                0 | 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9 => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            constraint_position_o(&self.model, t, z, rows)
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            constraint_velocity_o(&self.model, t, z, rows)
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            constraint_acceleration_o(&self.model, t, z, rows)
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            constraint_jerk_o(&self.model, t, z, rows)
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        fn marker_constraint_gradient(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            gradient: &mut [f64],
+        ) {
+            gradient.fill(0.0);
+            match constraint {
+                0 | 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9 => {
+                    constraint_gradient_o(&self.model, t, z, gradient)
+                }
+                _ => {}
+            }
+        }
+        fn marker_constraint_rate_gradient(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            velocity: &[[f64; 3]],
+            gradient: &mut [f64],
+        ) {
+            gradient.fill(0.0);
+            match constraint {
+                _ => {}
+            }
+        }
+        fn marker_constraint_hessian(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            lambda: &[f64],
+            hessian: &mut [f64],
+        ) {
+            hessian.fill(0.0);
+            match constraint {
+                _ => {}
+            }
+        }
+        fn forces(&self) -> ::std::vec::Vec<::rncf::mesh::ForceSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ForceSpec {
+                    name: "tension",
+                    markers: &[17, 18],
+                    conservative: true,
+                },
+                ::rncf::mesh::ForceSpec {
+                    name: "motor",
+                    markers: &[19],
+                    conservative: false,
+                },
+            ])
+        }
+        fn marker_force(
+            &self,
+            force: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            velocity: &[[f64; 3]],
+            out: &mut [f64],
+        ) {
+            out.fill(0.0);
+            match force {
+                0 => force_value_tension(&self.model, t, z, velocity, out),
+                1 => force_value_motor(&self.model, t, z, velocity, out),
+                _ => {}
+            }
+        }
+        fn marker_force_tangent(
+            &self,
+            force: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            velocity: &[[f64; 3]],
+            by_value: &mut [f64],
+            by_velocity: &mut [f64],
+        ) {
+            by_value.fill(0.0);
+            by_velocity.fill(0.0);
+            match force {
+                0 => {
+                    force_tangent_tension(
+                        &self.model,
+                        t,
+                        z,
+                        velocity,
+                        by_value,
+                        by_velocity,
+                    )
+                }
+                _ => {}
+            }
+        }
+        fn marker_energy(&self, force: usize, t: f64, z: &[[f64; 3]]) -> f64 {
+            let mut energy = 0.0;
+            match force {
+                0 => force_energy_tension(&self.model, t, z, &mut energy),
+                _ => {}
+            }
+            energy
+        }
+        fn carried(
+            &self,
+            of: ::rncf::mesh::Carried,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            out: &mut [f64],
+        ) {
+            match of {
+                ::rncf::mesh::Carried::Rigid(rigid) => {
+                    rigid_carried(rigid, frame, ::rncf::mesh::array_mut(out))
+                }
+                _ => {}
+            }
+        }
+        fn carried_tangent(
+            &self,
+            of: ::rncf::mesh::Carried,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            out: &mut ::rncf::mesh::CarriedTangent,
+        ) {
+            const DIMENSIONS: [usize; 0] = [];
+            let (d, n) = match of {
+                ::rncf::mesh::Carried::Element { body } => (DIMENSIONS[body], q.len()),
+                ::rncf::mesh::Carried::Fixture { dimension, .. } => (dimension, q.len()),
+                ::rncf::mesh::Carried::Rigid(_) => (3, 0),
+            };
+            let s = if d == 2 { 1 } else { 3 };
+            let b = d + s;
+            for (block, size) in [
+                (&mut out.mass, b * (b + n)),
+                (&mut out.damping, b * (s + n)),
+                (&mut out.spin, n * s),
+                (&mut out.stiffness, b * n),
+            ] {
+                block.clear();
+                block.resize(size, 0.0);
+            }
+            match of {
+                ::rncf::mesh::Carried::Rigid(rigid) => {
+                    rigid_carried_tangent(
+                        rigid,
+                        frame,
+                        ::rncf::mesh::array_mut(&mut out.mass),
+                        ::rncf::mesh::array_mut(&mut out.damping),
+                    )
+                }
+                _ => {}
+            }
+        }
+    }
+}

@@ -1,0 +1,917 @@
+//! Expansion of `models/src/four_bar.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
+
+/// N-four-bar linkage with N = 2: three upright links on the ground, two couplers, gravity. Where the links lie flat
+/// all rods are in line and the linkage could leave its parallelogram; it happens twice a turn.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct FourBar {
+    /// Angular velocity of the links at the start, which moves their ends at 1 m/s. (SI; declared in rad/s)
+    pub speed: f64,
+}
+impl Default for FourBar {
+    fn default() -> Self {
+        Self { speed: -1.0 }
+    }
+}
+#[allow(clippy::all)]
+impl ::rncf::Model for FourBar {
+    const NAME: &'static str = "FourBar";
+    const DOC: &'static str = "N-four-bar linkage with N = 2: three upright links on the ground, two couplers, gravity. Where the links lie flat\nall rods are in line and the linkage could leave its parallelogram; it happens twice a turn.";
+    const SOURCE: &'static str = r#"pub model FourBar {
+    /// Angular velocity of the links at the start, which moves their ends at 1 m/s.
+    param speed = -1 rad/s;
+
+    const length = 1 m;
+    const m = 1 kg;
+    /// Slender rod about its centre.
+    const j = m * length^2 / 12;
+
+    rigid link_0 { plane xy; mass = m; inertia = j; center = [0, 0.5, 0] m; speed = speed; }
+    rigid link_1 { plane xy; mass = m; inertia = j; center = [0, 0.5, 0] m; origin = [1, 0, 0] m; speed = speed; }
+    rigid link_2 { plane xy; mass = m; inertia = j; center = [0, 0.5, 0] m; origin = [2, 0, 0] m; speed = speed; }
+    rigid coupler_1 {
+        plane xy;
+        mass = m;
+        inertia = j;
+        center = [0.5, 0, 0] m;
+        origin = [0, 1, 0] m;
+        velocity = [-length * speed, 0, 0];
+    }
+    rigid coupler_2 {
+        plane xy;
+        mass = m;
+        inertia = j;
+        center = [0.5, 0, 0] m;
+        origin = [1, 1, 0] m;
+        velocity = [-length * speed, 0, 0];
+    }
+
+    joint a0 = revolute(link_0, inertial.at([0, 0, 0] m));
+    joint a1 = revolute(link_1, inertial.at([1, 0, 0] m));
+    joint a2 = revolute(link_2, inertial.at([2, 0, 0] m));
+    joint b0 = revolute(link_0.at([0, 1, 0] m), coupler_1.at([0, 0, 0] m));
+    joint b1 = revolute(link_1.at([0, 1, 0] m), coupler_1.at([1, 0, 0] m));
+    joint b12 = revolute(link_1.at([0, 1, 0] m), coupler_2.at([0, 0, 0] m));
+    joint b2 = revolute(link_2.at([0, 1, 0] m), coupler_2.at([1, 0, 0] m));
+    load weight = gravity([0, -9.81, 0] m/s^2);
+
+    /// Point B0, the upper end of the first link, x.
+    output x = link_0.at([0, 1, 0] m).x;
+    /// Point B0, y.
+    output y = link_0.at([0, 1, 0] m).y;
+
+    run { t_end = 10 s; every = 0.01 s; }
+}"#;
+    const NOTES: &'static [&'static str] = &[
+        "Rigid body `link_0` is free in three motions: two positions and an angle.",
+        "Rigid body `link_1` is free in three motions: two positions and an angle.",
+        "Rigid body `link_2` is free in three motions: two positions and an angle.",
+        "Rigid body `coupler_1` is free in three motions: two positions and an angle.",
+        "Rigid body `coupler_2` is free in three motions: two positions and an angle.",
+        "Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): 2 multipliers; linear in its vectors, no second derivatives.",
+    ];
+    fn params() -> &'static [::rncf::Param] {
+        &[
+            ::rncf::Param {
+                name: "speed",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "rad/s",
+                unit_si: 1.0,
+                dimension: [0, 0, -1, 0, 0, 1],
+                default: -1.0,
+                doc: "Angular velocity of the links at the start, which moves their ends at 1 m/s.",
+            },
+        ]
+    }
+    fn outputs() -> &'static [::rncf::Output] {
+        &[
+            ::rncf::Output {
+                name: "x",
+                unit: "m",
+                components: &[],
+                doc: "Point B0, the upper end of the first link, x.",
+            },
+            ::rncf::Output {
+                name: "y",
+                unit: "m",
+                components: &[],
+                doc: "Point B0, y.",
+            },
+        ]
+    }
+    fn get(&self, index: usize) -> f64 {
+        match index {
+            0 => self.speed,
+            _ => panic!("FourBar has 1 parameters, not {index}"),
+        }
+    }
+    fn set(&mut self, index: usize, value: f64) {
+        match index {
+            0 => self.speed = value,
+            _ => panic!("FourBar has 1 parameters, not {index}"),
+        }
+    }
+    fn run(&self) -> ::rncf::RunDefaults {
+        let mut run = ::rncf::RunDefaults {
+            t_end: 0.0,
+            every: 0.0,
+        };
+        four_bar_equations::run_defaults(self, &mut run);
+        run
+    }
+    fn build(
+        &self,
+        formulation: ::rncf::Formulation,
+        joints: ::rncf::Joints,
+    ) -> ::std::result::Result<
+        ::std::boxed::Box<dyn ::rncf::Scene>,
+        ::rncf::ModelError,
+    > {
+        ::rncf::mesh::check_params(self)?;
+        let equations = four_bar_equations::Equations::new(self);
+        ::rncf::mesh::build(equations, formulation, joints)
+    }
+}
+/// Equations of [`FourBar`]: derived, checked and written by the generator.
+#[allow(
+    missing_docs,
+    non_snake_case,
+    unused_variables,
+    unused_mut,
+    unused_parens,
+    clippy::all
+)]
+pub mod four_bar_equations {
+    /// Adds force and moment about the origin that the inertia of a frame's rigid parts needs, in frame axes (Eq. 14): F = m e + w' x S + w x (w x S), T = S x e + J w' + w x J w, with the first moment S and the inertia J about the origin.
+    ///
+    /// Operations: 45 additions, 51 multiplications.
+    pub fn rigid_carried(
+        rigid: &::rncf::mesh::RigidSpec,
+        frame: &::rncf::mesh::FrameAction,
+        out: &mut [f64; 6],
+    ) {
+        let [e_x, e_y, e_z] = frame.acceleration;
+        let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
+        let t34 = w_y * rigid.moment[2] - w_z * rigid.moment[1];
+        let t35 = w_z * rigid.moment[0] - w_x * rigid.moment[2];
+        let t36 = w_x * rigid.moment[1] - w_y * rigid.moment[0];
+        let t37 = w_y * t36 - w_z * t35
+            + (e_x * rigid.mass + (dw_y * rigid.moment[2] - dw_z * rigid.moment[1]));
+        let t38 = w_z * t34 - w_x * t36
+            + (e_y * rigid.mass + (dw_z * rigid.moment[0] - dw_x * rigid.moment[2]));
+        let t39 = w_x * t35 - w_y * t34
+            + (e_z * rigid.mass + (dw_x * rigid.moment[1] - dw_y * rigid.moment[0]));
+        let t40 = w_x * rigid.inertia[0][0] + w_y * rigid.inertia[0][1]
+            + w_z * rigid.inertia[0][2];
+        let t41 = w_x * rigid.inertia[1][0] + w_y * rigid.inertia[1][1]
+            + w_z * rigid.inertia[1][2];
+        let t42 = w_x * rigid.inertia[2][0] + w_y * rigid.inertia[2][1]
+            + w_z * rigid.inertia[2][2];
+        let t43 = e_z * rigid.moment[1] - e_y * rigid.moment[2]
+            + (dw_x * rigid.inertia[0][0] + dw_y * rigid.inertia[0][1]
+                + dw_z * rigid.inertia[0][2]);
+        let t44 = e_x * rigid.moment[2] - e_z * rigid.moment[0]
+            + (dw_x * rigid.inertia[1][0] + dw_y * rigid.inertia[1][1]
+                + dw_z * rigid.inertia[1][2]);
+        let t45 = e_y * rigid.moment[0] - e_x * rigid.moment[1]
+            + (dw_x * rigid.inertia[2][0] + dw_y * rigid.inertia[2][1]
+                + dw_z * rigid.inertia[2][2]);
+        out[0] += t37;
+        out[1] += t38;
+        out[2] += t39;
+        out[3] += w_y * t42 - w_z * t41 + t43;
+        out[4] += w_z * t40 - w_x * t42 + t44;
+        out[5] += w_x * t41 - w_y * t40 + t45;
+    }
+    /// Writes the derivatives of force and moment, rows first: `mass` with respect to e and w', `damping` to w. Entries that are always zero are left alone.
+    ///
+    /// Operations: 33 additions, 30 multiplications.
+    pub fn rigid_carried_tangent(
+        rigid: &::rncf::mesh::RigidSpec,
+        frame: &::rncf::mesh::FrameAction,
+        mass: &mut [f64; 36],
+        damping: &mut [f64; 18],
+    ) {
+        let [e_x, e_y, e_z] = frame.acceleration;
+        let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
+        let t28 = w_y * rigid.moment[2];
+        let t29 = w_z * rigid.moment[1];
+        let t30 = t28 - t29;
+        let t31 = w_z * rigid.moment[0];
+        let t32 = w_x * rigid.moment[2];
+        let t33 = t31 - t32;
+        let t34 = w_x * rigid.moment[1];
+        let t35 = w_y * rigid.moment[0];
+        let t36 = t34 - t35;
+        let t37 = w_y * rigid.inertia[0][1];
+        let t38 = w_z * rigid.inertia[0][2];
+        let t39 = w_x * rigid.inertia[0][0] + t37 + t38;
+        let t40 = w_x * rigid.inertia[1][0];
+        let t41 = w_z * rigid.inertia[1][2];
+        let t42 = t40 + w_y * rigid.inertia[1][1] + t41;
+        let t43 = w_x * rigid.inertia[2][0];
+        let t44 = w_y * rigid.inertia[2][1];
+        let t45 = t43 + t44 + w_z * rigid.inertia[2][2];
+        let t46 = w_y * rigid.moment[1];
+        let t47 = w_z * rigid.moment[2];
+        let t48 = w_x * rigid.moment[0];
+        mass[0] = rigid.mass;
+        mass[4] = rigid.moment[2];
+        mass[5] = -rigid.moment[1];
+        mass[7] = rigid.mass;
+        mass[9] = -rigid.moment[2];
+        mass[11] = rigid.moment[0];
+        mass[14] = rigid.mass;
+        mass[15] = rigid.moment[1];
+        mass[16] = -rigid.moment[0];
+        mass[19] = -rigid.moment[2];
+        mass[20] = rigid.moment[1];
+        mass[21] = rigid.inertia[0][0];
+        mass[22] = rigid.inertia[0][1];
+        mass[23] = rigid.inertia[0][2];
+        mass[24] = rigid.moment[2];
+        mass[26] = -rigid.moment[0];
+        mass[27] = rigid.inertia[1][0];
+        mass[28] = rigid.inertia[1][1];
+        mass[29] = rigid.inertia[1][2];
+        mass[30] = -rigid.moment[1];
+        mass[31] = rigid.moment[0];
+        mass[33] = rigid.inertia[2][0];
+        mass[34] = rigid.inertia[2][1];
+        mass[35] = rigid.inertia[2][2];
+        damping[0] = t46 + t47;
+        damping[1] = t36 - t35;
+        damping[2] = -(t31 + t33);
+        damping[3] = -(t34 + t36);
+        damping[4] = t47 + t48;
+        damping[5] = t30 - t29;
+        damping[6] = t33 - t32;
+        damping[7] = -(t28 + t30);
+        damping[8] = t46 + t48;
+        damping[9] = w_y * rigid.inertia[2][0] - w_z * rigid.inertia[1][0];
+        damping[10] = t44 + t45 - w_z * rigid.inertia[1][1];
+        damping[11] = w_y * rigid.inertia[2][2] - (t41 + t42);
+        damping[12] = w_z * rigid.inertia[0][0] - (t43 + t45);
+        damping[13] = w_z * rigid.inertia[0][1] - w_x * rigid.inertia[2][1];
+        damping[14] = t38 + t39 - w_x * rigid.inertia[2][2];
+        damping[15] = t40 + t42 - w_y * rigid.inertia[0][0];
+        damping[16] = w_x * rigid.inertia[1][1] - (t37 + t39);
+        damping[17] = w_x * rigid.inertia[1][2] - w_y * rigid.inertia[0][2];
+    }
+    /// Rigid body `link_0`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `link_0`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_link_0(model: &super::FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.spin[2] = model.speed;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 1.0;
+        spec.rigid.inertia[0][0] = 0.25;
+        spec.rigid.moment[1] = 0.5;
+        spec.rigid.inertia[2][2] = 0.3333333333333333;
+    }
+    /// Rigid body `link_1`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `link_1`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_link_1(model: &super::FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.position[0] = 1.0;
+        spec.spin[2] = model.speed;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 1.0;
+        spec.rigid.inertia[0][0] = 0.25;
+        spec.rigid.moment[1] = 0.5;
+        spec.rigid.inertia[2][2] = 0.3333333333333333;
+    }
+    /// Rigid body `link_2`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `link_2`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_link_2(model: &super::FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.position[0] = 2.0;
+        spec.spin[2] = model.speed;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 1.0;
+        spec.rigid.inertia[0][0] = 0.25;
+        spec.rigid.moment[1] = 0.5;
+        spec.rigid.inertia[2][2] = 0.3333333333333333;
+    }
+    /// Rigid body `coupler_1`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `coupler_1`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_coupler_1(model: &super::FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.position[1] = 1.0;
+        spec.velocity[0] = -model.speed;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 1.0;
+        spec.rigid.moment[0] = 0.5;
+        spec.rigid.inertia[1][1] = 0.25;
+        spec.rigid.inertia[2][2] = 0.3333333333333333;
+    }
+    /// Rigid body `coupler_2`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `coupler_2`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_coupler_2(model: &super::FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.position[0] = 1.0;
+        spec.position[1] = 1.0;
+        spec.velocity[0] = -model.speed;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 1.0;
+        spec.rigid.moment[0] = 0.5;
+        spec.rigid.inertia[1][1] = 0.25;
+        spec.rigid.inertia[2][2] = 0.3333333333333333;
+    }
+    /// Load `weight` in its frame's axes.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn load_weight(model: &super::FourBar, t: f64, value: &mut [f64; 3]) {
+        value[0] = 0.0;
+        value[1] = -9.81;
+        value[2] = 0.0;
+    }
+    /// Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): rows C(z, t).
+    ///
+    /// Of `a0`: `z[0]` fixed in `link_0`, where another vector starts; `z[1]` a point of `inertial` (inertial axes).
+    ///
+    /// * position x: `z[0][0][0] - z[1][0][0]`
+    /// * position y: `z[0][0][1] - z[1][0][1]`
+    ///
+    /// Operations: 2 additions, 0 multiplications.
+    pub fn constraint_position_a0(
+        model: &super::FourBar,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..2];
+        rows[0] = z[0][0][0] - z[1][0][0];
+        rows[1] = z[0][0][1] - z[1][0][1];
+    }
+    /// Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): their rate dC/dt.
+    ///
+    /// Operations: 2 additions, 0 multiplications.
+    pub fn constraint_velocity_a0(
+        model: &super::FourBar,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..2];
+        rows[0] = z[0][1][0] - z[1][1][0];
+        rows[1] = z[0][1][1] - z[1][1][1];
+    }
+    /// Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): their second time derivative.
+    ///
+    /// Operations: 2 additions, 0 multiplications.
+    pub fn constraint_acceleration_a0(
+        model: &super::FourBar,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..2];
+        rows[0] = z[0][2][0] - z[1][2][0];
+        rows[1] = z[0][2][1] - z[1][2][1];
+    }
+    /// Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): their third time derivative.
+    ///
+    /// Operations: 2 additions, 0 multiplications.
+    pub fn constraint_jerk_a0(
+        model: &super::FourBar,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..2];
+        rows[0] = z[0][3][0] - z[1][3][0];
+        rows[1] = z[0][3][1] - z[1][3][1];
+    }
+    /// Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): writes dC/dz, rows first; entries that are always zero are left alone.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn constraint_gradient_a0(
+        model: &super::FourBar,
+        t: f64,
+        z: &[[f64; 3]],
+        gradient: &mut [f64],
+    ) {
+        let z = &z[..2];
+        gradient[0] = 1.0;
+        gradient[3] = -1.0;
+        gradient[7] = 1.0;
+        gradient[10] = -1.0;
+    }
+    /// Times at which a derivative of a motion or load may jump (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn kinks(model: &super::FourBar, kinks: &mut [f64; 0]) {}
+    /// Output columns from what they observe.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn outputs(model: &super::FourBar, t: f64, observed: &[f64], out: &mut [f64]) {
+        out[0] = observed[0];
+        out[1] = observed[1];
+    }
+    /// Defaults of a run (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn run_defaults(model: &super::FourBar, run: &mut ::rncf::RunDefaults) {
+        run.t_end = 10.0;
+        run.every = 0.01;
+    }
+    /// Constants of all bodies.
+    #[derive(Clone, Debug)]
+    pub struct Equations {
+        pub model: super::FourBar,
+    }
+    impl Equations {
+        /// Constants for the given parameters; filled in when the bodies are meshed.
+        pub fn new(model: &super::FourBar) -> Self {
+            Self { model: model.clone() }
+        }
+    }
+    impl ::rncf::mesh::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([])
+        }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([])
+        }
+        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::LoadSpec {
+                    name: "weight",
+                    kind: ::rncf::mesh::LoadKind::Gravity,
+                    frame: 0,
+                },
+            ])
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 6,
+                    derivative: 0,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 6,
+                    derivative: 0,
+                    component: 1,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            2
+        }
+        fn frame_count(&self) -> usize {
+            6
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "link_0", "link_1", "link_2", "coupler_1", "coupler_2"][frame]
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 1] = [false];
+            VARIES[load]
+        }
+        fn conservative(&self) -> bool {
+            true
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 0];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn prepare(
+            &mut self,
+            body: usize,
+            length: f64,
+            shape: &[f64],
+        ) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            Ok(())
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                0 => load_weight(&self.model, t, &mut value),
+                _ => {}
+            }
+            value
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn mass(&self, body: usize, mass: &mut [f64]) {}
+        fn force(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            force: &mut [f64],
+        ) {}
+        fn tangent(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {}
+        fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
+            let mut energy = 0.0;
+            energy
+        }
+        fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]) {}
+        fn moment(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            force: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn moment_tangent(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            tangent: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn condition(
+            &self,
+            joint: usize,
+            absolute: bool,
+            level: ::rncf::system::ConstraintLevel,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            rows: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                _ => {}
+            }
+        }
+        fn condition_jacobian(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            jacobian: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                _ => {}
+            }
+        }
+        fn prescribed(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            prescribed: &mut ::rncf::mesh::Prescribed,
+        ) {
+            match (joint, absolute) {
+                _ => {}
+            }
+        }
+        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
+            let still = ::rncf::mesh::FreeSpec {
+                frame: 0,
+                parent: 0,
+                is_body: false,
+                motions: ::rncf::mesh::Motions::Spatial,
+                position: [0.0; 3],
+                axis: [0.0; 3],
+                angle: 0.0,
+                velocity: [0.0; 3],
+                spin: [0.0; 3],
+                rigid: ::rncf::mesh::RigidSpec::default(),
+            };
+            let mut specs = ::std::vec::Vec::from([
+                ::rncf::mesh::FreeSpec {
+                    frame: 1,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+                ::rncf::mesh::FreeSpec {
+                    frame: 2,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+                ::rncf::mesh::FreeSpec {
+                    frame: 3,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+                ::rncf::mesh::FreeSpec {
+                    frame: 4,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+                ::rncf::mesh::FreeSpec {
+                    frame: 5,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+            ]);
+            free_link_0(&self.model, &mut specs[0]);
+            free_link_1(&self.model, &mut specs[1]);
+            free_link_2(&self.model, &mut specs[2]);
+            free_coupler_1(&self.model, &mut specs[3]);
+            free_coupler_2(&self.model, &mut specs[4]);
+            specs
+        }
+        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 0,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Matching {
+                    frame: 1,
+                    marker: 0,
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 0,
+                    at: [1.0, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Matching {
+                    frame: 2,
+                    marker: 2,
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 0,
+                    at: [2.0, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Matching {
+                    frame: 3,
+                    marker: 4,
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 1,
+                    at: [0.0, 1.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 4,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 2,
+                    at: [0.0, 1.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 4,
+                    at: [1.0, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 5,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 3,
+                    at: [0.0, 1.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 5,
+                    at: [1.0, 0.0, 0.0],
+                },
+            ])
+        }
+        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ConstraintSpec {
+                    name: "a0",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[1, 0],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "a1",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[3, 2],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "a2",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[5, 4],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "b0",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[6, 7],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "b1",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[8, 9],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "b12",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[8, 10],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "b2",
+                    kind: "revolute",
+                    rows: &["position x", "position y"],
+                    markers: &[11, 12],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+            ])
+        }
+        fn marker_constraint(
+            &self,
+            constraint: usize,
+            level: ::rncf::system::ConstraintLevel,
+            t: f64,
+            z: &[[[f64; 3]; 4]],
+            rows: &mut [f64],
+        ) {
+            match constraint {
+                0 | 1 | 2 | 3 | 4 | 5 | 6 => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            constraint_position_a0(&self.model, t, z, rows)
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            constraint_velocity_a0(&self.model, t, z, rows)
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            constraint_acceleration_a0(&self.model, t, z, rows)
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            constraint_jerk_a0(&self.model, t, z, rows)
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        fn marker_constraint_gradient(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            gradient: &mut [f64],
+        ) {
+            gradient.fill(0.0);
+            match constraint {
+                0 | 1 | 2 | 3 | 4 | 5 | 6 => {
+                    constraint_gradient_a0(&self.model, t, z, gradient)
+                }
+                _ => {}
+            }
+        }
+        fn marker_constraint_rate_gradient(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            velocity: &[[f64; 3]],
+            gradient: &mut [f64],
+        ) {
+            gradient.fill(0.0);
+            match constraint {
+                _ => {}
+            }
+        }
+        fn marker_constraint_hessian(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            lambda: &[f64],
+            hessian: &mut [f64],
+        ) {
+            hessian.fill(0.0);
+            match constraint {
+                _ => {}
+            }
+        }
+        fn carried(
+            &self,
+            of: ::rncf::mesh::Carried,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            out: &mut [f64],
+        ) {
+            match of {
+                ::rncf::mesh::Carried::Rigid(rigid) => {
+                    rigid_carried(rigid, frame, ::rncf::mesh::array_mut(out))
+                }
+                _ => {}
+            }
+        }
+        fn carried_tangent(
+            &self,
+            of: ::rncf::mesh::Carried,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            out: &mut ::rncf::mesh::CarriedTangent,
+        ) {
+            const DIMENSIONS: [usize; 0] = [];
+            let (d, n) = match of {
+                ::rncf::mesh::Carried::Element { body } => (DIMENSIONS[body], q.len()),
+                ::rncf::mesh::Carried::Fixture { dimension, .. } => (dimension, q.len()),
+                ::rncf::mesh::Carried::Rigid(_) => (3, 0),
+            };
+            let s = if d == 2 { 1 } else { 3 };
+            let b = d + s;
+            for (block, size) in [
+                (&mut out.mass, b * (b + n)),
+                (&mut out.damping, b * (s + n)),
+                (&mut out.spin, n * s),
+                (&mut out.stiffness, b * n),
+            ] {
+                block.clear();
+                block.resize(size, 0.0);
+            }
+            match of {
+                ::rncf::mesh::Carried::Rigid(rigid) => {
+                    rigid_carried_tangent(
+                        rigid,
+                        frame,
+                        ::rncf::mesh::array_mut(&mut out.mass),
+                        ::rncf::mesh::array_mut(&mut out.damping),
+                    )
+                }
+                _ => {}
+            }
+        }
+    }
+}

@@ -1,0 +1,734 @@
+//! Expansion of `models/src/heavy_top.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
+
+/// Heavy top: a spinning disc on a weightless arm, whose end stays at the origin (Bruls, Cardona & Arnold 2012).
+#[derive(Clone, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct HeavyTop {}
+impl Default for HeavyTop {
+    fn default() -> Self {
+        Self {}
+    }
+}
+#[allow(clippy::all)]
+impl ::rncf::Model for HeavyTop {
+    const NAME: &'static str = "HeavyTop";
+    const DOC: &'static str = "Heavy top: a spinning disc on a weightless arm, whose end stays at the origin (Bruls, Cardona & Arnold 2012).";
+    const SOURCE: &'static str = r#"pub model HeavyTop {
+    /// The disc. Its frame has the axes of inertia and begins at the centre of mass; the arm lies along its y axis.
+    rigid top {
+        mass = 15 kg;
+        inertia = [0.234375, 0.46875, 0.234375] kg*m^2;
+        origin = [0, 1, 0] m;
+        velocity = [4.61538, 0, 0] m/s;
+        angular_velocity = [0, 150, -4.61538] rad/s;
+    }
+    joint pivot = spherical(top.at([0, -1, 0] m), inertial.at([0, 0, 0] m));
+    load weight = gravity([0, 0, -9.81] m/s^2);
+
+    /// Centre of mass in space, x.
+    output x = top.center.x;
+    /// Centre of mass in space, y.
+    output y = top.center.y;
+    /// Centre of mass in space, z.
+    output z = top.center.z;
+    /// Force of the pivot on the top, in space.
+    output force = pivot.force;
+
+    run { t_end = 1 s; every = 0.005 s; }
+}"#;
+    const NOTES: &'static [&'static str] = &[
+        "Rigid body `top` is free in six motions: three positions and a rotation vector that begins anew every step.",
+        "Constraint `pivot` (spherical): 3 multipliers; linear in its vectors, no second derivatives.",
+    ];
+    fn params() -> &'static [::rncf::Param] {
+        &[]
+    }
+    fn outputs() -> &'static [::rncf::Output] {
+        &[
+            ::rncf::Output {
+                name: "x",
+                unit: "m",
+                components: &[],
+                doc: "Centre of mass in space, x.",
+            },
+            ::rncf::Output {
+                name: "y",
+                unit: "m",
+                components: &[],
+                doc: "Centre of mass in space, y.",
+            },
+            ::rncf::Output {
+                name: "z",
+                unit: "m",
+                components: &[],
+                doc: "Centre of mass in space, z.",
+            },
+            ::rncf::Output {
+                name: "force",
+                unit: "N",
+                components: &["x", "y", "z"],
+                doc: "Force of the pivot on the top, in space.",
+            },
+        ]
+    }
+    fn get(&self, index: usize) -> f64 {
+        match index {
+            _ => panic!("HeavyTop has 0 parameters, not {index}"),
+        }
+    }
+    fn set(&mut self, index: usize, value: f64) {
+        match index {
+            _ => panic!("HeavyTop has 0 parameters, not {index}"),
+        }
+    }
+    fn run(&self) -> ::rncf::RunDefaults {
+        let mut run = ::rncf::RunDefaults {
+            t_end: 0.0,
+            every: 0.0,
+        };
+        heavy_top_equations::run_defaults(self, &mut run);
+        run
+    }
+    fn build(
+        &self,
+        formulation: ::rncf::Formulation,
+        joints: ::rncf::Joints,
+    ) -> ::std::result::Result<
+        ::std::boxed::Box<dyn ::rncf::Scene>,
+        ::rncf::ModelError,
+    > {
+        ::rncf::mesh::check_params(self)?;
+        let equations = heavy_top_equations::Equations::new(self);
+        ::rncf::mesh::build(equations, formulation, joints)
+    }
+}
+/// Equations of [`HeavyTop`]: derived, checked and written by the generator.
+#[allow(
+    missing_docs,
+    non_snake_case,
+    unused_variables,
+    unused_mut,
+    unused_parens,
+    clippy::all
+)]
+pub mod heavy_top_equations {
+    /// Adds force and moment about the origin that the inertia of a frame's rigid parts needs, in frame axes (Eq. 14): F = m e + w' x S + w x (w x S), T = S x e + J w' + w x J w, with the first moment S and the inertia J about the origin.
+    ///
+    /// Operations: 45 additions, 51 multiplications.
+    pub fn rigid_carried(
+        rigid: &::rncf::mesh::RigidSpec,
+        frame: &::rncf::mesh::FrameAction,
+        out: &mut [f64; 6],
+    ) {
+        let [e_x, e_y, e_z] = frame.acceleration;
+        let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
+        let t34 = w_y * rigid.moment[2] - w_z * rigid.moment[1];
+        let t35 = w_z * rigid.moment[0] - w_x * rigid.moment[2];
+        let t36 = w_x * rigid.moment[1] - w_y * rigid.moment[0];
+        let t37 = w_y * t36 - w_z * t35
+            + (e_x * rigid.mass + (dw_y * rigid.moment[2] - dw_z * rigid.moment[1]));
+        let t38 = w_z * t34 - w_x * t36
+            + (e_y * rigid.mass + (dw_z * rigid.moment[0] - dw_x * rigid.moment[2]));
+        let t39 = w_x * t35 - w_y * t34
+            + (e_z * rigid.mass + (dw_x * rigid.moment[1] - dw_y * rigid.moment[0]));
+        let t40 = w_x * rigid.inertia[0][0] + w_y * rigid.inertia[0][1]
+            + w_z * rigid.inertia[0][2];
+        let t41 = w_x * rigid.inertia[1][0] + w_y * rigid.inertia[1][1]
+            + w_z * rigid.inertia[1][2];
+        let t42 = w_x * rigid.inertia[2][0] + w_y * rigid.inertia[2][1]
+            + w_z * rigid.inertia[2][2];
+        let t43 = e_z * rigid.moment[1] - e_y * rigid.moment[2]
+            + (dw_x * rigid.inertia[0][0] + dw_y * rigid.inertia[0][1]
+                + dw_z * rigid.inertia[0][2]);
+        let t44 = e_x * rigid.moment[2] - e_z * rigid.moment[0]
+            + (dw_x * rigid.inertia[1][0] + dw_y * rigid.inertia[1][1]
+                + dw_z * rigid.inertia[1][2]);
+        let t45 = e_y * rigid.moment[0] - e_x * rigid.moment[1]
+            + (dw_x * rigid.inertia[2][0] + dw_y * rigid.inertia[2][1]
+                + dw_z * rigid.inertia[2][2]);
+        out[0] += t37;
+        out[1] += t38;
+        out[2] += t39;
+        out[3] += w_y * t42 - w_z * t41 + t43;
+        out[4] += w_z * t40 - w_x * t42 + t44;
+        out[5] += w_x * t41 - w_y * t40 + t45;
+    }
+    /// Writes the derivatives of force and moment, rows first: `mass` with respect to e and w', `damping` to w. Entries that are always zero are left alone.
+    ///
+    /// Operations: 33 additions, 30 multiplications.
+    pub fn rigid_carried_tangent(
+        rigid: &::rncf::mesh::RigidSpec,
+        frame: &::rncf::mesh::FrameAction,
+        mass: &mut [f64; 36],
+        damping: &mut [f64; 18],
+    ) {
+        let [e_x, e_y, e_z] = frame.acceleration;
+        let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
+        let t28 = w_y * rigid.moment[2];
+        let t29 = w_z * rigid.moment[1];
+        let t30 = t28 - t29;
+        let t31 = w_z * rigid.moment[0];
+        let t32 = w_x * rigid.moment[2];
+        let t33 = t31 - t32;
+        let t34 = w_x * rigid.moment[1];
+        let t35 = w_y * rigid.moment[0];
+        let t36 = t34 - t35;
+        let t37 = w_y * rigid.inertia[0][1];
+        let t38 = w_z * rigid.inertia[0][2];
+        let t39 = w_x * rigid.inertia[0][0] + t37 + t38;
+        let t40 = w_x * rigid.inertia[1][0];
+        let t41 = w_z * rigid.inertia[1][2];
+        let t42 = t40 + w_y * rigid.inertia[1][1] + t41;
+        let t43 = w_x * rigid.inertia[2][0];
+        let t44 = w_y * rigid.inertia[2][1];
+        let t45 = t43 + t44 + w_z * rigid.inertia[2][2];
+        let t46 = w_y * rigid.moment[1];
+        let t47 = w_z * rigid.moment[2];
+        let t48 = w_x * rigid.moment[0];
+        mass[0] = rigid.mass;
+        mass[4] = rigid.moment[2];
+        mass[5] = -rigid.moment[1];
+        mass[7] = rigid.mass;
+        mass[9] = -rigid.moment[2];
+        mass[11] = rigid.moment[0];
+        mass[14] = rigid.mass;
+        mass[15] = rigid.moment[1];
+        mass[16] = -rigid.moment[0];
+        mass[19] = -rigid.moment[2];
+        mass[20] = rigid.moment[1];
+        mass[21] = rigid.inertia[0][0];
+        mass[22] = rigid.inertia[0][1];
+        mass[23] = rigid.inertia[0][2];
+        mass[24] = rigid.moment[2];
+        mass[26] = -rigid.moment[0];
+        mass[27] = rigid.inertia[1][0];
+        mass[28] = rigid.inertia[1][1];
+        mass[29] = rigid.inertia[1][2];
+        mass[30] = -rigid.moment[1];
+        mass[31] = rigid.moment[0];
+        mass[33] = rigid.inertia[2][0];
+        mass[34] = rigid.inertia[2][1];
+        mass[35] = rigid.inertia[2][2];
+        damping[0] = t46 + t47;
+        damping[1] = t36 - t35;
+        damping[2] = -(t31 + t33);
+        damping[3] = -(t34 + t36);
+        damping[4] = t47 + t48;
+        damping[5] = t30 - t29;
+        damping[6] = t33 - t32;
+        damping[7] = -(t28 + t30);
+        damping[8] = t46 + t48;
+        damping[9] = w_y * rigid.inertia[2][0] - w_z * rigid.inertia[1][0];
+        damping[10] = t44 + t45 - w_z * rigid.inertia[1][1];
+        damping[11] = w_y * rigid.inertia[2][2] - (t41 + t42);
+        damping[12] = w_z * rigid.inertia[0][0] - (t43 + t45);
+        damping[13] = w_z * rigid.inertia[0][1] - w_x * rigid.inertia[2][1];
+        damping[14] = t38 + t39 - w_x * rigid.inertia[2][2];
+        damping[15] = t40 + t42 - w_y * rigid.inertia[0][0];
+        damping[16] = w_x * rigid.inertia[1][1] - (t37 + t39);
+        damping[17] = w_x * rigid.inertia[1][2] - w_y * rigid.inertia[0][2];
+    }
+    /// Rigid body `top`: its start relative to its parent, and its rigid parts.
+    ///
+    /// Parts `top`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
+    ///
+    /// The disc. Its frame has the axes of inertia and begins at the centre of mass; the arm lies along its y axis.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn free_top(model: &super::HeavyTop, spec: &mut ::rncf::mesh::FreeSpec) {
+        spec.position[1] = 1.0;
+        spec.velocity[0] = 4.61538;
+        spec.spin[1] = 150.0;
+        spec.spin[2] = -4.61538;
+        spec.axis[2] = 1.0;
+        spec.rigid.mass = 15.0;
+        spec.rigid.inertia[0][0] = 0.234375;
+        spec.rigid.inertia[1][1] = 0.46875;
+        spec.rigid.inertia[2][2] = 0.234375;
+    }
+    /// Load `weight` in its frame's axes.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn load_weight(model: &super::HeavyTop, t: f64, value: &mut [f64; 3]) {
+        value[0] = 0.0;
+        value[1] = 0.0;
+        value[2] = -9.81;
+    }
+    /// Constraint `pivot` (spherical): rows C(z, t).
+    ///
+    /// Of `pivot`: `z[0]` a point of `top`; `z[1]` a point of `inertial` (inertial axes).
+    ///
+    /// * position x: `z[0][0][0] - z[1][0][0]`
+    /// * position y: `z[0][0][1] - z[1][0][1]`
+    /// * position z: `z[0][0][2] - z[1][0][2]`
+    ///
+    /// Operations: 3 additions, 0 multiplications.
+    pub fn constraint_position_pivot(
+        model: &super::HeavyTop,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..2];
+        rows[0] = z[0][0][0] - z[1][0][0];
+        rows[1] = z[0][0][1] - z[1][0][1];
+        rows[2] = z[0][0][2] - z[1][0][2];
+    }
+    /// Constraint `pivot` (spherical): their rate dC/dt.
+    ///
+    /// Operations: 3 additions, 0 multiplications.
+    pub fn constraint_velocity_pivot(
+        model: &super::HeavyTop,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..2];
+        rows[0] = z[0][1][0] - z[1][1][0];
+        rows[1] = z[0][1][1] - z[1][1][1];
+        rows[2] = z[0][1][2] - z[1][1][2];
+    }
+    /// Constraint `pivot` (spherical): their second time derivative.
+    ///
+    /// Operations: 3 additions, 0 multiplications.
+    pub fn constraint_acceleration_pivot(
+        model: &super::HeavyTop,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..2];
+        rows[0] = z[0][2][0] - z[1][2][0];
+        rows[1] = z[0][2][1] - z[1][2][1];
+        rows[2] = z[0][2][2] - z[1][2][2];
+    }
+    /// Constraint `pivot` (spherical): their third time derivative.
+    ///
+    /// Operations: 3 additions, 0 multiplications.
+    pub fn constraint_jerk_pivot(
+        model: &super::HeavyTop,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..2];
+        rows[0] = z[0][3][0] - z[1][3][0];
+        rows[1] = z[0][3][1] - z[1][3][1];
+        rows[2] = z[0][3][2] - z[1][3][2];
+    }
+    /// Constraint `pivot` (spherical): writes dC/dz, rows first; entries that are always zero are left alone.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn constraint_gradient_pivot(
+        model: &super::HeavyTop,
+        t: f64,
+        z: &[[f64; 3]],
+        gradient: &mut [f64],
+    ) {
+        let z = &z[..2];
+        gradient[0] = 1.0;
+        gradient[3] = -1.0;
+        gradient[7] = 1.0;
+        gradient[10] = -1.0;
+        gradient[14] = 1.0;
+        gradient[17] = -1.0;
+    }
+    /// Times at which a derivative of a motion or load may jump (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn kinks(model: &super::HeavyTop, kinks: &mut [f64; 0]) {}
+    /// Output columns from what they observe.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn outputs(model: &super::HeavyTop, t: f64, observed: &[f64], out: &mut [f64]) {
+        out[0] = observed[0];
+        out[1] = observed[1];
+        out[2] = observed[2];
+        out[3] = observed[3];
+        out[4] = observed[4];
+        out[5] = observed[5];
+    }
+    /// Defaults of a run (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn run_defaults(model: &super::HeavyTop, run: &mut ::rncf::RunDefaults) {
+        run.t_end = 1.0;
+        run.every = 0.005;
+    }
+    /// Constants of all bodies.
+    #[derive(Clone, Debug)]
+    pub struct Equations {
+        pub model: super::HeavyTop,
+    }
+    impl Equations {
+        /// Constants for the given parameters; filled in when the bodies are meshed.
+        pub fn new(model: &super::HeavyTop) -> Self {
+            Self { model: model.clone() }
+        }
+    }
+    impl ::rncf::mesh::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([])
+        }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([])
+        }
+        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::LoadSpec {
+                    name: "weight",
+                    kind: ::rncf::mesh::LoadKind::Gravity,
+                    frame: 0,
+                },
+            ])
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 2,
+                    derivative: 0,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 2,
+                    derivative: 0,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 2,
+                    derivative: 0,
+                    component: 2,
+                },
+                ::rncf::mesh::ObservedSpec::ConstraintReaction {
+                    constraint: 0,
+                    moment: false,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::ConstraintReaction {
+                    constraint: 0,
+                    moment: false,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::ConstraintReaction {
+                    constraint: 0,
+                    moment: false,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            6
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "top"][frame]
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 1] = [false];
+            VARIES[load]
+        }
+        fn conservative(&self) -> bool {
+            true
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 0];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn prepare(
+            &mut self,
+            body: usize,
+            length: f64,
+            shape: &[f64],
+        ) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            Ok(())
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                0 => load_weight(&self.model, t, &mut value),
+                _ => {}
+            }
+            value
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn mass(&self, body: usize, mass: &mut [f64]) {}
+        fn force(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            force: &mut [f64],
+        ) {}
+        fn tangent(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {}
+        fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
+            let mut energy = 0.0;
+            energy
+        }
+        fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]) {}
+        fn moment(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            force: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn moment_tangent(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            tangent: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn condition(
+            &self,
+            joint: usize,
+            absolute: bool,
+            level: ::rncf::system::ConstraintLevel,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            rows: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                _ => {}
+            }
+        }
+        fn condition_jacobian(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            jacobian: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                _ => {}
+            }
+        }
+        fn prescribed(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            prescribed: &mut ::rncf::mesh::Prescribed,
+        ) {
+            match (joint, absolute) {
+                _ => {}
+            }
+        }
+        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
+            let still = ::rncf::mesh::FreeSpec {
+                frame: 0,
+                parent: 0,
+                is_body: false,
+                motions: ::rncf::mesh::Motions::Spatial,
+                position: [0.0; 3],
+                axis: [0.0; 3],
+                angle: 0.0,
+                velocity: [0.0; 3],
+                spin: [0.0; 3],
+                rigid: ::rncf::mesh::RigidSpec::default(),
+            };
+            let mut specs = ::std::vec::Vec::from([
+                ::rncf::mesh::FreeSpec {
+                    frame: 1,
+                    parent: 0,
+                    is_body: true,
+                    motions: ::rncf::mesh::Motions::Spatial,
+                    ..still.clone()
+                },
+            ]);
+            free_top(&self.model, &mut specs[0]);
+            specs
+        }
+        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 1,
+                    at: [0.0, -1.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 0,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::mesh::MarkerSpec::Point {
+                    frame: 1,
+                    at: [0.0, 0.0, 0.0],
+                },
+            ])
+        }
+        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ConstraintSpec {
+                    name: "pivot",
+                    kind: "spherical",
+                    rows: &["position x", "position y", "position z"],
+                    markers: &[0, 1],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Always,
+                },
+            ])
+        }
+        fn marker_constraint(
+            &self,
+            constraint: usize,
+            level: ::rncf::system::ConstraintLevel,
+            t: f64,
+            z: &[[[f64; 3]; 4]],
+            rows: &mut [f64],
+        ) {
+            match constraint {
+                0 => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            constraint_position_pivot(&self.model, t, z, rows)
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            constraint_velocity_pivot(&self.model, t, z, rows)
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            constraint_acceleration_pivot(&self.model, t, z, rows)
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            constraint_jerk_pivot(&self.model, t, z, rows)
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        fn marker_constraint_gradient(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            gradient: &mut [f64],
+        ) {
+            gradient.fill(0.0);
+            match constraint {
+                0 => constraint_gradient_pivot(&self.model, t, z, gradient),
+                _ => {}
+            }
+        }
+        fn marker_constraint_rate_gradient(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            velocity: &[[f64; 3]],
+            gradient: &mut [f64],
+        ) {
+            gradient.fill(0.0);
+            match constraint {
+                _ => {}
+            }
+        }
+        fn marker_constraint_hessian(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            lambda: &[f64],
+            hessian: &mut [f64],
+        ) {
+            hessian.fill(0.0);
+            match constraint {
+                _ => {}
+            }
+        }
+        fn carried(
+            &self,
+            of: ::rncf::mesh::Carried,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            out: &mut [f64],
+        ) {
+            match of {
+                ::rncf::mesh::Carried::Rigid(rigid) => {
+                    rigid_carried(rigid, frame, ::rncf::mesh::array_mut(out))
+                }
+                _ => {}
+            }
+        }
+        fn carried_tangent(
+            &self,
+            of: ::rncf::mesh::Carried,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            out: &mut ::rncf::mesh::CarriedTangent,
+        ) {
+            const DIMENSIONS: [usize; 0] = [];
+            let (d, n) = match of {
+                ::rncf::mesh::Carried::Element { body } => (DIMENSIONS[body], q.len()),
+                ::rncf::mesh::Carried::Fixture { dimension, .. } => (dimension, q.len()),
+                ::rncf::mesh::Carried::Rigid(_) => (3, 0),
+            };
+            let s = if d == 2 { 1 } else { 3 };
+            let b = d + s;
+            for (block, size) in [
+                (&mut out.mass, b * (b + n)),
+                (&mut out.damping, b * (s + n)),
+                (&mut out.spin, n * s),
+                (&mut out.stiffness, b * n),
+            ] {
+                block.clear();
+                block.resize(size, 0.0);
+            }
+            match of {
+                ::rncf::mesh::Carried::Rigid(rigid) => {
+                    rigid_carried_tangent(
+                        rigid,
+                        frame,
+                        ::rncf::mesh::array_mut(&mut out.mass),
+                        ::rncf::mesh::array_mut(&mut out.damping),
+                    )
+                }
+                _ => {}
+            }
+        }
+    }
+}
