@@ -32,7 +32,7 @@ fn disturbed(scene: &mut dyn Scene) -> State {
         state.v[index] += size * numbers.next();
         state.a[index] += size * numbers.next();
     }
-    state.rebase(&scene.turns().to_vec());
+    state.rebase(scene.turns());
     for lambda in &mut state.lambda {
         *lambda = numbers.next();
     }
