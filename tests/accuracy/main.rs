@@ -3,7 +3,9 @@
 mod dense;
 mod determinism;
 mod gravity;
+mod heavy_top;
 mod models;
+mod multibody;
 mod orders;
 mod pendulum;
 mod reference;
