@@ -10,5 +10,6 @@ mod orders;
 mod pendulum;
 mod reference;
 mod runs;
+mod slider_crank;
 mod spin_up;
 mod steady;
