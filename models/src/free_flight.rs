@@ -8,6 +8,8 @@ rncf::model! {
         param elements: count = 3;
         /// Mass at the end.
         param tip_mass = 0.7 kg;
+        /// Radius of the arc that the cable starts in.
+        param radius = 1.5 m;
 
         // EA = 400 N, EI = 2 N m^2 and 1.5 kg/m.
         material soft { density = 1500 kg/m^3; young = 0.4 MPa; }
@@ -22,6 +24,7 @@ rncf::model! {
             spatial;
             line from [0, 0, 0] m to [2, 0, 0] m;
             mesh elements * cable(flat, soft);
+            initial position [radius * sin(x / radius), radius * (1 - cos(x / radius)), 0];
         }
         // Six ties of the frame to the cable: five at its start; the sixth, the spin about the cable's axis, by the end,
         // which stays in the frame's xy plane.

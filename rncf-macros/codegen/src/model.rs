@@ -101,6 +101,8 @@ pub enum Expr {
     Param(ParamId),
     /// Time, s.
     Time,
+    /// Arclength of a body's stress-free axis from its start, m; in its initial shape only.
+    Arclength,
     /// A motion at another time.
     Motion(MotionId, Box<Expr>),
     /// Negation.
@@ -528,6 +530,18 @@ pub struct Body {
     pub fidelity: Fidelity,
     /// Whether its free frame follows the mean axes instead of joints.
     pub mean_axes: bool,
+    /// Where and how fast it starts.
+    pub initial: Initial,
+}
+
+/// Start of a body at t = 0 as functions of [`Expr::Arclength`], frame axes; its slopes are their
+/// derivatives.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Initial {
+    /// Position, m; `None`: undeformed.
+    pub position: Option<[Expr; 3]>,
+    /// Velocity relative to the frame, as seen in it, m/s; `None`: at rest in it.
+    pub velocity: Option<[Expr; 3]>,
 }
 
 /// How finely the deformation of a body is described (THEORY 3).

@@ -100,6 +100,7 @@ impl<P: Parts> MeshScene<P> {
             conditions,
             layout,
         };
+        scene.check_initial()?;
         scene.place()?;
         scene.tabulate();
         scene.load_rest();

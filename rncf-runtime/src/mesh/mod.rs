@@ -13,6 +13,7 @@ mod fixtures;
 mod frame;
 mod frames;
 mod free;
+mod initial;
 mod layout;
 mod line;
 mod linked;

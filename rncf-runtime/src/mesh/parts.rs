@@ -302,6 +302,12 @@ pub trait Parts: Clone + Send + Sync + 'static {
     /// Motion of every prescribed frame at `t`, jerks included where there are constraints on
     /// markers; entries of free frames are not read.
     fn frames(&self, t: f64, motions: &mut [FrameMotion]);
+    /// Initial position (m) and velocity relative to the frame (m/s) of a body at the arclength `x`
+    /// (m) of its axis, each with its derivative by `x`, frame axes; `None`: undeformed, at rest in
+    /// the frame.
+    fn initial(&self, _body: usize, _x: f64) -> [Option<[Vector; 2]>; 2] {
+        [None, None]
+    }
     /// Whether a load's components depend on time.
     fn load_varies(&self, load: usize) -> bool;
     /// Components of a load at `t`, in its frame's axes.

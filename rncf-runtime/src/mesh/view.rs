@@ -27,8 +27,7 @@ impl<P: Parts> Scene for MeshScene<P> {
     }
 
     fn rest(&self, t: f64) -> State {
-        let q = self.shape();
-        let v = vec![0.0; q.len()];
+        let [q, v] = self.initial_shape();
         self.unknowns_from(t, &q, &v, &[])
     }
 

@@ -96,9 +96,10 @@ impl<'a> Check<'a> {
         let mesh = self.mesh(item, statements, *complete, known.space);
         let fidelity = self.fidelity(statements);
         let mean_axes = self.mean_axes(statements, known.frame, known.space);
+        let initial = self.initial(item, statements, known.space);
         self.bodies.insert(item.name.text.as_str(), known);
-        if let (Some(frame), Some(space), Some(line), Some(mesh), Some(fidelity)) =
-            (known.frame, known.space, line, mesh, fidelity)
+        if let (Some(frame), Some(space), Some(line), Some(mesh), Some(fidelity), Some(initial)) =
+            (known.frame, known.space, line, mesh, fidelity, initial)
         {
             self.model.bodies.push(Body {
                 name: item.name.text.clone(),
@@ -116,6 +117,7 @@ impl<'a> Check<'a> {
                 evaluation: mesh.evaluation,
                 fidelity,
                 mean_axes,
+                initial,
             });
         }
     }

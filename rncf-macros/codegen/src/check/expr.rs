@@ -492,6 +492,11 @@ impl<'a> Check<'a> {
             self.unlike_terms(&inner.left, &left, &inner.right, &right);
             return None;
         }
+        if fold::has_arclength(&left.value) || fold::has_arclength(&right.value) {
+            let area = inner.left.area.to(inner.right.area);
+            self.errors.at(area, say::CONDITION_ALONG);
+            return None;
+        }
         let is_linear = fold::is_linear_in_time(&left.value) && fold::is_linear_in_time(&right.value);
         if (Scope::Prescribed..=Scope::Force).contains(&scope) && !is_linear {
             self.errors.at(inner.left.area.to(inner.right.area), say::CONDITION);

@@ -22,7 +22,7 @@ fn value(expr: &Expr, leaf: &dyn Fn(&Expr) -> Option<f64>) -> Option<f64> {
     let constant = |expr| value(expr, leaf);
     Some(match expr {
         Expr::Number(value) => *value,
-        Expr::Param(_) | Expr::Time | Expr::Motion(..) | Expr::Observed(_) => return leaf(expr),
+        Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Motion(..) | Expr::Observed(_) => return leaf(expr),
         Expr::Negate(inner) => -constant(inner)?,
         Expr::Binary(operator, left, right) => {
             let (left, right) = (constant(left)?, constant(right)?);
@@ -70,13 +70,27 @@ fn call(function: Function, values: &[f64]) -> Option<f64> {
 /// Whether nothing in the expression depends on time.
 pub fn is_free_of_time(expr: &Expr) -> bool {
     match expr {
-        Expr::Number(_) | Expr::Param(_) => true,
+        Expr::Number(_) | Expr::Param(_) | Expr::Arclength => true,
         Expr::Time | Expr::Observed(_) => false,
         Expr::Motion(_, inner) | Expr::Negate(inner) => is_free_of_time(inner),
         Expr::Binary(_, left, right) | Expr::Power(left, right) => is_free_of_time(left) && is_free_of_time(right),
         Expr::Call(_, arguments) => arguments.iter().all(is_free_of_time),
         Expr::If(_, left, right, then, otherwise) => {
             [left, right, then, otherwise].into_iter().all(|e| is_free_of_time(e))
+        }
+    }
+}
+
+/// Whether the arclength of an axis stands in the expression.
+pub fn has_arclength(expr: &Expr) -> bool {
+    match expr {
+        Expr::Arclength => true,
+        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Observed(_) => false,
+        Expr::Motion(_, inner) | Expr::Negate(inner) => has_arclength(inner),
+        Expr::Binary(_, left, right) | Expr::Power(left, right) => has_arclength(left) || has_arclength(right),
+        Expr::Call(_, arguments) => arguments.iter().any(has_arclength),
+        Expr::If(_, left, right, then, otherwise) => {
+            [left, right, then, otherwise].into_iter().any(|e| has_arclength(e))
         }
     }
 }

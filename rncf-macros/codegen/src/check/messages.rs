@@ -19,6 +19,9 @@ pub const NOT_A_COUNT: &str =
     "a number of elements is a whole number of at least 1: write e.g. `6`, or a `param n: count = 6;`";
 pub const CONDITION: &str =
     "a condition that changes with time must be linear in `t`, so that its switch is known: write e.g. `t <= T`";
+pub const CONDITION_ALONG: &str =
+    "an initial shape is one smooth function of `x`: its cases cannot depend on `x`, only on parameters";
+pub const INITIAL_WITHOUT_TIME: &str = "an initial shape is a function of `x` alone: leave out motions";
 pub const FRAME_EXPECTED: &str = "the name of a frame is expected here, e.g. `inertial`";
 pub const AXIS_CONSTANT: &str = "an axis is constant: use `x`, `y`, `z`, numbers or constants";
 pub const AXIS_ZERO: &str = "this axis has no direction";
@@ -137,6 +140,7 @@ messages! {
     other_plane(frame, own, plane) = "`{frame}` moves in the {own} plane, but the body lies in the {plane} plane: they must be the same";
     hinge_leaves_plane(frame, plane, axis) = "`{frame}` turns out of the {plane} plane of the body: its hinge must have the axis `{axis}`, or the body be `spatial`";
     body_in_point_mass(name) = "`{name}` is a point mass, which has no axes for a body: give it `inertia`, or declare the body elsewhere and join the two";
+    initial_of_modes(word, name) = "`{name}` is described by `{word}`, which starts undeformed and at rest in its frame: leave out `{word}` or the initial shape";
     mean_axes_of_body(name) = "`{name}` is a rigid body and does not follow the mean axes of another one: declare the body in a `free` frame";
     mean_axes_of_held(name) = "mean axes move in all directions, but `{name}` does not: declare the body in a `free` frame";
     mean_axes_of_prescribed(name) = "`{name}` moves in the prescribed way and follows no mean axes: declare the body in a `free` frame";

@@ -11,6 +11,7 @@ mod fixture;
 mod fold;
 mod frame;
 mod free;
+mod initial;
 mod joint;
 mod load;
 mod marker;

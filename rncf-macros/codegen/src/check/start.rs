@@ -1,6 +1,7 @@
 //! The system at t = 0 with the defaults of the parameters: poses, places, markers.
 
 use crate::check::fold::with_defaults;
+use crate::lower::initial::along_axis;
 use crate::model::{BodyId, Expr, FrameId, INERTIAL, Line, Location, Marker, MarkerId, Model, Space};
 
 pub type Vector = [f64; 3];
@@ -161,6 +162,29 @@ impl Start<'_> {
         }
     }
 
+    /// Place and slope of the body in its frame at t = 0; the slope of an initial shape is no unit
+    /// vector.
+    pub fn initial_place(&self, body: BodyId, at: &Location) -> (Vector, Vector) {
+        let Some(position) = &self.model.bodies[body.0].initial.position else {
+            return self.place(body, at);
+        };
+        let x = match at {
+            Location::Start => 0.0,
+            Location::End => self.length(body),
+            Location::At(x) => self.value(x),
+        };
+        let [place, slope] = along_axis(self.model, position, x);
+        (place, slope)
+    }
+
+    /// Length of a body's axis.
+    fn length(&self, body: BodyId) -> f64 {
+        match &self.model.bodies[body.0].line {
+            Line::Straight { from, to } => norm(subtract(self.vector(to), self.vector(from))),
+            Line::Arc { radius, angle, .. } => (self.value(radius) * self.value(angle)).abs(),
+        }
+    }
+
     /// Whether a marker is a point, not a direction.
     pub fn is_point(&self, marker: MarkerId) -> bool {
         match &self.model.markers[marker.0] {
@@ -176,11 +200,11 @@ impl Start<'_> {
             Marker::Point { frame, at } => self.pose(*frame).point(self.vector(at)),
             Marker::Direction { frame, along } => self.pose(*frame).direction(self.vector(along)),
             Marker::BodyPoint { body, at } => {
-                let (place, _) = self.place(*body, at);
+                let (place, _) = self.initial_place(*body, at);
                 self.pose(self.model.bodies[body.0].frame).point(place)
             }
             Marker::BodySlope { body, at } => {
-                let (_, tangent) = self.place(*body, at);
+                let (_, tangent) = self.initial_place(*body, at);
                 self.pose(self.model.bodies[body.0].frame).direction(tangent)
             }
             Marker::Turn { .. } => [0.0; 3],

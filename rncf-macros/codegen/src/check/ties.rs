@@ -264,11 +264,8 @@ impl<'m> Frame<'m> {
     /// `p - const = 0` and `n . p' - const = 0`, in frame axes: a point or slope that stays where it
     /// is in space moves backwards in the frame.
     fn joint(&self, joint: &Joint, scales: &Row) -> Tie {
-        let (undeformed, tangent) = self.start.place(joint.body, &joint.at);
-        let place = joint
-            .point
-            .as_ref()
-            .map_or(undeformed, |point| self.start.vector(point));
+        let (there, tangent) = self.start.initial_place(joint.body, &joint.at);
+        let place = joint.point.as_ref().map_or(there, |point| self.start.vector(point));
         let space = self.start.model.bodies[joint.body.0].space;
         let position = |along: Vector| {
             self.row(scales, |mode| {
@@ -415,7 +412,7 @@ fn specialised(model: &Model, expr: &Expr) -> Option<Expr> {
             Expr::If(*comparison, inner(a)?, inner(b)?, inner(then)?, inner(otherwise)?)
         }
         Expr::Observed(observable) => Expr::Observed(observable.clone()),
-        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Motion(..) => return None,
+        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Motion(..) => return None,
     })
 }
 

@@ -9,6 +9,7 @@ use crate::lower::elastic::Form;
 use crate::lower::forces::{ForceKernels, force_kernels};
 use crate::lower::free::free_kernel;
 use crate::lower::inertia::{InertiaKernels, inertia_kernels};
+use crate::lower::initial::initial_kernel;
 use crate::lower::joints::{JointKernels, joint_kernels};
 use crate::lower::{ElasticKernels, Kernel, Variant, elastic_kernels, loads, motions};
 use crate::model::{Body, Expr, Fidelity, FrameId, INERTIAL, Joint, LoadKind, Marker, Model, Observable};
@@ -43,6 +44,8 @@ pub struct Equations {
     pub frames: Vec<(usize, Kernel)>,
     /// Start of every free frame, with its index.
     pub free: Vec<(usize, Kernel)>,
+    /// Start of every body that has an initial shape, with its index.
+    pub initial: Vec<(usize, Kernel)>,
     /// What a free frame feels of its rigid parts, where one has any.
     pub rigid: Option<CarriedKernels>,
     /// Inertia of fixtures, by dimension, where needed.
@@ -114,6 +117,8 @@ impl Equations {
         let prescribed = frames.clone().filter(|(_, frame)| frame.free.is_none());
         let free = frames.filter_map(|(index, frame)| Some((index, frame, frame.free.as_ref()?)));
         let parts = free.clone().any(|(_, _, free)| !free.parts.is_empty());
+        let bodies = model.bodies.iter().enumerate();
+        let initial = bodies.filter_map(|(index, body)| Some((index, initial_kernel(model, body)?)));
         let mut constraints = constraint_kernels(model);
         constraints.iter_mut().for_each(|kernels| document_rows(kernels, model));
         Self {
@@ -125,6 +130,7 @@ impl Equations {
             free: free
                 .map(|(index, frame, free)| (index, free_kernel(model, frame, free)))
                 .collect(),
+            initial: initial.collect(),
             rigid: parts.then(carried::rigid_kernels),
             fixtures,
             joints: model.joints.iter().map(|joint| conditions(model, joint)).collect(),
@@ -187,7 +193,8 @@ impl Equations {
                 kernels.extend([&fixture.carried.force, &fixture.carried.tangent]);
             }
         }
-        kernels.extend(self.frames.iter().chain(&self.free).map(|(_, kernel)| kernel));
+        let starts = self.frames.iter().chain(&self.free).chain(&self.initial);
+        kernels.extend(starts.map(|(_, kernel)| kernel));
         kernels.extend(&self.loads);
         for (referenced, absolute) in &self.joints {
             for joint in referenced.iter().chain(absolute) {

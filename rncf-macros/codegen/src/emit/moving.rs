@@ -82,6 +82,34 @@ impl Parts<'_> {
         text + "specs\n}\n"
     }
 
+    /// Initial shapes and rates.
+    pub fn initial(&self) -> String {
+        if self.equations.initial.is_empty() {
+            return String::new();
+        }
+        let mut arms = String::new();
+        for (index, kernel) in &self.equations.initial {
+            let initial = &self.model.bodies[*index].initial;
+            let given = |is_given: bool, name: &str| {
+                if is_given {
+                    format!("Some({name})")
+                } else {
+                    "None".to_string()
+                }
+            };
+            let _ = writeln!(
+                arms,
+                "{index} => {{\n{}(&self.model, x, &mut position, &mut velocity);\n[{}, {}]\n}}",
+                kernel.name,
+                given(initial.position.is_some(), "position"),
+                given(initial.velocity.is_some(), "velocity"),
+            );
+        }
+        format!(
+            "fn initial(&self, body: usize, x: f64) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {{\nlet mut position = [[0.0; 3]; 2];\nlet mut velocity = [[0.0; 3]; 2];\nmatch body {{\n{arms}_ => [None, None],\n}}\n}}\n"
+        )
+    }
+
     /// Markers.
     pub fn markers(&self) -> String {
         if self.model.markers.is_empty() {

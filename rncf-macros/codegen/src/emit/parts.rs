@@ -48,6 +48,7 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     text += &writer.facts();
     text += &writer.prepare();
     text += &writer.time_functions();
+    text += &writer.initial();
     text += &writer.element_functions();
     text += &writer.moments();
     text += &writer.conditions();

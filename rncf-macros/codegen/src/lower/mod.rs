@@ -8,6 +8,7 @@ pub mod elastic;
 pub mod forces;
 pub mod free;
 pub mod inertia;
+pub mod initial;
 pub mod invariants;
 pub mod joints;
 pub mod kernel;

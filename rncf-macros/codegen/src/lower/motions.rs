@@ -15,6 +15,8 @@ pub struct Time<'m> {
     pub graph: Graph,
     /// Time.
     pub t: Id,
+    /// Arclength of a body's axis.
+    pub x: Id,
     params: Vec<Id>,
     /// Symbols of what outputs observe, in order of first use.
     pub observed: Vec<(Observable, Id)>,
@@ -25,6 +27,7 @@ impl<'m> Time<'m> {
     pub fn new(model: &'m Model) -> Self {
         let mut graph = Graph::new();
         let t = graph.symbol("t");
+        let x = graph.symbol("x");
         let params = model.params.iter().map(|param| {
             let field = format!("model.{}", param.name);
             graph.symbol(if param.is_count {
@@ -38,9 +41,15 @@ impl<'m> Time<'m> {
             model,
             graph,
             t,
+            x,
             params,
             observed: Vec::new(),
         }
+    }
+
+    /// The symbol of a parameter.
+    pub fn param(&self, at: usize) -> Id {
+        self.params[at]
     }
 
     /// An expression at the model's time.
@@ -58,6 +67,7 @@ impl<'m> Time<'m> {
             Expr::Number(value) => self.graph.number(*value),
             Expr::Param(param) => self.params[param.0],
             Expr::Time => t,
+            Expr::Arclength => self.x,
             Expr::Motion(motion, argument) => {
                 let argument = self.expression_at(argument, t);
                 let motion = &self.model.motions[motion.0];

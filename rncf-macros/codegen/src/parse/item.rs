@@ -264,6 +264,7 @@ const STATEMENTS: &[&str] = &[
     "line",
     "arc",
     "mesh",
+    "initial",
     "mean_axes",
     "modal",
     "small",
@@ -335,6 +336,19 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
                 direction,
                 radius,
                 angle: Box::new(expr::expression(cursor)?),
+            }
+        }
+        "initial" => {
+            let of = cursor.expect_name("`position` or `velocity`")?;
+            if !["position", "velocity"].contains(&of.text.as_str()) {
+                let message = say::unknown("initial quantity", &of.text, ["position", "velocity"]);
+                return Err(Mistake::new(of.span, message));
+            }
+            let value = expr::expression(cursor)?;
+            Statement::Initial {
+                word: of,
+                area: cursor.since(word.span),
+                value,
             }
         }
         "mesh" => {

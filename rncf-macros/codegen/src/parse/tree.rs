@@ -251,6 +251,15 @@ pub enum Statement {
         /// Number of modes; none of a rigid body.
         count: Option<Expr>,
     },
+    /// `initial position [..];` or `initial velocity [..];`
+    Initial {
+        /// `position` or `velocity`.
+        word: Name,
+        /// All of it.
+        area: Area,
+        /// Function of the arclength.
+        value: Expr,
+    },
     /// `mean_axes;`
     MeanAxes {
         /// The word.
