@@ -96,6 +96,10 @@ impl<'a> Check<'a> {
         let mesh = self.mesh(item, statements, *complete, known.space);
         let fidelity = self.fidelity(statements);
         let mean_axes = self.mean_axes(statements, known.frame, known.space);
+        if mean_axes {
+            // In a prescribed frame that is a mistake of its own.
+            self.note_held(id);
+        }
         self.bodies.insert(item.name.text.as_str(), known);
         if let (Some(frame), Some(space), Some(line), Some(mesh), Some(fidelity)) =
             (known.frame, known.space, line, mesh, fidelity)
