@@ -26,6 +26,7 @@ impl<P: Parts> MeshScene<P> {
     /// A count, length, material or section that makes no sense, a frame whose parent or plane does
     /// not fit its motions, or something that acts where it cannot, by name.
     pub fn new(mut parts: P, formulation: Formulation, joints: Joints) -> Result<Self, ModelError> {
+        parts.check()?;
         let specs = parts.bodies();
         let Frames {
             free,

@@ -3,6 +3,9 @@
 use crate::error::ModelError;
 use crate::model::{Model, ParamKind};
 
+/// Relative size of what counts as round-off in moments of inertia.
+const ROUND_OFF: f64 = 1e-10;
+
 /// Checks that every quantity is a number and every count at least one.
 ///
 /// # Errors
@@ -80,6 +83,35 @@ pub fn poisson(owner: &str, name: &str, value: f64, unit: &str) -> Result<f64, M
     )
 }
 
+/// Checks an inertia about the centre of mass (kg m^2: xx, yy, zz, xy, xz, yz) in space.
+///
+/// # Errors
+/// An inertia that no body has.
+pub fn inertia(owner: &str, inertia: [f64; 6]) -> Result<(), ModelError> {
+    if is_inertia(inertia) {
+        return Ok(());
+    }
+    let [xx, yy, zz, ..] = inertia;
+    Err(ModelError::new(format!(
+        "{owner}: no body has the inertia xx = {xx}, yy = {yy}, zz = {zz} kg*m^2 with these products: no principal moment may be negative or greater than the sum of the other two"
+    )))
+}
+
+/// Whether `tr(J)/2 I - J`, the second moments of a body's mass, is positive semidefinite: then the
+/// principal moments of J are so, too, and none is greater than the sum of the others.
+fn is_inertia([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
+    let half = 0.5 * (xx + yy + zz);
+    let [a, b, c] = [half - xx, half - yy, half - zz];
+    let size = half.max(xx.abs()).max(yy.abs()).max(zz.abs());
+    let least = |power: i32| -ROUND_OFF * size.powi(power);
+    let minors = [a * b - xy * xy, a * c - xz * xz, b * c - yz * yz];
+    let determinant = a * minors[2] - xy * (xy * c + yz * xz) - xz * (xy * yz + b * xz);
+    size.is_finite()
+        && [a, b, c].iter().all(|&value| value >= least(1))
+        && minors.iter().all(|&value| value >= least(2))
+        && determinant >= least(3)
+}
+
 /// A slice as an array.
 ///
 /// # Panics
@@ -98,4 +130,38 @@ pub fn array_mut<const N: usize>(slice: &mut [f64]) -> &mut [f64; N] {
     slice
         .try_into()
         .expect("generated code passes slices of the element's size")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Inertia of two point masses at `r` and one at `s`, turned nowhere: sum m (r.r I - r r^T).
+    fn of_points(points: &[[f64; 3]]) -> [f64; 6] {
+        let mut inertia = [0.0; 6];
+        for [x, y, z] in points {
+            let terms = [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z];
+            for (sum, term) in inertia.iter_mut().zip(terms) {
+                *sum += term;
+            }
+        }
+        inertia
+    }
+
+    #[test]
+    fn what_points_have_is_possible_and_a_little_less_is_not() {
+        // In a plane the triangle's inequality is an equation; a line has a moment of zero.
+        let points = [[1.0, 2.0, -0.5], [-0.3, 0.4, 2.0], [0.2, -1.0, 0.7]];
+        for count in 0..=3 {
+            let mut inertia = of_points(&points[..count]);
+            assert!(super::inertia("body", inertia).is_ok(), "{count}");
+            if count < 3 {
+                inertia[0] += 1e-3;
+                inertia[3] += 1e-2;
+                assert!(super::inertia("body", inertia).is_err(), "{count}");
+            }
+        }
+        assert!(super::inertia("body", [0.0, 0.0, 0.1, 0.0, 0.0, 0.0]).is_err());
+        assert!(super::inertia("body", [f64::NAN; 6]).is_err());
+    }
 }

@@ -28,7 +28,7 @@ mod steady;
 mod system;
 mod view;
 
-pub use checks::{array, array_mut, check_params, non_negative, poisson, positive};
+pub use checks::{array, array_mut, check_params, inertia, non_negative, poisson, positive};
 pub use frame::{FrameAction, FrameMotion};
 pub use free::{FreeSpec, Motions, RigidSpec};
 pub use layout::{Layout, VectorKind};

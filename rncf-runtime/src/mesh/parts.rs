@@ -373,6 +373,13 @@ pub trait Parts: Clone + Send + Sync + 'static {
     /// Values of the output columns from what they observe.
     fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]);
 
+    /// Checks mass and inertia of rigid parts that depend on parameters.
+    ///
+    /// # Errors
+    /// A mass or inertia that no body has, by name.
+    fn check(&self) -> Result<(), ModelError> {
+        Ok(())
+    }
     /// Free frames, ascending.
     fn free(&self) -> Vec<FreeSpec> {
         Vec::new()

@@ -97,6 +97,10 @@ impl<'a> Check<'a> {
         let fidelity = self.fidelity(statements);
         let mean_axes = self.mean_axes(statements, known.frame, known.space);
         let initial = self.initial(item, statements, known.space);
+        if mean_axes {
+            // In a prescribed frame that is a mistake of its own.
+            self.note_held(id);
+        }
         self.bodies.insert(item.name.text.as_str(), known);
         if let (Some(frame), Some(space), Some(line), Some(mesh), Some(fidelity), Some(initial)) =
             (known.frame, known.space, line, mesh, fidelity, initial)

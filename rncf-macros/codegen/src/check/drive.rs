@@ -96,7 +96,7 @@ impl<'a> Check<'a> {
             return Some(Coordinate::Angle(turned, normal));
         }
         let built = self.built_joint(name)?;
-        self.coordinate_of(&built, field)
+        self.coordinate_of(&built, name, field)
     }
 
     /// A joint with multipliers.
@@ -109,13 +109,13 @@ impl<'a> Check<'a> {
         self.joints.get(name.text.as_str())?.built.clone()
     }
 
-    fn coordinate_of(&mut self, built: &Built, field: &Name) -> Option<Coordinate> {
+    fn coordinate_of(&mut self, built: &Built, name: &Name, field: &Name) -> Option<Coordinate> {
         let coordinates = built
             .kind
             .map_or(&[][..], |kind| kind.coordinates[usize::from(built.normal.is_some())]);
         let word = field.text.as_str();
         if !coordinates.contains(&word) {
-            let message = say::no_coordinate(&built.word, word, &has(coordinates));
+            let message = say::no_coordinate(&name.text, &built.word, word, &has(coordinates));
             self.errors.at(field.span, message);
             return None;
         }
@@ -199,7 +199,7 @@ impl<'a> Check<'a> {
         let is_coordinate = matches!(word, "angle" | "slide");
         if is_coordinate {
             let built = self.built_joint(name)?;
-            let typed = match self.coordinate_of(&built, field)? {
+            let typed = match self.coordinate_of(&built, name, field)? {
                 Coordinate::Angle(angle, _) => Typed {
                     nature: angular(),
                     ..Typed::new(angle.value(), Dimension::NONE)

@@ -8,7 +8,7 @@ use super::{Arguments, Check, Shape, body, fold, say};
 use crate::errors::Area;
 use crate::joints::{self, Axis, Builder, KINDS, Kind, Party, Rows, unit};
 use crate::model::{BodyId, Constraint, ConstraintId, Expr as Value, FrameId, Joint, JointId, JointKind, Location};
-use crate::parse::tree::{Call, Expr, ExprKind, Item, ItemKind, Keyword};
+use crate::parse::tree::{Call, Expr, ExprKind, Item, ItemKind, Keyword, Name};
 use crate::suggest;
 
 /// What other items need to know of a joint; `None`: reported, or not of this sort.
@@ -151,7 +151,7 @@ impl<'a> Check<'a> {
                 let Some(arguments) = self.arguments(call, &shape) else {
                     return;
                 };
-                self.between(item, word, kind, &arguments, known, held)
+                self.between(item, &call.name, kind, &arguments, known, held)
                     .unwrap_or_default();
             }
         }
@@ -161,7 +161,7 @@ impl<'a> Check<'a> {
     fn between(
         &mut self,
         item: &Item,
-        word: &str,
+        word: &Name,
         kind: Option<&'static Kind>,
         arguments: &Arguments<'a>,
         known: &mut Known,
@@ -189,7 +189,7 @@ impl<'a> Check<'a> {
                 self.note_held(place.body.id);
             }
         }
-        if let (Some(kind), Some(frame)) = (self.eliminated(word, &first, &second), second.frame()) {
+        if let (Some(kind), Some(frame)) = (self.eliminated(&word.text, &first, &second), second.frame()) {
             let at = match (&second.spot, second.is_bare, point) {
                 (_, _, Some(point)) => {
                     let point = point?;
@@ -398,12 +398,13 @@ impl<'a> Check<'a> {
     fn with_multipliers(
         &mut self,
         item: &Item,
-        word: &str,
+        word: &Name,
         kind: Option<&'static Kind>,
         arguments: &Arguments<'a>,
         holds: [Hold; 2],
         known: &mut Known,
     ) -> Option<()> {
+        let (area, word) = (word.span.into(), word.text.as_str());
         self.are_two(&holds)?;
         let plane = self.common_plane([&holds[0], &holds[1]])?;
         let parties = [holds[0].party(), holds[1].party()];
@@ -421,7 +422,7 @@ impl<'a> Check<'a> {
             self.have_orientation(word, is_clamp, &holds)?;
         }
         let given = match kind {
-            Some(kind) => self.joint_arguments(kind, arguments, plane, holds[0].area)?,
+            Some(kind) => self.joint_arguments(kind, arguments, plane, area)?,
             None => joints::Arguments::default(),
         };
         if let (Some(kind), Some(normal)) = (kind, plane)

@@ -8,7 +8,7 @@ mod eigen;
 mod expr;
 mod fidelity;
 mod fixture;
-mod fold;
+pub(crate) mod fold;
 mod frame;
 mod free;
 mod initial;

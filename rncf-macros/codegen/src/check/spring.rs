@@ -49,6 +49,9 @@ const TORSIONAL_LAW: Shape = Shape {
     usage: "torsional_law(hinge, moment = k * angle + c * rate)",
 };
 
+/// What is said of a joint without an angle.
+const TURNING_JOINTS: &str = ": a torsional spring needs a joint about one axis, such as a `revolute`";
+
 /// Forces on markers, and their potential where there is one.
 type Acting = (Vec<(MarkerId, Vector)>, Option<Value>);
 
@@ -210,7 +213,7 @@ impl<'a> Check<'a> {
             .kind
             .map_or(&[][..], |kind| kind.coordinates[usize::from(built.normal.is_some())]);
         if !coordinates.contains(&"angle") {
-            let message = say::no_coordinate(&built.word, "angle", "");
+            let message = say::no_coordinate(&name.text, &built.word, "angle", TURNING_JOINTS);
             self.errors.at(name.span, message);
             return None;
         }

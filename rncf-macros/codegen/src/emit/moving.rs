@@ -7,12 +7,13 @@ use std::fmt::Write;
 use super::equations::is_free;
 use super::expression::inline;
 use super::parts::Parts;
+use crate::check::fold;
 use crate::lower::Kernel;
 use crate::lower::camel_case;
 use crate::lower::carried::{CarriedKernels, FixtureKernels};
 use crate::lower::constraints::ConstraintKernels;
 use crate::lower::joints::LEVELS;
-use crate::model::{Marker, Model, Motions};
+use crate::model::{Expr, Marker, Model, Motions};
 
 const ACTION: &str = "frame: &::rncf::mesh::FrameAction";
 const STATES: &str = "q: &[f64], v: &[f64], a: &[f64]";
@@ -57,6 +58,49 @@ fn arms<'k>(kernels: impl Iterator<Item = (&'k [usize], &'k Kernel)>, arguments:
 }
 
 impl Parts<'_> {
+    /// Checks of rigid parts that depend on parameters; constants are checked already.
+    pub fn check(&self) -> String {
+        let mut checks = String::new();
+        for frame in &self.model.frames {
+            let Some(free) = &frame.free else { continue };
+            for (place, part) in free.parts.iter().enumerate() {
+                let owner = if free.is_body && place == 0 { "rigid body" } else { "fixture" };
+                let owner = format!("{owner} `{}`", part.name);
+                let mass = if place == 0 && free.is_body { "positive" } else { "non_negative" };
+                checks += &self.number_check(mass, &owner, "mass", &part.mass, "kg");
+                match free.motions {
+                    Motions::Planar { normal } => {
+                        checks += &self.number_check("non_negative", &owner, "inertia", &part.inertia[normal], "kg*m^2");
+                    }
+                    Motions::Shifting | Motions::ShiftingPlanar { .. } => {}
+                    _ if part.inertia.iter().all(|expr| fold::constant(expr).is_some()) => {}
+                    _ => {
+                        let entries = part.inertia.each_ref().map(|expr| self.expr(expr)).join(", ");
+                        let _ = writeln!(checks, "::rncf::mesh::inertia({owner:?}, [{entries}])?;");
+                    }
+                }
+            }
+        }
+        for fixture in &self.model.fixtures {
+            let owner = format!("fixture `{}`", fixture.name);
+            checks += &self.number_check("non_negative", &owner, "mass", &fixture.constants[0], "kg");
+        }
+        if checks.is_empty() {
+            return checks;
+        }
+        format!(
+            "fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {{\nlet model = &self.model;\n{checks}Ok(())\n}}\n"
+        )
+    }
+
+    fn number_check(&self, function: &str, owner: &str, name: &str, value: &Expr, unit: &str) -> String {
+        if fold::constant(value).is_some() {
+            return String::new();
+        }
+        let value = self.expr(value);
+        format!("::rncf::mesh::{function}({owner:?}, {name:?}, {value}, {unit:?})?;\n")
+    }
+
     /// Free frames.
     pub fn free(&self) -> String {
         if self.equations.free.is_empty() {

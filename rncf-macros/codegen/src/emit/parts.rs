@@ -52,6 +52,7 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     text += &writer.element_functions();
     text += &writer.moments();
     text += &writer.conditions();
+    text += &writer.check();
     text += &writer.free();
     text += &writer.markers();
     text += &writer.constraints();

@@ -1,0 +1,20 @@
+//! A turning frame in one that turns already.
+
+rncf::model! {
+    /// A mechanism.
+    pub model Mechanism {
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section wire { area = 1 mm^2; second_moment = 0.08 mm^4; }
+        frame hub = rotating(axis = z, angle = 2 [rad/s] * t);
+        frame own in hub = turning();
+        body beam in own {
+            spatial;
+            line from [0, 0, 0] m to [1, 0, 0] m;
+            mesh 4 * cable(wire, steel);
+        }
+        joint root = clamp(beam.start, own);
+        output x = beam.end.x;
+    }
+}
+
+fn main() {}

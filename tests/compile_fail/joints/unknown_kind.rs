@@ -1,0 +1,12 @@
+//! A kind of joint that does not exist.
+
+rncf::model! {
+    /// A mechanism.
+    pub model Mechanism {
+        rigid arm { mass = 2 kg; inertia = [0.02, 0.2, 0.2] kg*m^2; }
+        joint pin = hinge(arm, inertial.at([0, 0, 0] m), axis = y);
+        output x = arm.x;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,12 @@
+//! An inertia that no body has.
+
+rncf::model! {
+    /// A mechanism.
+    pub model Mechanism {
+        rigid arm { mass = 2 kg; inertia = [0.5, 0.2, 0.2] kg*m^2; }
+        joint pin = revolute(arm, inertial.at([0, 0, 0] m), axis = y);
+        output x = arm.x;
+    }
+}
+
+fn main() {}
