@@ -13,7 +13,7 @@ impl Default for AndrewsSqueezer {
         Self { torque: 0.033 }
     }
 }
-#[allow(clippy::all)]
+#[allow(unused_variables, clippy::all)]
 impl ::rncf::Model for AndrewsSqueezer {
     const NAME: &'static str = "AndrewsSqueezer";
     const DOC: &'static str = "Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank turns eight times a\nsecond after 30 ms; the published angles at 0.03 s have ten digits.";

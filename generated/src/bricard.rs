@@ -10,7 +10,7 @@ impl Default for Bricard {
         Self {}
     }
 }
-#[allow(clippy::all)]
+#[allow(unused_variables, clippy::all)]
 impl ::rncf::Model for Bricard {
     const NAME: &'static str = "Bricard";
     const DOC: &'static str = "Bricard's mechanism: five rods and the ground, joined by six revolute joints into a spatial loop. Six joints take\n30 freedoms of five bodies, but one of them twice: the loop moves.";

@@ -14,7 +14,7 @@ impl Default for FlyballGovernor {
         }
     }
 }
-#[allow(clippy::all)]
+#[allow(unused_variables, clippy::all)]
 impl ::rncf::Model for FlyballGovernor {
     const NAME: &'static str = "FlyballGovernor";
     const DOC: &'static str = "Flyball governor: two arms with balls on a spinning shaft, held by stiff, strongly damped springs on a slider.";

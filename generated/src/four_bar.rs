@@ -13,7 +13,7 @@ impl Default for FourBar {
         Self { speed: -1.0 }
     }
 }
-#[allow(clippy::all)]
+#[allow(unused_variables, clippy::all)]
 impl ::rncf::Model for FourBar {
     const NAME: &'static str = "FourBar";
     const DOC: &'static str = "N-four-bar linkage with N = 2: three upright links on the ground, two couplers, gravity. Where the links lie flat\nall rods are in line and the linkage could leave its parallelogram; it happens twice a turn.";

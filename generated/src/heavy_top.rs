@@ -9,7 +9,7 @@ impl Default for HeavyTop {
         Self {}
     }
 }
-#[allow(clippy::all)]
+#[allow(unused_variables, clippy::all)]
 impl ::rncf::Model for HeavyTop {
     const NAME: &'static str = "HeavyTop";
     const DOC: &'static str = "Heavy top: a spinning disc on a weightless arm, whose end stays at the origin (Bruls, Cardona & Arnold 2012).";

@@ -58,7 +58,7 @@ fn implementation(model: &Model, equations: &Equations) -> String {
     let (name, module) = (&model.name, module_name(model));
     let notes: Vec<String> = notes(model, equations).iter().map(|note| format!("{note:?}")).collect();
     let mut text = format!(
-        "#[allow(clippy::all)]\nimpl ::rncf::Model for {name} {{\n\
+        "#[allow(unused_variables, clippy::all)]\nimpl ::rncf::Model for {name} {{\n\
          const NAME: &'static str = {name:?};\n\
          const DOC: &'static str = {:?};\n\
          const SOURCE: &'static str = {};\n\

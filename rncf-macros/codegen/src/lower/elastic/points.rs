@@ -210,7 +210,9 @@ impl Builder<'_> {
                 symbol
             }),
         };
-        self.energy = add(graph, self.energy, point.energy, "energy_sum".to_string());
+        if matches!(self.quantity, Quantity::Energy) {
+            self.energy = add(graph, self.energy, point.energy, "energy_sum".to_string());
+        }
         for (i, vector) in point.force.iter().enumerate() {
             for (c, &term) in vector.iter().enumerate() {
                 self.force[i][c] = add(graph, self.force[i][c], term, format!("force_{i}_{c}"));
