@@ -9,6 +9,8 @@ pub mod flyball_governor;
 #[rustfmt::skip]
 pub mod four_bar;
 #[rustfmt::skip]
+pub mod free_flight;
+#[rustfmt::skip]
 pub mod heavy_top;
 #[rustfmt::skip]
 pub mod slider_crank;
