@@ -26,6 +26,20 @@ impl fmt::Display for ModelError {
 
 impl std::error::Error for ModelError {}
 
+/// A number with six digits, as it is read best.
+struct Short(f64);
+
+impl fmt::Display for Short {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rounded: f64 = format!("{:.5e}", self.0).parse().unwrap_or(self.0);
+        if rounded == 0.0 || (1e-3..1e5).contains(&rounded.abs()) {
+            write!(f, "{rounded}")
+        } else {
+            write!(f, "{rounded:e}")
+        }
+    }
+}
+
 /// Why an integration or an equilibrium stopped without reaching its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolveError {
@@ -52,6 +66,8 @@ pub enum SolveErrorKind {
     StepTooSmall,
     /// A value became infinite or not a number.
     NotFinite,
+    /// A force, constraint, load or motion has no finite value; the text names it.
+    Undefined(String),
     /// The initial state violates its constraints by more than is corrected; the violation of the
     /// worst one in its unit.
     Inconsistent(f64),
@@ -65,36 +81,38 @@ pub enum SolveErrorKind {
 
 impl fmt::Display for SolveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (t, h) = (Short(self.t), Short(self.h));
         match &self.kind {
             SolveErrorKind::Setting(text) => return f.write_str(text),
             SolveErrorKind::Singular => write!(
                 f,
-                "the system matrix is singular at t = {:e} s, h = {:e} s: a motion is neither tied nor carries mass or stiffness",
-                self.t, self.h
+                "the system matrix is singular at t = {t} s: a motion is neither tied nor carries mass or stiffness, or a constraint has nothing to hold"
             )?,
             SolveErrorKind::NoConvergence => write!(
                 f,
-                "Newton's iteration does not converge at t = {:e} s even with h = {:e} s: look for a jump in a motion or load, or relax the tolerance",
-                self.t, self.h
+                "Newton's iteration does not converge at t = {t} s with h = {h} s: take a shorter step if it is fixed, look for a jump in a motion or load, or relax the tolerance"
             )?,
             SolveErrorKind::StepTooSmall => write!(
                 f,
-                "the error test fails at t = {:e} s even with h = {:e} s: the solution is not smooth there, or the tolerance is below round-off",
-                self.t, self.h
+                "the error test fails at t = {t} s even with h = {h} s: the solution is not smooth there, or the tolerance is below round-off"
+            )?,
+            SolveErrorKind::NotFinite if self.h == 0.0 => write!(
+                f,
+                "a value is not finite at t = {t} s: a parameter is unphysical or out of the range of numbers"
             )?,
             SolveErrorKind::NotFinite => write!(
                 f,
-                "a value is not finite after t = {:e} s with h = {:e} s: the solution diverges, or a parameter is unphysical",
-                self.t, self.h
+                "a value is not finite after t = {t} s with h = {h} s: the solution diverges, or a parameter is unphysical"
             )?,
             SolveErrorKind::Inconsistent(size) => write!(
                 f,
-                "the initial state violates its constraints by {size:e} at t = {:e} s: correct the initial positions or velocities; only small errors are corrected by themselves",
-                self.t
+                "the initial state violates its constraints by {} at t = {t} s: correct the initial positions or velocities; only small errors are corrected by themselves",
+                Short(*size)
             )?,
-            SolveErrorKind::Redundant(text) => write!(f, "at t = {:e} s {text}", self.t)?,
-            SolveErrorKind::Untied(text) => write!(f, "at t = {:e} s {text}", self.t)?,
-            SolveErrorKind::NoEquilibrium(text) => write!(f, "no relative equilibrium at t = {:e} s: {text}", self.t)?,
+            SolveErrorKind::Redundant(text) | SolveErrorKind::Undefined(text) | SolveErrorKind::Untied(text) => {
+                write!(f, "at t = {t} s {text}")?
+            }
+            SolveErrorKind::NoEquilibrium(text) => write!(f, "no relative equilibrium at t = {t} s: {text}")?,
         }
         match &self.worst {
             Some(worst) => write!(f, " (worst: {worst})"),
@@ -104,3 +122,15 @@ impl fmt::Display for SolveError {
 }
 
 impl std::error::Error for SolveError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        let text = |value: f64| Short(value).to_string();
+        let found = [0.0, 1.0, 0.25, 1.234_567_8, -2e-3, 1.425_212_5e-8, 2e6, 99_999.96].map(text);
+        assert_eq!(found, ["0", "1", "0.25", "1.23457", "-0.002", "1.42521e-8", "2e6", "1e5"]);
+    }
+}

@@ -156,6 +156,12 @@ pub trait System {
     /// The constraint in the user's words, e.g. `joint root, direction`.
     fn describe_constraint(&self, index: usize) -> String;
 
+    /// What has no finite value or derivative at the state, in the user's words and with what can be
+    /// done, e.g. a spring whose ends coincide; `None` where nothing can be named.
+    fn undefined(&mut self, _state: &State) -> Option<String> {
+        None
+    }
+
     /// Times (s) at which a derivative of a prescribed motion or load may jump, ascending.
     /// An integrator ends a step just before and restarts just after each.
     fn kinks(&self) -> Vec<f64>;

@@ -197,7 +197,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
             .accelerations(self.system, &mut state, &mut self.statistics)
             .map_err(|singular| self.singular(t, singular))?;
         if !state.a.iter().chain(&state.lambda).all(|value| value.is_finite()) {
-            return Err(self.error(SolveErrorKind::NotFinite, t, 0.0, None));
+            return Err(self.not_finite(&state, 0.0));
         }
         if self.wanted == 0.0 {
             self.wanted = self.first_step(&state)?;
@@ -226,7 +226,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         let h = start::first_step(self.system, bordered, state, rtol, left, statistics)
             .map_err(|singular| self.singular(state.t, singular))?;
         if !h.is_finite() {
-            return Err(self.error(SolveErrorKind::NotFinite, state.t, 0.0, None));
+            return Err(self.not_finite(state, 0.0));
         }
         Ok(h.max(self.segments.smallest_step(state.t)))
     }
@@ -292,14 +292,34 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         }
     }
 
-    fn rejection_error(&self, t: f64, h: f64, cause: Cause) -> SolveError {
+    fn rejection_error(&mut self, t: f64, h: f64, cause: Cause) -> SolveError {
         let (kind, worst) = match cause {
             Cause::Error => (SolveErrorKind::StepTooSmall, self.scheme.worst_error()),
             Cause::Newton { worst } => (SolveErrorKind::NoConvergence, worst),
             Cause::Singular { worst } => (SolveErrorKind::Singular, worst),
-            Cause::NotFinite => (SolveErrorKind::NotFinite, None),
+            Cause::NotFinite => {
+                let state = self.state().clone();
+                return self.not_finite(&state, h);
+            }
         };
         self.error(kind, t, h, worst)
+    }
+
+    /// What is not finite at a state, or where it would be a step later.
+    fn not_finite(&mut self, state: &State, h: f64) -> SolveError {
+        let mut later = state.clone();
+        later.t += h;
+        for i in 0..later.x.len() {
+            later.x[i] += h * (state.v[i] + 0.5 * h * state.a[i]);
+            later.v[i] += h * state.a[i];
+        }
+        let text = [state, &later]
+            .into_iter()
+            .find_map(|state| Some((state.t, self.system.undefined(state)?)));
+        match text {
+            Some((t, text)) => self.error(SolveErrorKind::Undefined(text), t, h, None),
+            None => self.error(SolveErrorKind::NotFinite, state.t, h, None),
+        }
     }
 
     fn singular(&self, t: f64, singular: Singular) -> SolveError {
@@ -356,6 +376,9 @@ fn prepare<S: System + ?Sized>(
     statistics: &mut Statistics,
 ) -> Result<(), (SolveErrorKind, Option<String>)> {
     state.rebase(system.turns());
+    if let Some(text) = system.undefined(state) {
+        return Err((SolveErrorKind::Undefined(text), None));
+    }
     let check = |system: &mut S, state: &State| match diagnose::redundancy(system, state) {
         Some(text) => Err((SolveErrorKind::Redundant(text), None)),
         None => Ok(()),

@@ -49,6 +49,13 @@ impl FrameMotion {
         spin_jerk: [0.0; 3],
     };
 
+    /// Whether pose, velocities and accelerations are numbers.
+    pub(super) fn is_finite(&self) -> bool {
+        let vectors = [self.position, self.velocity, self.acceleration, self.spin, self.spin_rate];
+        let values = vectors.iter().chain(&self.rotation).flatten();
+        values.copied().all(f64::is_finite)
+    }
+
     /// A direction in frame axes, given in inertial axes: `A^T d`.
     pub fn direction_to_frame(&self, d: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|i| self.rotation[0][i] * d[0] + self.rotation[1][i] * d[1] + self.rotation[2][i] * d[2])

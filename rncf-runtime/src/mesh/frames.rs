@@ -255,6 +255,7 @@ impl Frames {
     pub fn new<P: Parts>(parts: &P, bodies: &[BodySpec], formulation: Formulation) -> Result<Self, ModelError> {
         let mut motions = vec![FrameMotion::INERTIAL; parts.frame_count()];
         parts.frames(0.0, &mut motions);
+        check_motions(parts, &motions)?;
         let mut frames = Self {
             free: Vec::new(),
             free_of: vec![None; motions.len()],
@@ -292,6 +293,18 @@ impl Frames {
         }
         Ok(frames)
     }
+}
+
+/// Prescribed motions have numbers at the start.
+fn check_motions<P: Parts>(parts: &P, motions: &[FrameMotion]) -> Result<(), ModelError> {
+    let free = declared_free(parts);
+    let Some(frame) = (0..motions.len()).find(|&frame| !free[frame] && !motions[frame].is_finite()) else {
+        return Ok(());
+    };
+    Err(ModelError::new(format!(
+        "the motion of frame `{}` or one of its derivatives is not finite at t = 0: check the parameters of its functions of time",
+        parts.frame_name(frame)
+    )))
 }
 
 /// Whether each frame was declared free.

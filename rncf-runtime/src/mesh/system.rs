@@ -194,6 +194,11 @@ impl<P: Parts> System for MeshScene<P> {
         }
     }
 
+    fn undefined(&mut self, state: &State) -> Option<String> {
+        self.load_state(state);
+        self.undefined_now(state.t)
+    }
+
     fn kinks(&self) -> Vec<f64> {
         let mut kinks: Vec<f64> = self.parts.kinks().into_iter().filter(|t| t.is_finite()).collect();
         kinks.sort_by(f64::total_cmp);

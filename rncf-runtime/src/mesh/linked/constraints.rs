@@ -52,6 +52,12 @@ impl<P: Parts> MeshScene<P> {
         gradient
     }
 
+    /// dC/dz of one constraint at the loaded state: rows x 3 k.
+    pub(super) fn gradient_of(&self, linked: &Linked, t: f64) -> Vec<f64> {
+        let [values, _] = self.arguments(linked);
+        self.gradient(linked, t, &values)
+    }
+
     /// Rows of all constraints on markers at the loaded state.
     pub(in super::super) fn marker_constraints(&self, level: ConstraintLevel, t: f64, out: &mut [f64]) {
         let mut first = 0;

@@ -38,7 +38,7 @@ impl<P: Parts> MeshScene<P> {
         }
     }
 
-    fn force_arguments(&self, markers: &[usize]) -> (Vec<Vector>, Vec<Vector>) {
+    pub(super) fn force_arguments(&self, markers: &[usize]) -> (Vec<Vector>, Vec<Vector>) {
         let jets = markers.iter().map(|&marker| self.jet(&self.markers[marker]));
         jets.map(|jet| (jet[0], jet[1])).unzip()
     }

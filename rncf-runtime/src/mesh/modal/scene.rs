@@ -375,6 +375,11 @@ impl<P: Parts> System for ModalScene<P> {
         self.scene.describe_constraint(index)
     }
 
+    fn undefined(&mut self, state: &State) -> Option<String> {
+        self.expand(state);
+        self.scene.undefined(&self.full)
+    }
+
     fn kinks(&self) -> Vec<f64> {
         self.scene.kinks()
     }
