@@ -18,13 +18,10 @@ fn run(model: &impl Model, rtol: f64, times: &[f64]) -> Vec<Vec<f64>> {
 fn all_modes_on_a_driven_hub_are_the_whole_arm() {
     let times = grid(0.1, 2.0);
     let whole = run(&HubArm { torque: 3.0, ..HubArm::default() }, 1e-10, &times);
-    let counts = [4, 8, 10, 13];
-    let errors = counts.map(|modes| {
-        let model = HubArmModal { torque: 3.0, modes, ..HubArmModal::default() };
-        apart(&run(&model, 1e-10, &times), &whole)
-    });
-    println!("driven hub, modes {counts:?}: {}", short(&errors));
-    assert!(errors[3] < 1e-7, "{}", short(&errors));
+    let modal = HubArmModal { torque: 3.0, modes: 13, ..HubArmModal::default() };
+    let error = apart(&run(&modal, 1e-10, &times), &whole);
+    println!("driven hub, all modes: {error:.1e}");
+    assert!(error < 1e-6, "{error}");
 }
 
 /// `M v` in the rows of the frame, which come last: momentum in inertial axes, angular momentum about the frame's origin
@@ -73,6 +70,9 @@ fn drifts(model: &impl Model, h: f64) -> [f64; 3] {
     [0..3, 3..6, 6..7].map(|part| rows.iter().map(|row| far(&row[part.clone()], &rows[0][part.clone()])).fold(0.0, f64::max))
 }
 
+/// What the iteration to 1e-12 of the places leaves in 1 s of momenta, some kg m/s: 1e-12 m / h in every step.
+const NEWTON: f64 = 1e-8;
+
 fn conserves(name: &str, model: &impl Model) {
     let steps = [0.02, 0.01, 0.005];
     let table = steps.map(|h| drifts(model, h));
@@ -80,7 +80,7 @@ fn conserves(name: &str, model: &impl Model) {
         let column = table.map(|row| row[what]);
         let order = orders(&column);
         println!("{name}, {of}: {} orders {order:.2?}", short(&column));
-        assert!(column[2] < 1e-11 || order[1] > 2.7, "{name}, {of}: {column:?}");
+        assert!(column[2] < NEWTON || order[1] > 2.7, "{name}, {of}: {column:?}");
     }
 }
 
@@ -97,10 +97,10 @@ fn a_flying_arm_keeps_energy_and_momenta() {
 fn all_modes_of_a_flying_arm_are_the_whole_one() {
     let times = grid(0.1, 1.0);
     let whole = run(&FlyingArm::default(), 1e-9, &times);
-    let counts = [8, 12, 16, 19];
-    let errors = counts.map(|modes| apart(&run(&FlyingArmModal { modes, ..FlyingArmModal::default() }, 1e-9, &times), &whole));
-    println!("flying arm, modes {counts:?}: {}", short(&errors));
-    assert!(errors[3] < 1e-7, "{}", short(&errors));
+    let modal = FlyingArmModal { modes: 19, ..FlyingArmModal::default() };
+    let error = apart(&run(&modal, 1e-9, &times), &whole);
+    println!("flying arm, all modes: {error:.1e}");
+    assert!(error < 1e-6, "{error}");
 }
 
 #[test]
