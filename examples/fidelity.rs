@@ -45,8 +45,12 @@ macro_rules! arm {
     };
 }
 arm!(ArmFull, "The arm with all its nodal vectors.", {});
-arm!(ArmModal, "The arm in modes.", { modal(modes); });
-arm!(ArmSmall, "The arm in modes, for small deformations.", { small(modes); });
+arm!(ArmModal, "The arm in modes.", {
+    modal(modes);
+});
+arm!(ArmSmall, "The arm in modes, for small deformations.", {
+    small(modes);
+});
 
 fn main() {
     for spin_up in [15.0, 1500.0] {
@@ -54,13 +58,23 @@ fn main() {
         println!("| arm | unknowns | steps | CPU s | largest deflection (m) | deflection at the end (m) |");
         println!("|---|---|---|---|---|---|");
         let mut warnings = Vec::new();
-        let full = ArmFull { T_s: spin_up, ..ArmFull::default() };
+        let full = ArmFull {
+            T_s: spin_up,
+            ..ArmFull::default()
+        };
         warnings.extend(row("full", &solve(&full)));
         for modes in [4, 12, 24, 40] {
-            let modal = ArmModal { T_s: spin_up, modes, ..ArmModal::default() };
+            let modal = ArmModal {
+                T_s: spin_up,
+                modes,
+                ..ArmModal::default()
+            };
             warnings.extend(row(&format!("modal({modes})"), &solve(&modal)));
         }
-        let small = ArmSmall { T_s: spin_up, ..ArmSmall::default() };
+        let small = ArmSmall {
+            T_s: spin_up,
+            ..ArmSmall::default()
+        };
         warnings.extend(row("small(4)", &solve(&small)));
         println!();
         warnings.iter().for_each(|warning| println!("* {warning}"));
@@ -76,7 +90,11 @@ fn row(name: &str, result: &RunResult) -> Vec<String> {
         "| {name} | {} | {} | {:.3} | {largest:.5} | {last:.5} |",
         result.unknowns, result.statistics.steps, result.seconds.cpu
     );
-    result.warnings.iter().map(|warning| format!("{name}: {warning}")).collect()
+    result
+        .warnings
+        .iter()
+        .map(|warning| format!("{name}: {warning}"))
+        .collect()
 }
 
 fn solve(model: &impl Model) -> RunResult {

@@ -353,7 +353,9 @@ impl Rows {
 
 /// What stays of a warning from row to row.
 fn without_numbers(text: &str) -> String {
-    text.chars().filter(|c| !(c.is_ascii_digit() || "-.".contains(*c))).collect()
+    text.chars()
+        .filter(|c| !(c.is_ascii_digit() || "-.".contains(*c)))
+        .collect()
 }
 
 /// Deviation of the energy from its first value.

@@ -3,6 +3,7 @@
 mod dense;
 mod determinism;
 mod gravity;
+mod modal;
 mod models;
 mod orders;
 mod pendulum;

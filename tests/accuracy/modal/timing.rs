@@ -27,8 +27,12 @@ fn microseconds(model: &impl Model) -> [f64; 3] {
             least[which] = least[which].min(1e6 * clock.elapsed().as_secs_f64() / f64::from(repeats));
         }
     };
-    measure(0, 1000, scene.as_mut(), &mut |scene| scene.residual(black_box(state), &mut out));
-    measure(1, 1000, scene.as_mut(), &mut |scene| scene.tangent(black_box(state), &mut tangent));
+    measure(0, 1000, scene.as_mut(), &mut |scene| {
+        scene.residual(black_box(state), &mut out)
+    });
+    measure(1, 1000, scene.as_mut(), &mut |scene| {
+        scene.tangent(black_box(state), &mut tangent)
+    });
     measure(2, 1, scene.as_mut(), &mut |scene| {
         black_box(states_at(scene, start.clone(), Method::Radau, adaptive(1e-6), &[18.0]));
     });
@@ -39,12 +43,22 @@ fn microseconds(model: &impl Model) -> [f64; 3] {
 #[ignore = "measurement: cargo test --release -p rncf-tests --test accuracy timing -- --ignored --nocapture"]
 fn four_modes_are_cheaper_than_sixteen_elements() {
     let elements = 16;
-    let whole = microseconds(&SpinUp { elements, ..SpinUp::default() });
+    let whole = microseconds(&SpinUp {
+        elements,
+        ..SpinUp::default()
+    });
     for modes in [4, 12] {
-        let modal = microseconds(&SpinUpModal { elements, modes, ..SpinUpModal::default() });
+        let modal = microseconds(&SpinUpModal {
+            elements,
+            modes,
+            ..SpinUpModal::default()
+        });
         for (which, name) in ["residual", "tangent", "run"].iter().enumerate() {
             let [a, b] = [whole[which], modal[which]];
-            println!("{name}: {elements} elements {a:.1} us, {modes} modes {b:.1} us, ratio {:.1}", a / b);
+            println!(
+                "{name}: {elements} elements {a:.1} us, {modes} modes {b:.1} us, ratio {:.1}",
+                a / b
+            );
         }
         assert!(modes > 4 || modal[2] < 0.5 * whole[2]);
     }

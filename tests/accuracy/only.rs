@@ -1,3 +1,0 @@
-#![allow(dead_code, unused)]
-mod modal;
-mod runs;
