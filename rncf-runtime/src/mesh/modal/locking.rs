@@ -6,8 +6,8 @@ use std::fmt;
 
 use super::{Elements, ModalBody};
 
-/// Part of the strain energy that the motions left out may release, without a report.
-const RELEASED: f64 = 0.25;
+/// Part of a deflection that may be missing without a report.
+const MISSING: f64 = 0.05;
 /// Part of the modes' sizes below which round-off decides.
 const LEAST: f64 = 1e-6;
 
@@ -18,17 +18,17 @@ pub struct Locking {
     pub body: String,
     /// Number of its modes.
     pub modes: usize,
-    /// Part of the strain energy that the motions left out would release.
-    pub released: f64,
+    /// Part of the deflection that is missing, roughly.
+    pub missing: f64,
 }
 
 impl fmt::Display for Locking {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { body, modes, released } = self;
-        let percent = 100.0 * released;
+        let Self { body, modes, missing } = self;
+        let percent = 100.0 * missing;
         write!(
             f,
-            "body `{body}`: its deflection is too large for its {modes} modes, which stretch it where the whole body only bends (about {percent:.0} % of the strain energy is due to that): leave `modal` out to use the whole body"
+            "body `{body}`: its deflection is too large for its {modes} modes, which stretch it where the whole body only bends, so that about {percent:.0} % of the deflection are missing: leave `modal` out to use the whole body"
         )
     }
 }
@@ -70,10 +70,13 @@ impl ModalBody {
         self.stiffness.as_ref()?.solve(&mut displacement);
         let work = |a: &[f64], b: &[f64]| 0.5 * a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let (released, all) = (work(&left, &displacement), work(&modal, p));
-        (released > RELEASED * all && all > 0.0).then(|| Locking {
+        // The energy U that hinders grows with the fourth power of the deflection d, its force is 4 U/d:
+        // the part 4 U/d / F of the deflection is missing, and `all` is F d/2.
+        let missing = (2.0 * released / all).min(1.0);
+        (all > 0.0 && missing > MISSING).then(|| Locking {
             body: nodal.name.clone(),
             modes: k,
-            released: (released / all).min(1.0),
+            missing,
         })
     }
 }
