@@ -83,8 +83,8 @@ pub struct RunResult {
     /// Largest deviation of the total energy from its initial value, relative to the largest energy
     /// met; `None` where the model does not conserve it.
     pub energy_error: Option<f64>,
-    /// What the start corrected of the declared positions and velocities, and what the scene warns of
-    /// at the first row where it does.
+    /// What the start corrected of the declared positions and velocities, and what the scene warns of,
+    /// each with the numbers of the first row where it does.
     pub warnings: Vec<String>,
     /// Last good state.
     pub state: State,
@@ -357,14 +357,24 @@ impl Rows {
                 integrator.interpolate(t, &mut self.state);
             }
             integrator.system().outputs(&self.state, &mut self.values);
-            if self.warnings.is_empty() {
-                self.warnings = integrator.system().warnings(&self.state);
+            for text in integrator.system().warnings(&self.state) {
+                let words = without_numbers(&text);
+                if self.warnings.iter().all(|given| without_numbers(given) != words) {
+                    self.warnings.push(text);
+                }
             }
             history.push(time, &self.values).map_err(Incomplete::Output)?;
             self.next += 1;
         }
         Ok(())
     }
+}
+
+/// What stays of a warning from row to row.
+fn without_numbers(text: &str) -> String {
+    text.chars()
+        .filter(|c| !(c.is_ascii_digit() || "-.".contains(*c)))
+        .collect()
 }
 
 /// Deviation of the energy from its first value.

@@ -4,6 +4,7 @@ mod dense;
 mod determinism;
 mod gravity;
 mod heavy_top;
+mod modal;
 mod models;
 mod multibody;
 mod orders;

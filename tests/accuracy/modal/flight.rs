@@ -17,14 +17,22 @@ fn run(model: &impl Model, rtol: f64, times: &[f64]) -> Vec<Vec<f64>> {
 #[test]
 fn all_modes_on_a_driven_hub_are_the_whole_arm() {
     let times = grid(0.1, 2.0);
-    let whole = run(&HubArm { torque: 3.0, ..HubArm::default() }, 1e-10, &times);
-    let counts = [4, 8, 10, 13];
-    let errors = counts.map(|modes| {
-        let model = HubArmModal { torque: 3.0, modes, ..HubArmModal::default() };
-        apart(&run(&model, 1e-10, &times), &whole)
-    });
-    println!("driven hub, modes {counts:?}: {}", short(&errors));
-    assert!(errors[3] < 1e-7, "{}", short(&errors));
+    let whole = run(
+        &HubArm {
+            torque: 3.0,
+            ..HubArm::default()
+        },
+        1e-10,
+        &times,
+    );
+    let modal = HubArmModal {
+        torque: 3.0,
+        modes: 13,
+        ..HubArmModal::default()
+    };
+    let error = apart(&run(&modal, 1e-10, &times), &whole);
+    println!("driven hub, all modes: {error:.1e}");
+    assert!(error < 1e-6, "{error}");
 }
 
 /// `M v` in the rows of the frame, which come last: momentum in inertial axes, angular momentum about the frame's origin
@@ -70,8 +78,15 @@ fn drifts(model: &impl Model, h: f64) -> [f64; 3] {
     let start = scene.rest(0.0);
     let (states, _) = states_at(scene.as_mut(), start, Method::Radau, fixed(h), &grid(0.2, 1.0));
     let rows: Vec<[f64; 7]> = states.iter().map(|state| conserved(scene.as_mut(), state)).collect();
-    [0..3, 3..6, 6..7].map(|part| rows.iter().map(|row| far(&row[part.clone()], &rows[0][part.clone()])).fold(0.0, f64::max))
+    [0..3, 3..6, 6..7].map(|part| {
+        rows.iter()
+            .map(|row| far(&row[part.clone()], &rows[0][part.clone()]))
+            .fold(0.0, f64::max)
+    })
 }
+
+/// What the iteration to 1e-12 of the places leaves in 1 s of momenta, some kg m/s: 1e-12 m / h in every step.
+const NEWTON: f64 = 5e-9;
 
 fn conserves(name: &str, model: &impl Model) {
     let steps = [0.02, 0.01, 0.005];
@@ -80,7 +95,7 @@ fn conserves(name: &str, model: &impl Model) {
         let column = table.map(|row| row[what]);
         let order = orders(&column);
         println!("{name}, {of}: {} orders {order:.2?}", short(&column));
-        assert!(column[2] < 1e-11 || order[1] > 2.7, "{name}, {of}: {column:?}");
+        assert!(column[2] < NEWTON || order[1] > 2.7, "{name}, {of}: {column:?}");
     }
 }
 
@@ -88,7 +103,13 @@ fn conserves(name: &str, model: &impl Model) {
 fn a_flying_arm_keeps_energy_and_momenta() {
     conserves("whole arm", &FlyingArm::default());
     for modes in [4, 13, 19] {
-        conserves(&format!("{modes} modes"), &FlyingArmModal { modes, ..FlyingArmModal::default() });
+        conserves(
+            &format!("{modes} modes"),
+            &FlyingArmModal {
+                modes,
+                ..FlyingArmModal::default()
+            },
+        );
     }
     conserves("rigid arm", &FlyingArmRigid::default());
 }
@@ -97,16 +118,22 @@ fn a_flying_arm_keeps_energy_and_momenta() {
 fn all_modes_of_a_flying_arm_are_the_whole_one() {
     let times = grid(0.1, 1.0);
     let whole = run(&FlyingArm::default(), 1e-9, &times);
-    let counts = [8, 12, 16, 19];
-    let errors = counts.map(|modes| apart(&run(&FlyingArmModal { modes, ..FlyingArmModal::default() }, 1e-9, &times), &whole));
-    println!("flying arm, modes {counts:?}: {}", short(&errors));
-    assert!(errors[3] < 1e-7, "{}", short(&errors));
+    let modal = FlyingArmModal {
+        modes: 19,
+        ..FlyingArmModal::default()
+    };
+    let error = apart(&run(&modal, 1e-9, &times), &whole);
+    println!("flying arm, all modes: {error:.1e}");
+    assert!(error < 1e-6, "{error}");
 }
 
 #[test]
 fn a_rigid_arm_is_a_rigid_body_with_its_ten_numbers() {
     let times = grid(0.1, 3.0);
-    let [arm, body] = [run(&FlyingArmRigid::default(), 1e-10, &times), run(&OneRigid::default(), 1e-10, &times)];
+    let [arm, body] = [
+        run(&FlyingArmRigid::default(), 1e-10, &times),
+        run(&OneRigid::default(), 1e-10, &times),
+    ];
     let error = apart(&arm, &body);
     println!("rigid arm against a rigid body: {error:.1e}");
     assert!(error < 1e-9);
@@ -153,8 +180,22 @@ fn joined_arms_in_modes_are_the_whole_ones() {
     let times = grid(0.1, 1.0);
     let whole = run(&TwoArms::default(), 1e-9, &times);
     let all = 9;
-    let first = run(&TwoArmsModal { modes: all, ..TwoArmsModal::default() }, 1e-9, &times);
-    let both = run(&TwoArmsBothModal { modes: all, ..TwoArmsBothModal::default() }, 1e-9, &times);
+    let first = run(
+        &TwoArmsModal {
+            modes: all,
+            ..TwoArmsModal::default()
+        },
+        1e-9,
+        &times,
+    );
+    let both = run(
+        &TwoArmsBothModal {
+            modes: all,
+            ..TwoArmsBothModal::default()
+        },
+        1e-9,
+        &times,
+    );
     let columns = |rows: &[Vec<f64>], range: std::ops::Range<usize>| -> Vec<Vec<f64>> {
         rows.iter().map(|row| row[range.clone()].to_vec()).collect()
     };
@@ -171,8 +212,14 @@ fn joined_arms_keep_their_energy() {
         let mut scene = model.build(WAYS[0].0, WAYS[0].1).unwrap();
         let start = scene.rest(0.0);
         let (states, _) = states_at(scene.as_mut(), start, Method::Radau, adaptive(1e-9), &grid(0.2, 1.0));
-        let energies: Vec<f64> = states.iter().map(|state| scene.energy(state).expect("conserved")).collect();
-        energies.iter().map(|energy| (energy - energies[0]).abs()).fold(0.0, f64::max)
+        let energies: Vec<f64> = states
+            .iter()
+            .map(|state| scene.energy(state).expect("conserved"))
+            .collect();
+        energies
+            .iter()
+            .map(|energy| (energy - energies[0]).abs())
+            .fold(0.0, f64::max)
     }
     let found = [
         drift(&TwoArms::default()),

@@ -39,21 +39,34 @@ fn lowest(scene: &mut dyn Scene, count: usize) -> Option<Vec<f64>> {
     scene.tangent(&state, &mut tangent);
     let n = scene.unknowns();
     let [mass, stiffness] = [&tangent.mass, &tangent.stiffness].map(|values| dense(scene.pattern(), values));
-    natural_modes(n, &stiffness, &mass, count).ok().map(|modes| modes.frequencies)
+    natural_modes(n, &stiffness, &mass, count)
+        .ok()
+        .map(|modes| modes.frequencies)
 }
 
 fn whole(eta: f64) -> Box<dyn Scene> {
-    let model = Rotor { eta, ..Rotor::default() };
+    let model = Rotor {
+        eta,
+        ..Rotor::default()
+    };
     model.build(Formulation::Rncf, Joints::Eliminated).unwrap()
 }
 
 fn modal(eta: f64, modes: usize) -> Box<dyn Scene> {
-    let model = RotorModal { eta, modes, ..RotorModal::default() };
+    let model = RotorModal {
+        eta,
+        modes,
+        ..RotorModal::default()
+    };
     model.build(Formulation::Rncf, Joints::Eliminated).unwrap()
 }
 
 fn small(eta: f64, modes: usize) -> Box<dyn Scene> {
-    let model = RotorSmall { eta, modes, ..RotorSmall::default() };
+    let model = RotorSmall {
+        eta,
+        modes,
+        ..RotorSmall::default()
+    };
     model.build(Formulation::Rncf, Joints::Eliminated).unwrap()
 }
 
@@ -65,7 +78,11 @@ fn ascending(row: [f64; 5]) -> [f64; 4] {
 
 /// Largest relative difference.
 fn apart(found: &[f64], expected: &[f64]) -> f64 {
-    found.iter().zip(expected).map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max)
+    found
+        .iter()
+        .zip(expected)
+        .map(|(a, b)| (a / b - 1.0).abs())
+        .fold(0.0, f64::max)
 }
 
 #[test]
@@ -78,7 +95,10 @@ fn of_the_whole_body_and_of_enough_modes_are_those_of_the_table() {
         let errors = [&full, &all, &few, &more].map(|found| apart(found, &table));
         let errors_text = short(&errors);
         let third = full[4] / row[2] - 1.0;
-        println!("eta = {eta}: {full:.5?}; errors: whole, all modes, with 2 and 6 stretching: {errors_text}, flap 3 {third:.1e}; all modes against whole {:.1e}", apart(&all, &full));
+        println!(
+            "eta = {eta}: {full:.5?}; errors: whole, all modes, with 2 and 6 stretching: {errors_text}, flap 3 {third:.1e}; all modes against whole {:.1e}",
+            apart(&all, &full)
+        );
         assert!(errors[0] < 2e-4 && errors[1] < 2e-4, "{errors:?}");
         assert!(apart(&all, &full) < 1e-7);
         assert!(errors[2] < 3e-2 && errors[3] < 2e-3);
@@ -100,12 +120,21 @@ fn few_modes_lose_stiffness_and_it_is_reported() {
         }
         // Small deformations know no spin at all.
         let of_small = lowest(small(eta, 4).as_mut(), 4).unwrap();
-        assert!((of_small[0] - at_rest).abs() < 1e-3 && (of_small[1] - at_rest).abs() < 1e-3, "{of_small:?}");
+        assert!(
+            (of_small[0] - at_rest).abs() < 1e-3 && (of_small[1] - at_rest).abs() < 1e-3,
+            "{of_small:?}"
+        );
         let warned = [modal(eta, 4), small(eta, 4), modal(eta, ALL), whole(eta)].map(|mut scene| {
             let rest = scene.rest(0.0);
             scene.warnings(&rest)
         });
-        println!("eta = {eta}: lag {:?} (table {}), small {:.3}; {:?}", lag.map(|f| f[0]), row[3], of_small[0], warned);
+        println!(
+            "eta = {eta}: lag {:?} (table {}), small {:.3}; {:?}",
+            lag.map(|f| f[0]),
+            row[3],
+            of_small[0],
+            warned
+        );
         for few in &warned[..2] {
             assert_eq!(few.len(), usize::from(eta >= 3.0), "{few:?}");
             assert!(few.iter().all(|text| text.starts_with("body `blade`")));

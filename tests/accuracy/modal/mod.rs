@@ -5,3 +5,4 @@ mod flight;
 mod frequencies;
 mod models;
 mod spin_up;
+mod timing;

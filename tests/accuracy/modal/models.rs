@@ -29,8 +29,12 @@ macro_rules! spin_up {
         }
     };
 }
-spin_up!(SpinUpModal, { modal(modes); });
-spin_up!(SpinUpSmall, { small(modes); });
+spin_up!(SpinUpModal, {
+    modal(modes);
+});
+spin_up!(SpinUpSmall, {
+    small(modes);
+});
 
 /// Rotor without dimensions, THEORY 8.2: 1 kg/m, 1 N m^2 and 1 m, so that eta is the spin in rad/s, and
 /// EI/(EA L^2) = 1e-8.
@@ -57,8 +61,12 @@ macro_rules! rotor {
     };
 }
 rotor!(Rotor, {});
-rotor!(RotorModal, { modal(modes); });
-rotor!(RotorSmall, { small(modes); });
+rotor!(RotorModal, {
+    modal(modes);
+});
+rotor!(RotorSmall, {
+    small(modes);
+});
 
 /// A hub with mass that flies and turns in the plane, with a soft arm.
 macro_rules! hub_with_arm {
@@ -91,7 +99,9 @@ macro_rules! hub_with_arm {
     };
 }
 hub_with_arm!(HubArm, {});
-hub_with_arm!(HubArmModal, { modal(modes); });
+hub_with_arm!(HubArmModal, {
+    modal(modes);
+});
 
 /// Without a load, so that its energy stays.
 macro_rules! flying_arm {
@@ -121,8 +131,12 @@ macro_rules! flying_arm {
     };
 }
 flying_arm!(FlyingArm, {});
-flying_arm!(FlyingArmModal, { modal(modes); });
-flying_arm!(FlyingArmRigid, { rigid; });
+flying_arm!(FlyingArmModal, {
+    modal(modes);
+});
+flying_arm!(FlyingArmRigid, {
+    rigid;
+});
 
 rncf::model! {
     /// A rigid body with the ten numbers of [`FlyingArmRigid`]: 0.5 kg on 1 m.
@@ -189,6 +203,28 @@ macro_rules! double_pendulum {
     };
 }
 double_pendulum!(TwoArms, {}, {});
-double_pendulum!(TwoArmsModal, { modal(modes); }, {});
-double_pendulum!(TwoArmsBothModal, { modal(modes); }, { modal(modes); });
-double_pendulum!(TwoArmsRigid, { modal(modes); }, { rigid; });
+double_pendulum!(
+    TwoArmsModal,
+    {
+        modal(modes);
+    },
+    {}
+);
+double_pendulum!(
+    TwoArmsBothModal,
+    {
+        modal(modes);
+    },
+    {
+        modal(modes);
+    }
+);
+double_pendulum!(
+    TwoArmsRigid,
+    {
+        modal(modes);
+    },
+    {
+        rigid;
+    }
+);

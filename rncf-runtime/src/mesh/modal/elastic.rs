@@ -293,8 +293,13 @@ impl ModalBody {
     /// Adds `phi^T A phi` of one element.
     fn project_matrix(&self, components: &[usize], matrix: &[f64], out: &mut [f64]) {
         let k = self.modes();
+        let mut line = vec![0.0; k];
         for (&row, entries) in components.iter().zip(matrix.chunks_exact(components.len())) {
-            let mut line = vec![0.0; k];
+            // Undamped elements have no damping matrix.
+            if entries.iter().all(|&entry| entry == 0.0) {
+                continue;
+            }
+            line.fill(0.0);
             for (&column, entry) in components.iter().zip(entries) {
                 for (sum, mode) in line.iter_mut().zip(self.mode_row(column)) {
                     *sum += entry * mode;

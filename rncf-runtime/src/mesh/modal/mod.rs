@@ -5,6 +5,7 @@
 mod arm;
 mod elastic;
 mod invariants;
+mod locking;
 mod reduction;
 mod scene;
 #[cfg(test)]

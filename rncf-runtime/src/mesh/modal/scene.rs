@@ -474,6 +474,8 @@ impl<P: Parts> Scene for ModalScene<P> {
             let p = &state.x[block.coordinate..][..block.count];
             let loss = modes.loss_of_stiffness(elements, action, p);
             warnings.extend(loss.map(|loss| loss.to_string()));
+            let locking = modes.locking(elements, p);
+            warnings.extend(locking.map(|locking| locking.to_string()));
         });
         warnings
     }

@@ -7,7 +7,7 @@ use super::model::{Hand, Law, Quadratic};
 use super::random::Random;
 use super::scenery::{body, everything, free, joint, stone};
 use crate::linalg::{Lu, Pattern};
-use crate::model::{Formulation, Joints, Scene};
+use crate::model::{Formulation, Scene};
 use crate::system::{ConstraintLevel, State, System};
 use crate::vector::{Vector, norm, scale, subtract};
 
@@ -557,50 +557,4 @@ fn normals_are_a_triad() {
     let scene = hand.scene(Formulation::Rncf);
     let [along, first] = [15, 9].map(|marker| scene.jet(&scene.markers[marker])[0]);
     assert!(norm(subtract(first, [-along[1], along[0], 0.0])) < 1e-15);
-}
-
-fn refused(hand: Hand) -> String {
-    let result = MeshScene::new(hand, Formulation::Rncf, Joints::Eliminated);
-    result.err().expect("the scene makes no sense").message
-}
-
-#[test]
-fn what_does_not_fit_is_refused_by_name() {
-    let with = |change: &dyn Fn(&mut Hand)| {
-        let mut hand = everything();
-        change(&mut hand);
-        refused(hand)
-    };
-    let message = with(&|hand| hand.free[4].velocity[1] = f64::NAN);
-    assert!(message.contains("`stone`") && message.contains("finite"), "{message}");
-    let message = with(&|hand| hand.free[2].motions = Motions::Hinged { axis: [0.0; 3] });
-    assert!(
-        message.contains("`door`") && message.contains("unit vector"),
-        "{message}"
-    );
-    let message = with(&|hand| hand.free[1].parent = 2);
-    assert!(message.contains("`top`") && message.contains("`turning`"), "{message}");
-    let message = with(&|hand| hand.free[2].parent = 3);
-    assert!(
-        message.contains("`door`") && message.contains("free itself"),
-        "{message}"
-    );
-    let message = with(&|hand| hand.free[3].velocity = [0.0, 0.0, 1.0]);
-    assert!(message.contains("`sledge`"), "{message}");
-    let message = with(&|hand| hand.bodies[1].frame = 3);
-    assert!(message.contains("`whip`") && message.contains("`ship`"), "{message}");
-    let message = with(&|hand| hand.loads[0].0.frame = 3);
-    assert!(message.contains("gravity"), "{message}");
-    let message = with(&|hand| hand.joints[0].frame = 0);
-    assert!(message.contains("`step`"), "{message}");
-    let message = with(&|hand| hand.bodies[0].mean_axes = true);
-    assert!(message.contains("`mast`") && message.contains("straight"), "{message}");
-    let message = with(&|hand| {
-        hand.bodies[1].mean_axes = true;
-        hand.free[3].motions = Motions::Hinged { axis: [0.0, 0.0, 1.0] };
-    });
-    assert!(
-        message.contains("`whip`") && message.contains("3 free motions"),
-        "{message}"
-    );
 }

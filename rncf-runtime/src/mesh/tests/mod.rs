@@ -6,4 +6,5 @@ mod inertia;
 mod levels;
 mod model;
 mod random;
+mod refusals;
 mod scenery;
