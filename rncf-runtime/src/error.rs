@@ -50,6 +50,9 @@ pub enum SolveErrorKind {
     NoConvergence,
     /// The error test failed at the smallest step.
     StepTooSmall,
+    /// Newton's iteration failed where constraints become dependent, so that motions branch; the text names
+    /// the constraints.
+    SingularConfiguration(String),
     /// A value became infinite or not a number.
     NotFinite,
     /// The initial state violates its constraints by more than is corrected; the violation of the
@@ -76,6 +79,11 @@ impl fmt::Display for SolveError {
                 f,
                 "Newton's iteration does not converge at t = {:e} s even with h = {:e} s: look for a jump in a motion or load, or relax the tolerance",
                 self.t, self.h
+            )?,
+            SolveErrorKind::SingularConfiguration(text) => write!(
+                f,
+                "at t = {:e} s the motion comes to a singular configuration, where its branch cannot be told: {text}; relax the tolerance to step across, or change a length or the start to stay away from it",
+                self.t
             )?,
             SolveErrorKind::StepTooSmall => write!(
                 f,
