@@ -6,6 +6,8 @@ use crate::system::{State, System};
 
 /// What is left of a constraint's row, of norm one, that counts as nothing.
 const DEPENDENT: f64 = 1e-9;
+/// The same near a singular configuration.
+const NEARLY_DEPENDENT: f64 = 1e-2;
 /// Coefficients of a dependency below this are round-off.
 const TAKES_PART: f64 = 1e-6;
 /// More constraints than these are not searched for dependencies: the time grows with their cube.
@@ -37,7 +39,7 @@ pub(super) fn redundancy<S: System + ?Sized>(system: &mut S, state: &State) -> O
             system.describe_constraint(empty)
         ));
     }
-    let basis = Basis::of(&rows);
+    let basis = Basis::of(&rows, DEPENDENT);
     if basis.left.is_empty() {
         return None;
     }
@@ -50,6 +52,22 @@ pub(super) fn redundancy<S: System + ?Sized>(system: &mut S, state: &State) -> O
         text.push_str(&dependency(system, &basis.combination(row)));
     }
     Some(text)
+}
+
+/// Names constraints that nearly depend on each other at the state: a singular configuration is near;
+/// `None` if there are none.
+pub(super) fn near_singular<S: System + ?Sized>(system: &mut S, state: &State) -> Option<String> {
+    let m = system.constraints();
+    if m == 0 || m > MOST {
+        return None;
+    }
+    let basis = Basis::of(&scaled_rows(system, state), NEARLY_DEPENDENT);
+    let &row = basis.left.first()?;
+    let mut rows: Vec<usize> = basis.combination(row).iter().map(|&(row, _)| row).collect();
+    rows.sort_unstable();
+    let mut names: Vec<String> = rows.iter().map(|&row| system.describe_constraint(row)).collect();
+    names.dedup();
+    Some(format!("{} nearly depend on each other", names.join("; ")))
 }
 
 /// One dependency in words; constraints with their coefficients, not all of them zero.
@@ -114,7 +132,7 @@ struct Basis {
 }
 
 impl Basis {
-    fn of(rows: &[Vec<f64>]) -> Self {
+    fn of(rows: &[Vec<f64>], dependent: f64) -> Self {
         let mut rest = rows.to_vec();
         let mut left: Vec<usize> = (0..rows.len()).collect();
         let mut components = vec![Vec::new(); rows.len()];
@@ -122,7 +140,7 @@ impl Basis {
         while let Some(place) = largest(&rest, &left) {
             let row = left[place];
             let size = dot(&rest[row], &rest[row]).sqrt();
-            if size <= DEPENDENT {
+            if size <= dependent {
                 break;
             }
             left.remove(place);
