@@ -376,6 +376,7 @@ model Flight {
     }
     joint root = clamp(b.start, f);
     joint twist = hold(b.end.z);
+    output u = b.end.x;
 }
 "#;
 
