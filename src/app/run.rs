@@ -296,7 +296,11 @@ const CORRECTED: f64 = 1e-12;
 fn corrections(statistics: &Statistics) -> Vec<String> {
     let corrections = [
         ("positions", statistics.position_correction, "the size of the model"),
-        ("velocities", statistics.velocity_correction, "that size in the time of the run"),
+        (
+            "velocities",
+            statistics.velocity_correction,
+            "that size in the time of the run",
+        ),
     ];
     let moved = corrections.into_iter().filter(|(_, size, _)| *size > CORRECTED);
     moved

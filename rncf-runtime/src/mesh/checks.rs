@@ -133,7 +133,7 @@ pub fn array_mut<const N: usize>(slice: &mut [f64]) -> &mut [f64; N] {
 
 #[cfg(test)]
 mod tests {
-    /// Inertia of two point masses at `r` and one at `s`, turned nowhere: sum m (r.r I - r r^T).
+    /// Inertia of unit point masses about the origin: sum (r.r I - r r^T).
     fn of_points(points: &[[f64; 3]]) -> [f64; 6] {
         let mut inertia = [0.0; 6];
         for [x, y, z] in points {
@@ -153,8 +153,8 @@ mod tests {
             let mut inertia = of_points(&points[..count]);
             assert!(super::inertia("body", inertia).is_ok(), "{count}");
             if count < 3 {
-                inertia[0] += 1e-3;
-                inertia[3] += 1e-2;
+                // The second moments of mass, singular for fewer than three points, less 1e-3 I.
+                inertia[..3].iter_mut().for_each(|moment| *moment -= 2e-3);
                 assert!(super::inertia("body", inertia).is_err(), "{count}");
             }
         }
