@@ -139,6 +139,9 @@ mod tests {
     fn numbers_are_short() {
         let text = |value: f64| Short(value).to_string();
         let found = [0.0, 1.0, 0.25, 1.234_567_8, -2e-3, 1.425_212_5e-8, 2e6, 99_999.96].map(text);
-        assert_eq!(found, ["0", "1", "0.25", "1.23457", "-0.002", "1.42521e-8", "2e6", "1e5"]);
+        assert_eq!(
+            found,
+            ["0", "1", "0.25", "1.23457", "-0.002", "1.42521e-8", "2e6", "1e5"]
+        );
     }
 }

@@ -459,6 +459,20 @@ mod tests {
     }
 
     #[test]
+    fn corrections_of_the_start_are_noted() {
+        let mut statistics = Statistics::default();
+        assert!(corrections(&statistics).is_empty());
+        statistics.position_correction = 2.999e-4;
+        let notes = corrections(&statistics);
+        assert_eq!(
+            notes,
+            ["The initial positions were moved onto the constraints, by up to 3.0e-4 of the size of the model."]
+        );
+        statistics.velocity_correction = 1e-3;
+        assert_eq!(corrections(&statistics).len(), 2);
+    }
+
+    #[test]
     fn rows_follow_the_exact_solution_on_the_grid() {
         let rotor = Rotor {
             loss: 0.0,

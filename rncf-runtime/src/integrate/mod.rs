@@ -395,8 +395,11 @@ fn prepare<S: System + ?Sized>(
     };
     check(system, state)?;
     consistent::project(system, state, span, statistics).map_err(|inconsistent| match inconsistent {
-        Inconsistent::Far(size, index) => {
-            let worst = system.describe_constraint(index);
+        Inconsistent::Far(size, index, level) => {
+            let mut worst = system.describe_constraint(index);
+            if level == ConstraintLevel::Velocity {
+                worst.insert_str(0, "the rate of ");
+            }
             (SolveErrorKind::Inconsistent(size), Some(worst))
         }
         Inconsistent::Singular(singular) => {
