@@ -27,7 +27,7 @@ use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
 use crate::error::SolveErrorKind;
 use crate::linalg::Singular;
-use crate::system::{ConstraintLevel, State, System};
+use crate::system::{State, System};
 
 /// Tolerance of Newton's increments relative to the sizes of the unknowns with a fixed step, where
 /// no error test needs it but orders of convergence should be visible.
@@ -106,8 +106,6 @@ pub(super) struct Alpha {
     /// P j at `now`, with what the charts add to the jerk, if known.
     constrained_jerk: Vec<f64>,
     jerk_known: bool,
-    /// The velocity at `now` was put onto the constraints by Newton's matrix rather than the mass.
-    projected: bool,
     /// Jerk at the last start, for the first prediction.
     first_jerk: Vec<f64>,
     trial: Iterate,
@@ -154,7 +152,6 @@ impl Alpha {
             },
             constrained_jerk: vec![0.0; n],
             jerk_known: false,
-            projected: false,
             first_jerk: vec![0.0; n],
             trial: Iterate {
                 state: zeros,
@@ -209,13 +206,8 @@ impl Alpha {
             // The matrix is at `now` since the last accepted step.
             self.charts.curvature(1.0 / (12.0 * kappa), &self.now, &mut self.work);
             let (other, out) = (&self.work, &mut self.constrained_jerk);
-            let (jacobian, defect) = self
-                .bordered
-                .defect(system, ConstraintLevel::Jerk, &self.now, other);
-            if !(self.projected && self.newton.least_change(jacobian, defect, out, statistics)) {
-                self.bordered
-                    .constrained_jerk(system, &self.now, other, out, statistics)?;
-            }
+            self.bordered
+                .constrained_jerk(system, &self.now, other, out, statistics)?;
             self.jerk_known = true;
         }
         let bias = if self.stabilised { 0.0 } else { kappa * h * h };
@@ -298,13 +290,7 @@ impl Alpha {
         if !self.stabilised && !state.lambda.is_empty() {
             self.bordered.move_to(system, state);
             let change = &mut self.work;
-            let (jacobian, defect) = self
-                .bordered
-                .defect(system, ConstraintLevel::Velocity, state, &state.v);
-            self.projected = self.newton.least_change(jacobian, defect, change, statistics);
-            if self.projected {
-                // Bias and projection with one matrix: what differs from the mass cancels.
-            } else if let Err(singular) = self.bordered.velocity_change(system, state, change, statistics) {
+            if let Err(singular) = self.bordered.velocity_change(system, state, change, statistics) {
                 self.bordered.move_to(system, &self.now);
                 self.left.h = None;
                 return Err(singular);
@@ -341,7 +327,6 @@ impl Scheme for Alpha {
         self.newton.discard();
         self.left.h = None;
         self.jerk_known = false;
-        self.projected = false;
         self.jerk_at_start(system, h, statistics)
             .map_err(|_| SolveErrorKind::Singular)?;
         if !self.first_jerk.iter().all(|j| j.is_finite()) {

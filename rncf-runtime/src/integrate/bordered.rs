@@ -91,21 +91,6 @@ impl Bordered {
         }
     }
 
-    /// Right side `value of the level + C_x derivative` and `C_x^T` at the state, for a change of `derivative` that
-    /// satisfies the level; the jacobian must be there.
-    pub(super) fn defect<S: System + ?Sized>(
-        &mut self,
-        system: &mut S,
-        level: ConstraintLevel,
-        state: &State,
-        derivative: &[f64],
-    ) -> (&[f64], &[f64]) {
-        system.constraint(level, state, &mut self.given.1);
-        self.constraint_pattern
-            .transpose_multiply_add(1.0, &self.jacobian, derivative, &mut self.given.1);
-        (&self.jacobian, &self.given.1)
-    }
-
     /// Moves the matrix to the state's time and position.
     pub(super) fn move_to<S: System + ?Sized>(&mut self, system: &mut S, state: &State) {
         if self.weight == Weight::Mass {

@@ -11,7 +11,6 @@
 //! `stabiliser`.
 
 use super::Statistics;
-use super::anderson::Acceleration;
 use super::charts::Charts;
 use super::scheme::Cause;
 use super::stabiliser::{Scales, Stabiliser};
@@ -39,12 +38,6 @@ const LEAST: f64 = 1e-3;
 const ITERATIONS: u32 = 10;
 /// The factorization is kept while the step is within this ratio of the one it was made for.
 const SAME_STEP: f64 = 1.2;
-/// Part of a constraint's rate that a change of the velocity may leave, and solutions for it: more cost as much
-/// as a factorization of the mass matrix.
-const PROJECTED: f64 = 1e-6;
-const PROJECTIONS: usize = 5;
-/// Ratio of successive increments above which they are accelerated.
-const ACCELERATED: f64 = 0.05;
 /// Increments below this, relative to the sizes of the unknowns, are noise.
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 
@@ -90,9 +83,6 @@ pub(super) struct Newton {
     /// Step for which the matrix was factored; `None`: refresh before the next iteration.
     factored_for: Option<f64>,
     experience: Experience,
-    acceleration: Acceleration,
-    iterate: Vec<f64>,
-    change: Vec<f64>,
 }
 
 /// Contraction seen with one factorization. As the solution moves away from where the matrix was
@@ -176,9 +166,6 @@ impl Newton {
             dlambda: vec![0.0; constraint_pattern.columns()],
             factored_for: None,
             experience: Experience::default(),
-            acceleration: Acceleration::new(pattern.columns() + constraint_pattern.columns()),
-            iterate: Vec::new(),
-            change: Vec::new(),
             constraint_pattern,
         }
     }
@@ -208,7 +195,6 @@ impl Newton {
         }
         let mut before: Option<f64> = None;
         let mut seen: Option<f64> = None;
-        self.acceleration.restart();
         for _ in 0..ITERATIONS {
             uses = uses.map(|uses| uses + 1);
             let relaxation = self.increment(system, h, &iterate.state, statistics);
@@ -216,7 +202,6 @@ impl Newton {
             if !size.is_finite() || !self.dlambda.iter().all(|d| d.is_finite()) {
                 return Err(self.failure(uses, Cause::NotFinite));
             }
-            self.accelerate(h, &iterate.state, before.is_some_and(|before| size > ACCELERATED * before));
             self.apply(h, iterate);
             if let worst @ Some(_) = self.charts.overturned(&iterate.state) {
                 return Err(self.failure(uses, Cause::Newton { worst }));
@@ -286,43 +271,6 @@ impl Newton {
         statistics.solves += 1;
         y.copy_from_slice(&self.dx);
         Ok(())
-    }
-
-    /// A change `y` of the velocity with `C_x y = -value`, the smallest one in the norm of the matrix that is
-    /// kept: only the constraints are refined, so that its age does not matter. `jacobian` is `C_x^T` where the
-    /// change is wanted. False if that is slow, or there is no matrix.
-    pub(super) fn least_change(
-        &mut self,
-        jacobian: &[f64],
-        value: &[f64],
-        y: &mut [f64],
-        statistics: &mut Statistics,
-    ) -> bool {
-        if self.factored_for.is_none() {
-            return false;
-        }
-        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |largest, c| largest.max(c.abs()));
-        let enough = PROJECTED * largest(value);
-        y.fill(0.0);
-        for _ in 0..PROJECTIONS {
-            for (rest, value) in self.dlambda.iter_mut().zip(value) {
-                *rest = -value;
-            }
-            self.constraint_pattern
-                .transpose_multiply_add(-1.0, jacobian, y, &mut self.dlambda);
-            let left = largest(&self.dlambda);
-            if left <= enough {
-                return true;
-            }
-            if !left.is_finite() {
-                return false;
-            }
-            self.dx.fill(0.0);
-            self.saddle.solve(&mut self.dx, &mut self.dlambda);
-            statistics.solves += 1;
-            super::bordered::add(y, &self.dx);
-        }
-        false
     }
 
     fn is_made_for(&self, h: f64) -> bool {
@@ -397,7 +345,6 @@ impl Newton {
         }
         self.factored_for = Some(h);
         self.experience = Experience::default();
-        self.acceleration.restart();
         Ok(())
     }
 
@@ -444,27 +391,6 @@ impl Newton {
         self.stabiliser
             .as_ref()
             .map_or(0.0, |stabiliser| norm(stabiliser.shift(), &self.inverse_weights))
-    }
-
-    /// Notes the increments, and accelerates them if that is wanted. Those of the stabilised index 2 stay as
-    /// they are.
-    fn accelerate(&mut self, h: f64, state: &State, wanted: bool) {
-        if self.stabiliser.is_some() {
-            return;
-        }
-        let (n, unit) = (self.dx.len(), self.factors.beta * h * h);
-        self.iterate.clear();
-        self.iterate.extend_from_slice(&state.x);
-        self.iterate.extend(state.lambda.iter().map(|lambda| unit * lambda));
-        self.change.clear();
-        self.change.extend_from_slice(&self.dx);
-        self.change.extend_from_slice(&self.dlambda);
-        self.acceleration.note(&self.iterate, &self.change);
-        if wanted {
-            self.acceleration.accelerate(&self.inverse_sizes, &mut self.change);
-            self.dx.copy_from_slice(&self.change[..n]);
-            self.dlambda.copy_from_slice(&self.change[n..]);
-        }
     }
 
     fn apply(&self, h: f64, iterate: &mut Iterate) {

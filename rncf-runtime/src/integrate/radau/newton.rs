@@ -149,7 +149,8 @@ impl Newton {
                 last_ratio = ratio;
                 amplification = contraction / (1.0 - contraction);
             }
-            self.apply(stages, iteration > 1 && last_ratio > ACCELERATED);
+            // A fixed step is iterated down to round-off, where differences tell nothing.
+            self.apply(stages, !self.patient && iteration > 1 && last_ratio > ACCELERATED);
             let at_noise = size <= floor || contraction > STAGNANT && size <= AMPLIFIED * floor;
             if at_noise || contraction < DIVERGING && amplification * size <= self.tolerance {
                 self.seen_at = stages.h;
