@@ -295,9 +295,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
 
     fn rejection_error(&mut self, t: f64, h: f64, cause: Cause) -> SolveError {
         let branching = match cause {
-            Cause::Newton { .. } | Cause::Singular { .. } => {
-                diagnose::near_singular(self.system, self.scheme.state())
-            }
+            Cause::Newton { .. } | Cause::Singular { .. } => diagnose::near_singular(self.system, self.scheme.state()),
             Cause::Error | Cause::NotFinite => None,
         };
         if let Some(text) = branching {
