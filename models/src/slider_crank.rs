@@ -37,10 +37,14 @@ rncf::model! {
             line from [0, 0, 0] m to [length, 0, 0];
             mesh elements * cable(round, soft, bending = exact);
         }
-        // The rod's own frame follows its start: five ties. A centre line has no twist, so that the sixth is the universal
+        // The rod's own frame follows its chord: five ties. A centre line has no twist, so that the sixth is the universal
         // joint at the pin, whose cross axis on the crank is tangential: normal to the crank and to x. (Along x it would
-        // be the rod's own axis once a turn.)
-        joint root = clamp(beam.start, rod);
+        // be the rod's own axis once a turn.) The start's tangent instead of the chord, as in the paper, is the same
+        // model: `joint root = clamp(beam.start, rod);`. But then all of the rod follows the quick bending of its first
+        // element, and the integrators take up to three times as many steps (docs/measurements.md).
+        joint root = pin(beam.start, rod);
+        joint chord_y = hold(beam.end.y);
+        joint chord_z = hold(beam.end.z);
         constraint cross_axis = dot([0, cos(theta(t)), sin(theta(t))], rod.ez);
         // Spherical joint on a slider that moves along x.
         fixture slider on beam.end { mass = slider_mass; }

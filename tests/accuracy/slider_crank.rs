@@ -90,9 +90,9 @@ fn tolerance(speed: f64) -> f64 {
     }
 }
 
-fn check(formulation: Formulation, most: f64) {
+fn check(formulation: Formulation) {
     let times = grid(0.01, 2.5);
-    for rows in TABLE.iter().filter(|rows| rows.speed <= most) {
+    for rows in &TABLE {
         for damping in [0.0, 1e-4] {
             let speed = rows.speed;
             let way = (formulation, Joints::Eliminated);
@@ -114,12 +114,12 @@ fn check(formulation: Formulation, most: f64) {
 
 #[test]
 fn table_in_referenced_coordinates() {
-    check(Formulation::Rncf, 12.0);
+    check(Formulation::Rncf);
 }
 
 #[test]
 fn table_in_absolute_coordinates() {
-    check(Formulation::Ancf, 16.0);
+    check(Formulation::Ancf);
 }
 
 #[test]
