@@ -65,10 +65,14 @@ impl ::rncf::Model for SliderCrank {
         line from [0, 0, 0] m to [length, 0, 0];
         mesh elements * cable(round, soft, bending = exact);
     }
-    // The rod's own frame follows its start: five ties. A centre line has no twist, so that the sixth is the universal
+    // The rod's own frame follows its chord: five ties. A centre line has no twist, so that the sixth is the universal
     // joint at the pin, whose cross axis on the crank is tangential: normal to the crank and to x. (Along x it would
-    // be the rod's own axis once a turn.)
-    joint root = clamp(beam.start, rod);
+    // be the rod's own axis once a turn.) The start's tangent instead of the chord, as in the paper, is the same
+    // model: `joint root = clamp(beam.start, rod);`. But then all of the rod follows the quick bending of its first
+    // element, and the integrators take up to three times as many steps (docs/measurements.md).
+    joint root = pin(beam.start, rod);
+    joint chord_y = hold(beam.end.y);
+    joint chord_z = hold(beam.end.z);
     constraint cross_axis = dot([0, cos(theta(t)), sin(theta(t))], rod.ez);
     // Spherical joint on a slider that moves along x.
     fixture slider on beam.end { mass = slider_mass; }
@@ -88,7 +92,8 @@ impl ::rncf::Model for SliderCrank {
         "Body `beam` uses `cable_spatial_exact_damped`. Form: loop over points (the cheapest; operations of force and tangent: points unrolled: 795 and 4638; loop over points: 843 and 5093; a loop counts 1.3 times).",
         "Body `beam` moves in the free frame `rod`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
         "Frame `rod` is free in three motions: a rotation vector that begins anew every step.",
-        "Constraint `root` (clamp in absolute coordinates): 5 multipliers; gradient and second derivatives are derived.",
+        "Constraint `root` (pin in absolute coordinates): 3 multipliers; linear in its vectors, no second derivatives.",
+        "Constraint `chord_y` (hold in absolute coordinates), `chord_z` (hold in absolute coordinates): 1 multiplier; gradient and second derivatives are derived.",
         "Constraint `cross_axis` (constraint): 1 multiplier; linear in its vectors, no second derivatives.",
         "Constraint `guide_y` (constraint): 1 multiplier; linear in its vectors, no second derivatives.",
         "Constraint `guide_z` (constraint): 1 multiplier; linear in its vectors, no second derivatives.",
@@ -3338,7 +3343,7 @@ pub mod slider_crank_equations {
     }
     /// Joint `root`: conditions, position level.
     ///
-    /// Operations: 7 additions, 6 multiplications.
+    /// Operations: 3 additions, 0 multiplications.
     pub fn joint_root_referenced_position(
         model: &super::SliderCrank,
         t: f64,
@@ -3351,10 +3356,6 @@ pub mod slider_crank_equations {
         rows[0] = q[0] - data.point[0];
         rows[1] = q[1] - data.point[1];
         rows[2] = q[2] - data.point[2];
-        rows[3] = data.normals[0][0] * q[3] + data.normals[0][1] * q[4]
-            + data.normals[0][2] * q[5];
-        rows[4] = data.normals[1][0] * q[3] + data.normals[1][1] * q[4]
-            + data.normals[1][2] * q[5];
     }
     /// Joint `root`: conditions, velocity level.
     ///
@@ -3371,8 +3372,6 @@ pub mod slider_crank_equations {
         rows[0] = 0.0;
         rows[1] = 0.0;
         rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
     }
     /// Joint `root`: conditions, acceleration level.
     ///
@@ -3389,8 +3388,6 @@ pub mod slider_crank_equations {
         rows[0] = 0.0;
         rows[1] = 0.0;
         rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
     }
     /// Joint `root`: conditions, jerk level.
     ///
@@ -3407,8 +3404,6 @@ pub mod slider_crank_equations {
         rows[0] = 0.0;
         rows[1] = 0.0;
         rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
     }
     /// Joint `root`: derivatives of the conditions.
     ///
@@ -3437,18 +3432,6 @@ pub mod slider_crank_equations {
         jacobian[15] = 0.0;
         jacobian[16] = 0.0;
         jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
-        jacobian[20] = 0.0;
-        jacobian[21] = data.normals[0][0];
-        jacobian[22] = data.normals[0][1];
-        jacobian[23] = data.normals[0][2];
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
-        jacobian[27] = data.normals[1][0];
-        jacobian[28] = data.normals[1][1];
-        jacobian[29] = data.normals[1][2];
     }
     /// Joint `root`: what it prescribes, with three derivatives.
     ///
@@ -3484,129 +3467,281 @@ pub mod slider_crank_equations {
         prescribed.slope[3][1] = 0.0;
         prescribed.slope[3][2] = 0.0;
     }
-    /// Constraint `root` (clamp in absolute coordinates): rows C(z, t).
+    /// Joint `chord_y`: conditions, position level.
     ///
-    /// Of `root`: `z[0]` a place on `beam`; `z[1]` a slope of `beam`; `z[2]` fixed in `rod`, where another vector starts; `z[3]` fixed in `rod`, normal to a direction at the start; `z[4]` fixed in `rod`, normal to a direction at the start (inertial axes).
+    /// Operations: 1 additions, 0 multiplications.
+    pub fn joint_chord_y_referenced_position(
+        model: &super::SliderCrank,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = q[1] - data.point[1];
+    }
+    /// Joint `chord_y`: conditions, velocity level.
     ///
-    /// * position x: `z[0][0][0] - z[2][0][0]`
-    /// * position y: `z[0][0][1] - z[2][0][1]`
-    /// * position z: `z[0][0][2] - z[2][0][2]`
-    /// * direction 1: `z[1][0][0] * z[3][0][0] + z[1][0][1] * z[3][0][1] + z[1][0][2] * z[3][0][2]`
-    /// * direction 2: `z[1][0][0] * z[4][0][0] + z[1][0][1] * z[4][0][1] + z[1][0][2] * z[4][0][2]`
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_chord_y_referenced_velocity(
+        model: &super::SliderCrank,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+    }
+    /// Joint `chord_y`: conditions, acceleration level.
     ///
-    /// Operations: 7 additions, 6 multiplications.
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_chord_y_referenced_acceleration(
+        model: &super::SliderCrank,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+    }
+    /// Joint `chord_y`: conditions, jerk level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_chord_y_referenced_jerk(
+        model: &super::SliderCrank,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+    }
+    /// Joint `chord_y`: derivatives of the conditions.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_chord_y_referenced_jacobian(
+        model: &super::SliderCrank,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        jacobian: &mut [f64],
+    ) {
+        jacobian[0] = 0.0;
+        jacobian[1] = 1.0;
+        jacobian[2] = 0.0;
+        jacobian[3] = 0.0;
+        jacobian[4] = 0.0;
+        jacobian[5] = 0.0;
+    }
+    /// Joint `chord_y`: what it prescribes, with three derivatives.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_chord_y_referenced_prescribed(
+        model: &super::SliderCrank,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        prescribed: &mut ::rncf::mesh::Prescribed,
+    ) {
+        prescribed.position[0][0] = data.point[0];
+        prescribed.position[0][1] = data.point[1];
+        prescribed.position[0][2] = data.point[2];
+        prescribed.position[1][0] = 0.0;
+        prescribed.position[1][1] = 0.0;
+        prescribed.position[1][2] = 0.0;
+        prescribed.position[2][0] = 0.0;
+        prescribed.position[2][1] = 0.0;
+        prescribed.position[2][2] = 0.0;
+        prescribed.position[3][0] = 0.0;
+        prescribed.position[3][1] = 0.0;
+        prescribed.position[3][2] = 0.0;
+        prescribed.slope[0][0] = data.tangent[0];
+        prescribed.slope[0][1] = data.tangent[1];
+        prescribed.slope[0][2] = data.tangent[2];
+        prescribed.slope[1][0] = 0.0;
+        prescribed.slope[1][1] = 0.0;
+        prescribed.slope[1][2] = 0.0;
+        prescribed.slope[2][0] = 0.0;
+        prescribed.slope[2][1] = 0.0;
+        prescribed.slope[2][2] = 0.0;
+        prescribed.slope[3][0] = 0.0;
+        prescribed.slope[3][1] = 0.0;
+        prescribed.slope[3][2] = 0.0;
+    }
+    /// Joint `chord_z`: conditions, position level.
+    ///
+    /// Operations: 1 additions, 0 multiplications.
+    pub fn joint_chord_z_referenced_position(
+        model: &super::SliderCrank,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = q[2] - data.point[2];
+    }
+    /// Joint `chord_z`: conditions, velocity level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_chord_z_referenced_velocity(
+        model: &super::SliderCrank,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+    }
+    /// Joint `chord_z`: conditions, acceleration level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_chord_z_referenced_acceleration(
+        model: &super::SliderCrank,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+    }
+    /// Joint `chord_z`: conditions, jerk level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_chord_z_referenced_jerk(
+        model: &super::SliderCrank,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+    }
+    /// Joint `chord_z`: derivatives of the conditions.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_chord_z_referenced_jacobian(
+        model: &super::SliderCrank,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        jacobian: &mut [f64],
+    ) {
+        jacobian[0] = 0.0;
+        jacobian[1] = 0.0;
+        jacobian[2] = 1.0;
+        jacobian[3] = 0.0;
+        jacobian[4] = 0.0;
+        jacobian[5] = 0.0;
+    }
+    /// Joint `chord_z`: what it prescribes, with three derivatives.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_chord_z_referenced_prescribed(
+        model: &super::SliderCrank,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        prescribed: &mut ::rncf::mesh::Prescribed,
+    ) {
+        prescribed.position[0][0] = data.point[0];
+        prescribed.position[0][1] = data.point[1];
+        prescribed.position[0][2] = data.point[2];
+        prescribed.position[1][0] = 0.0;
+        prescribed.position[1][1] = 0.0;
+        prescribed.position[1][2] = 0.0;
+        prescribed.position[2][0] = 0.0;
+        prescribed.position[2][1] = 0.0;
+        prescribed.position[2][2] = 0.0;
+        prescribed.position[3][0] = 0.0;
+        prescribed.position[3][1] = 0.0;
+        prescribed.position[3][2] = 0.0;
+        prescribed.slope[0][0] = data.tangent[0];
+        prescribed.slope[0][1] = data.tangent[1];
+        prescribed.slope[0][2] = data.tangent[2];
+        prescribed.slope[1][0] = 0.0;
+        prescribed.slope[1][1] = 0.0;
+        prescribed.slope[1][2] = 0.0;
+        prescribed.slope[2][0] = 0.0;
+        prescribed.slope[2][1] = 0.0;
+        prescribed.slope[2][2] = 0.0;
+        prescribed.slope[3][0] = 0.0;
+        prescribed.slope[3][1] = 0.0;
+        prescribed.slope[3][2] = 0.0;
+    }
+    /// Constraint `root` (pin in absolute coordinates): rows C(z, t).
+    ///
+    /// Of `root`: `z[0]` a place on `beam`; `z[1]` fixed in `rod`, where another vector starts (inertial axes).
+    ///
+    /// * position x: `z[0][0][0] - z[1][0][0]`
+    /// * position y: `z[0][0][1] - z[1][0][1]`
+    /// * position z: `z[0][0][2] - z[1][0][2]`
+    ///
+    /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_position_root(
         model: &super::SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
     ) {
-        let z = &z[..5];
-        rows[0] = z[0][0][0] - z[2][0][0];
-        rows[1] = z[0][0][1] - z[2][0][1];
-        rows[2] = z[0][0][2] - z[2][0][2];
-        rows[3] = z[1][0][0] * z[3][0][0] + z[1][0][1] * z[3][0][1]
-            + z[1][0][2] * z[3][0][2];
-        rows[4] = z[1][0][0] * z[4][0][0] + z[1][0][1] * z[4][0][1]
-            + z[1][0][2] * z[4][0][2];
+        let z = &z[..2];
+        rows[0] = z[0][0][0] - z[1][0][0];
+        rows[1] = z[0][0][1] - z[1][0][1];
+        rows[2] = z[0][0][2] - z[1][0][2];
     }
-    /// Constraint `root` (clamp in absolute coordinates): their rate dC/dt.
+    /// Constraint `root` (pin in absolute coordinates): their rate dC/dt.
     ///
-    /// Operations: 13 additions, 12 multiplications.
+    /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_velocity_root(
         model: &super::SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
     ) {
-        let z = &z[..5];
-        let t36 = z[3][0][0] * z[1][1][0] + z[1][0][0] * z[3][1][0]
-            + (z[3][0][1] * z[1][1][1] + z[1][0][1] * z[3][1][1])
-            + (z[3][0][2] * z[1][1][2] + z[1][0][2] * z[3][1][2]);
-        let t37 = z[4][0][0] * z[1][1][0] + z[1][0][0] * z[4][1][0]
-            + (z[4][0][1] * z[1][1][1] + z[1][0][1] * z[4][1][1])
-            + (z[4][0][2] * z[1][1][2] + z[1][0][2] * z[4][1][2]);
-        rows[0] = z[0][1][0] - z[2][1][0];
-        rows[1] = z[0][1][1] - z[2][1][1];
-        rows[2] = z[0][1][2] - z[2][1][2];
-        rows[3] = t36;
-        rows[4] = t37;
+        let z = &z[..2];
+        rows[0] = z[0][1][0] - z[1][1][0];
+        rows[1] = z[0][1][1] - z[1][1][1];
+        rows[2] = z[0][1][2] - z[1][1][2];
     }
-    /// Constraint `root` (clamp in absolute coordinates): their second time derivative.
+    /// Constraint `root` (pin in absolute coordinates): their second time derivative.
     ///
-    /// Operations: 25 additions, 18 multiplications.
+    /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_acceleration_root(
         model: &super::SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
     ) {
-        let z = &z[..5];
-        let t45 = z[1][1][0] * z[3][1][0];
-        let t46 = z[1][1][1] * z[3][1][1];
-        let t47 = t45 + z[3][0][0] * z[1][2][0] + (t45 + z[1][0][0] * z[3][2][0])
-            + (t46 + z[3][0][1] * z[1][2][1] + (t46 + z[1][0][1] * z[3][2][1]));
-        let t48 = z[1][1][2] * z[3][1][2];
-        let t49 = z[1][1][0] * z[4][1][0];
-        let t50 = z[1][1][1] * z[4][1][1];
-        let t51 = t49 + z[4][0][0] * z[1][2][0] + (t49 + z[1][0][0] * z[4][2][0])
-            + (t50 + z[4][0][1] * z[1][2][1] + (t50 + z[1][0][1] * z[4][2][1]));
-        let t52 = z[1][1][2] * z[4][1][2];
-        rows[0] = z[0][2][0] - z[2][2][0];
-        rows[1] = z[0][2][1] - z[2][2][1];
-        rows[2] = z[0][2][2] - z[2][2][2];
-        rows[3] = t47
-            + (t48 + z[3][0][2] * z[1][2][2] + (t48 + z[1][0][2] * z[3][2][2]));
-        rows[4] = t51
-            + (t52 + z[4][0][2] * z[1][2][2] + (t52 + z[1][0][2] * z[4][2][2]));
+        let z = &z[..2];
+        rows[0] = z[0][2][0] - z[1][2][0];
+        rows[1] = z[0][2][1] - z[1][2][1];
+        rows[2] = z[0][2][2] - z[1][2][2];
     }
-    /// Constraint `root` (clamp in absolute coordinates): their third time derivative.
+    /// Constraint `root` (pin in absolute coordinates): their third time derivative.
     ///
-    /// Operations: 43 additions, 24 multiplications.
+    /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_jerk_root(
         model: &super::SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
     ) {
-        let z = &z[..5];
-        let t54 = z[3][1][0] * z[1][2][0];
-        let t55 = z[1][1][0] * z[3][2][0];
-        let t56 = t54 + t55;
-        let t57 = z[3][1][1] * z[1][2][1];
-        let t58 = z[1][1][1] * z[3][2][1];
-        let t59 = t57 + t58;
-        let t60 = t56 + (t54 + z[3][0][0] * z[1][3][0])
-            + (t56 + (t55 + z[1][0][0] * z[3][3][0]))
-            + (t59 + (t57 + z[3][0][1] * z[1][3][1])
-                + (t59 + (t58 + z[1][0][1] * z[3][3][1])));
-        let t61 = z[3][1][2] * z[1][2][2];
-        let t62 = z[1][1][2] * z[3][2][2];
-        let t63 = t61 + t62;
-        let t64 = z[4][1][0] * z[1][2][0];
-        let t65 = z[1][1][0] * z[4][2][0];
-        let t66 = t64 + t65;
-        let t67 = z[4][1][1] * z[1][2][1];
-        let t68 = z[1][1][1] * z[4][2][1];
-        let t69 = t67 + t68;
-        let t70 = t66 + (t64 + z[4][0][0] * z[1][3][0])
-            + (t66 + (t65 + z[1][0][0] * z[4][3][0]))
-            + (t69 + (t67 + z[4][0][1] * z[1][3][1])
-                + (t69 + (t68 + z[1][0][1] * z[4][3][1])));
-        let t71 = z[4][1][2] * z[1][2][2];
-        let t72 = z[1][1][2] * z[4][2][2];
-        let t73 = t71 + t72;
-        rows[0] = z[0][3][0] - z[2][3][0];
-        rows[1] = z[0][3][1] - z[2][3][1];
-        rows[2] = z[0][3][2] - z[2][3][2];
-        rows[3] = t60
-            + (t63 + (t61 + z[3][0][2] * z[1][3][2])
-                + (t63 + (t62 + z[1][0][2] * z[3][3][2])));
-        rows[4] = t70
-            + (t73 + (t71 + z[4][0][2] * z[1][3][2])
-                + (t73 + (t72 + z[1][0][2] * z[4][3][2])));
+        let z = &z[..2];
+        rows[0] = z[0][3][0] - z[1][3][0];
+        rows[1] = z[0][3][1] - z[1][3][1];
+        rows[2] = z[0][3][2] - z[1][3][2];
     }
-    /// Constraint `root` (clamp in absolute coordinates): writes dC/dz, rows first; entries that are always zero are left alone.
+    /// Constraint `root` (pin in absolute coordinates): writes dC/dz, rows first; entries that are always zero are left alone.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_gradient_root(
@@ -3615,75 +3750,164 @@ pub mod slider_crank_equations {
         z: &[[f64; 3]],
         gradient: &mut [f64],
     ) {
-        let z = &z[..5];
+        let z = &z[..2];
         gradient[0] = 1.0;
-        gradient[6] = -1.0;
-        gradient[16] = 1.0;
-        gradient[22] = -1.0;
-        gradient[32] = 1.0;
-        gradient[38] = -1.0;
-        gradient[48] = z[3][0];
-        gradient[49] = z[3][1];
-        gradient[50] = z[3][2];
-        gradient[54] = z[1][0];
-        gradient[55] = z[1][1];
-        gradient[56] = z[1][2];
-        gradient[63] = z[4][0];
-        gradient[64] = z[4][1];
-        gradient[65] = z[4][2];
-        gradient[72] = z[1][0];
-        gradient[73] = z[1][1];
-        gradient[74] = z[1][2];
+        gradient[3] = -1.0;
+        gradient[7] = 1.0;
+        gradient[10] = -1.0;
+        gradient[14] = 1.0;
+        gradient[17] = -1.0;
     }
-    /// Constraint `root` (clamp in absolute coordinates): writes d(dC/dt)/dz at constant z', rows first; entries that are always zero are left alone.
+    /// Constraint `chord_y` (hold in absolute coordinates), `chord_z` (hold in absolute coordinates): rows C(z, t).
     ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn constraint_rate_gradient_root(
+    /// Of `chord_y`: `z[0]` a place on `beam`; `z[1]` fixed in `rod`, where another vector starts; `z[2]` a direction of `rod` (inertial axes).
+    ///
+    /// * position y: `z[2][0][0] * (z[0][0][0] - z[1][0][0]) + z[2][0][1] * (z[0][0][1] - z[1][0][1]) + z[2][0][2] * (z[0][0][2] - z[1][0][2])`
+    ///
+    /// Operations: 5 additions, 3 multiplications.
+    pub fn constraint_position_chord_y(
+        model: &super::SliderCrank,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..3];
+        rows[0] = z[2][0][0] * (z[0][0][0] - z[1][0][0])
+            + z[2][0][1] * (z[0][0][1] - z[1][0][1])
+            + z[2][0][2] * (z[0][0][2] - z[1][0][2]);
+    }
+    /// Constraint `chord_y` (hold in absolute coordinates), `chord_z` (hold in absolute coordinates): their rate dC/dt.
+    ///
+    /// Operations: 11 additions, 6 multiplications.
+    pub fn constraint_velocity_chord_y(
+        model: &super::SliderCrank,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..3];
+        let t30 = z[2][1][0] * (z[0][0][0] - z[1][0][0])
+            + z[2][0][0] * (z[0][1][0] - z[1][1][0])
+            + (z[2][1][1] * (z[0][0][1] - z[1][0][1])
+                + z[2][0][1] * (z[0][1][1] - z[1][1][1]));
+        rows[0] = t30
+            + (z[2][1][2] * (z[0][0][2] - z[1][0][2])
+                + z[2][0][2] * (z[0][1][2] - z[1][1][2]));
+    }
+    /// Constraint `chord_y` (hold in absolute coordinates), `chord_z` (hold in absolute coordinates): their second time derivative.
+    ///
+    /// Operations: 20 additions, 9 multiplications.
+    pub fn constraint_acceleration_chord_y(
+        model: &super::SliderCrank,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..3];
+        let t39 = z[2][1][0] * (z[0][1][0] - z[1][1][0]);
+        let t40 = z[2][1][1] * (z[0][1][1] - z[1][1][1]);
+        let t41 = z[2][2][0] * (z[0][0][0] - z[1][0][0]) + t39
+            + (t39 + z[2][0][0] * (z[0][2][0] - z[1][2][0]))
+            + (z[2][2][1] * (z[0][0][1] - z[1][0][1]) + t40
+                + (t40 + z[2][0][1] * (z[0][2][1] - z[1][2][1])));
+        let t42 = z[2][1][2] * (z[0][1][2] - z[1][1][2]);
+        rows[0] = t41
+            + (z[2][2][2] * (z[0][0][2] - z[1][0][2]) + t42
+                + (t42 + z[2][0][2] * (z[0][2][2] - z[1][2][2])));
+    }
+    /// Constraint `chord_y` (hold in absolute coordinates), `chord_z` (hold in absolute coordinates): their third time derivative.
+    ///
+    /// Operations: 32 additions, 12 multiplications.
+    pub fn constraint_jerk_chord_y(
+        model: &super::SliderCrank,
+        t: f64,
+        z: &[[[f64; 3]; 4]],
+        rows: &mut [f64],
+    ) {
+        let z = &z[..3];
+        let t48 = z[2][2][0] * (z[0][1][0] - z[1][1][0]);
+        let t49 = z[2][1][0] * (z[0][2][0] - z[1][2][0]);
+        let t50 = t48 + t49;
+        let t51 = z[2][3][0] * (z[0][0][0] - z[1][0][0]) + t48 + t50
+            + (t50 + (t49 + z[2][0][0] * (z[0][3][0] - z[1][3][0])));
+        let t52 = z[2][2][1] * (z[0][1][1] - z[1][1][1]);
+        let t53 = z[2][1][1] * (z[0][2][1] - z[1][2][1]);
+        let t54 = t52 + t53;
+        let t55 = z[2][3][1] * (z[0][0][1] - z[1][0][1]) + t52 + t54
+            + (t54 + (t53 + z[2][0][1] * (z[0][3][1] - z[1][3][1])));
+        let t56 = z[2][2][2] * (z[0][1][2] - z[1][1][2]);
+        let t57 = z[2][1][2] * (z[0][2][2] - z[1][2][2]);
+        let t58 = t56 + t57;
+        let t59 = z[2][3][2] * (z[0][0][2] - z[1][0][2]) + t56 + t58
+            + (t58 + (t57 + z[2][0][2] * (z[0][3][2] - z[1][3][2])));
+        rows[0] = t51 + t55 + t59;
+    }
+    /// Constraint `chord_y` (hold in absolute coordinates), `chord_z` (hold in absolute coordinates): writes dC/dz, rows first; entries that are always zero are left alone.
+    ///
+    /// Operations: 3 additions, 0 multiplications.
+    pub fn constraint_gradient_chord_y(
+        model: &super::SliderCrank,
+        t: f64,
+        z: &[[f64; 3]],
+        gradient: &mut [f64],
+    ) {
+        let z = &z[..3];
+        gradient[0] = z[2][0];
+        gradient[1] = z[2][1];
+        gradient[2] = z[2][2];
+        gradient[3] = -z[2][0];
+        gradient[4] = -z[2][1];
+        gradient[5] = -z[2][2];
+        gradient[6] = z[0][0] - z[1][0];
+        gradient[7] = z[0][1] - z[1][1];
+        gradient[8] = z[0][2] - z[1][2];
+    }
+    /// Constraint `chord_y` (hold in absolute coordinates), `chord_z` (hold in absolute coordinates): writes d(dC/dt)/dz at constant z', rows first; entries that are always zero are left alone.
+    ///
+    /// Operations: 3 additions, 0 multiplications.
+    pub fn constraint_rate_gradient_chord_y(
         model: &super::SliderCrank,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
         gradient: &mut [f64],
     ) {
-        let z = &z[..5];
-        let velocity = &velocity[..5];
-        gradient[48] = velocity[3][0];
-        gradient[49] = velocity[3][1];
-        gradient[50] = velocity[3][2];
-        gradient[54] = velocity[1][0];
-        gradient[55] = velocity[1][1];
-        gradient[56] = velocity[1][2];
-        gradient[63] = velocity[4][0];
-        gradient[64] = velocity[4][1];
-        gradient[65] = velocity[4][2];
-        gradient[72] = velocity[1][0];
-        gradient[73] = velocity[1][1];
-        gradient[74] = velocity[1][2];
+        let z = &z[..3];
+        let velocity = &velocity[..3];
+        gradient[0] = velocity[2][0];
+        gradient[1] = velocity[2][1];
+        gradient[2] = velocity[2][2];
+        gradient[3] = -velocity[2][0];
+        gradient[4] = -velocity[2][1];
+        gradient[5] = -velocity[2][2];
+        gradient[6] = velocity[0][0] - velocity[1][0];
+        gradient[7] = velocity[0][1] - velocity[1][1];
+        gradient[8] = velocity[0][2] - velocity[1][2];
     }
-    /// Constraint `root` (clamp in absolute coordinates): writes sum_i lambda_i d^2 C_i/dz dz, rows first; entries that are always zero are left alone.
+    /// Constraint `chord_y` (hold in absolute coordinates), `chord_z` (hold in absolute coordinates): writes sum_i lambda_i d^2 C_i/dz dz, rows first; entries that are always zero are left alone.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn constraint_hessian_root(
+    pub fn constraint_hessian_chord_y(
         model: &super::SliderCrank,
         t: f64,
         z: &[[f64; 3]],
         lambda: &[f64],
         hessian: &mut [f64],
     ) {
-        let z = &z[..5];
-        let lambda = &lambda[..5];
-        hessian[138] = lambda[3];
-        hessian[54] = lambda[3];
-        hessian[154] = lambda[3];
-        hessian[70] = lambda[3];
-        hessian[170] = lambda[3];
-        hessian[86] = lambda[3];
-        hessian[183] = lambda[4];
-        hessian[57] = lambda[4];
-        hessian[199] = lambda[4];
-        hessian[73] = lambda[4];
-        hessian[215] = lambda[4];
-        hessian[89] = lambda[4];
+        let z = &z[..3];
+        let lambda = &lambda[..1];
+        hessian[54] = lambda[0];
+        hessian[6] = lambda[0];
+        hessian[57] = -lambda[0];
+        hessian[33] = -lambda[0];
+        hessian[64] = lambda[0];
+        hessian[16] = lambda[0];
+        hessian[67] = -lambda[0];
+        hessian[43] = -lambda[0];
+        hessian[74] = lambda[0];
+        hessian[26] = lambda[0];
+        hessian[77] = -lambda[0];
+        hessian[53] = -lambda[0];
     }
     /// Constraint `cross_axis` (constraint): rows C(z, t).
     ///
@@ -4083,9 +4307,31 @@ pub mod slider_crank_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::JointSpec {
                     name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
+                    kind: ::rncf::mesh::JointKind::Pin,
                     body: 0,
                     at_end: false,
+                    frame: 2,
+                    point: None,
+                },
+                ::rncf::mesh::JointSpec {
+                    name: "chord_y",
+                    kind: ::rncf::mesh::JointKind::Hold {
+                        order: 0,
+                        axis: 1,
+                    },
+                    body: 0,
+                    at_end: true,
+                    frame: 2,
+                    point: None,
+                },
+                ::rncf::mesh::JointSpec {
+                    name: "chord_z",
+                    kind: ::rncf::mesh::JointKind::Hold {
+                        order: 0,
+                        axis: 2,
+                    },
+                    body: 0,
+                    at_end: true,
                     frame: 2,
                     point: None,
                 },
@@ -4099,7 +4345,7 @@ pub mod slider_crank_equations {
             let model = &self.model;
             ::std::vec::Vec::from([
                 ::rncf::mesh::ObservedSpec::Marker {
-                    marker: 6,
+                    marker: 2,
                     derivative: 0,
                     component: 0,
                 },
@@ -4414,6 +4660,102 @@ pub mod slider_crank_equations {
                         }
                     }
                 }
+                (1, false) => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            joint_chord_y_referenced_position(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            joint_chord_y_referenced_velocity(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            joint_chord_y_referenced_acceleration(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            joint_chord_y_referenced_jerk(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                    }
+                }
+                (2, false) => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            joint_chord_z_referenced_position(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            joint_chord_z_referenced_velocity(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            joint_chord_z_referenced_acceleration(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            joint_chord_z_referenced_jerk(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                    }
+                }
                 _ => {}
             }
         }
@@ -4429,6 +4771,12 @@ pub mod slider_crank_equations {
                 (0, false) => {
                     joint_root_referenced_jacobian(&self.model, t, data, jacobian);
                 }
+                (1, false) => {
+                    joint_chord_y_referenced_jacobian(&self.model, t, data, jacobian);
+                }
+                (2, false) => {
+                    joint_chord_z_referenced_jacobian(&self.model, t, data, jacobian);
+                }
                 _ => {}
             }
         }
@@ -4443,6 +4791,22 @@ pub mod slider_crank_equations {
             match (joint, absolute) {
                 (0, false) => {
                     joint_root_referenced_prescribed(&self.model, t, data, prescribed);
+                }
+                (1, false) => {
+                    joint_chord_y_referenced_prescribed(
+                        &self.model,
+                        t,
+                        data,
+                        prescribed,
+                    );
+                }
+                (2, false) => {
+                    joint_chord_z_referenced_prescribed(
+                        &self.model,
+                        t,
+                        data,
+                        prescribed,
+                    );
                 }
                 _ => {}
             }
@@ -4493,27 +4857,21 @@ pub mod slider_crank_equations {
                     frame: 2,
                     marker: 0,
                 },
-                ::rncf::mesh::MarkerSpec::BodySlope {
+                ::rncf::mesh::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
+                    at: ::rncf::mesh::Place::End,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::mesh::MarkerSpec::Matching {
                     frame: 2,
                     marker: 2,
-                    which: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::mesh::MarkerSpec::Direction {
                     frame: 2,
-                    marker: 2,
-                    which: 1,
+                    along: [0.0, 1.0, 0.0],
                 },
                 ::rncf::mesh::MarkerSpec::Direction {
                     frame: 2,
                     along: [0.0, 0.0, 1.0],
-                },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
                 },
             ])
         }
@@ -4522,16 +4880,26 @@ pub mod slider_crank_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::ConstraintSpec {
                     name: "root",
-                    kind: "clamp",
-                    rows: &[
-                        "position x",
-                        "position y",
-                        "position z",
-                        "direction 1",
-                        "direction 2",
-                    ],
-                    markers: &[0, 2, 1, 3, 4],
-                    first_party: 2,
+                    kind: "pin",
+                    rows: &["position x", "position y", "position z"],
+                    markers: &[0, 1],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Absolute(0),
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "chord_y",
+                    kind: "hold",
+                    rows: &["position y"],
+                    markers: &[2, 3, 4],
+                    first_party: 1,
+                    when: ::rncf::mesh::When::Absolute(0),
+                },
+                ::rncf::mesh::ConstraintSpec {
+                    name: "chord_z",
+                    kind: "hold",
+                    rows: &["position z"],
+                    markers: &[2, 3, 5],
+                    first_party: 1,
                     when: ::rncf::mesh::When::Absolute(0),
                 },
                 ::rncf::mesh::ConstraintSpec {
@@ -4546,7 +4914,7 @@ pub mod slider_crank_equations {
                     name: "guide_y",
                     kind: "constraint",
                     rows: &["value"],
-                    markers: &[6],
+                    markers: &[2],
                     first_party: 1,
                     when: ::rncf::mesh::When::Always,
                 },
@@ -4554,7 +4922,7 @@ pub mod slider_crank_equations {
                     name: "guide_z",
                     kind: "constraint",
                     rows: &["value"],
-                    markers: &[6],
+                    markers: &[2],
                     first_party: 1,
                     when: ::rncf::mesh::When::Always,
                 },
@@ -4585,7 +4953,23 @@ pub mod slider_crank_equations {
                         }
                     }
                 }
-                1 => {
+                1 | 2 => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            constraint_position_chord_y(&self.model, t, z, rows)
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            constraint_velocity_chord_y(&self.model, t, z, rows)
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            constraint_acceleration_chord_y(&self.model, t, z, rows)
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            constraint_jerk_chord_y(&self.model, t, z, rows)
+                        }
+                    }
+                }
+                3 => {
                     match level {
                         ::rncf::system::ConstraintLevel::Position => {
                             constraint_position_cross_axis(&self.model, t, z, rows)
@@ -4601,7 +4985,7 @@ pub mod slider_crank_equations {
                         }
                     }
                 }
-                2 => {
+                4 => {
                     match level {
                         ::rncf::system::ConstraintLevel::Position => {
                             constraint_position_guide_y(&self.model, t, z, rows)
@@ -4617,7 +5001,7 @@ pub mod slider_crank_equations {
                         }
                     }
                 }
-                3 => {
+                5 => {
                     match level {
                         ::rncf::system::ConstraintLevel::Position => {
                             constraint_position_guide_z(&self.model, t, z, rows)
@@ -4646,9 +5030,10 @@ pub mod slider_crank_equations {
             gradient.fill(0.0);
             match constraint {
                 0 => constraint_gradient_root(&self.model, t, z, gradient),
-                1 => constraint_gradient_cross_axis(&self.model, t, z, gradient),
-                2 => constraint_gradient_guide_y(&self.model, t, z, gradient),
-                3 => constraint_gradient_guide_z(&self.model, t, z, gradient),
+                1 | 2 => constraint_gradient_chord_y(&self.model, t, z, gradient),
+                3 => constraint_gradient_cross_axis(&self.model, t, z, gradient),
+                4 => constraint_gradient_guide_y(&self.model, t, z, gradient),
+                5 => constraint_gradient_guide_z(&self.model, t, z, gradient),
                 _ => {}
             }
         }
@@ -4662,8 +5047,16 @@ pub mod slider_crank_equations {
         ) {
             gradient.fill(0.0);
             match constraint {
-                0 => constraint_rate_gradient_root(&self.model, t, z, velocity, gradient),
-                1 => {
+                1 | 2 => {
+                    constraint_rate_gradient_chord_y(
+                        &self.model,
+                        t,
+                        z,
+                        velocity,
+                        gradient,
+                    )
+                }
+                3 => {
                     constraint_rate_gradient_cross_axis(
                         &self.model,
                         t,
@@ -4685,7 +5078,7 @@ pub mod slider_crank_equations {
         ) {
             hessian.fill(0.0);
             match constraint {
-                0 => constraint_hessian_root(&self.model, t, z, lambda, hessian),
+                1 | 2 => constraint_hessian_chord_y(&self.model, t, z, lambda, hessian),
                 _ => {}
             }
         }
