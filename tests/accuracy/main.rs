@@ -4,6 +4,7 @@ mod dense;
 mod determinism;
 mod gravity;
 mod heavy_top;
+mod mechanisms;
 mod modal;
 mod models;
 mod multibody;
