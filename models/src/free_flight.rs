@@ -10,6 +10,12 @@ rncf::model! {
         param tip_mass = 0.7 kg;
         /// Radius of the arc that the cable starts in.
         param radius = 1.5 m;
+        /// Initial angular velocity about the tangent at the cable's start: it keeps the cable bent, as the frame needs.
+        param roll = 4 rad/s;
+        /// Initial angular velocity in the plane of the arc, across the tangent.
+        param pitch = -1 rad/s;
+        /// Initial angular velocity about the normal of the arc.
+        param yaw = 1 rad/s;
 
         // EA = 400 N, EI = 2 N m^2 and 1.5 kg/m.
         material soft { density = 1500 kg/m^3; young = 0.4 MPa; }
@@ -18,7 +24,7 @@ rncf::model! {
         /// Frame of the cable.
         frame f = free(
             origin = [0.3, -0.2, 0.5] m, axis = [1, 2, -1], angle = 40 deg,
-            velocity = [-3, 1, 2] m/s, angular_velocity = [1, -2.5, 3] rad/s
+            velocity = [-3, 1, 2] m/s, angular_velocity = [roll, pitch, yaw]
         );
         body cable in f {
             spatial;
@@ -29,7 +35,7 @@ rncf::model! {
         // Six ties of the frame to the cable: five at its start; the sixth, the spin about the cable's axis, by the end,
         // which stays in the frame's xy plane.
         joint root = clamp(cable.start, f);
-        joint roll = hold(cable.end.z);
+        joint twist = hold(cable.end.z);
         fixture tip on cable.end { mass = tip_mass; }
 
         /// Start of the cable in space.

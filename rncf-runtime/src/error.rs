@@ -64,6 +64,9 @@ pub enum SolveErrorKind {
     NoConvergence,
     /// The error test failed at the smallest step.
     StepTooSmall,
+    /// Newton's iteration failed where constraints become dependent, so that motions branch; the text names
+    /// the constraints.
+    SingularConfiguration(String),
     /// A value became infinite or not a number.
     NotFinite,
     /// A force, constraint, load or motion has no finite value; the text names it.
@@ -91,6 +94,11 @@ impl fmt::Display for SolveError {
             SolveErrorKind::NoConvergence => write!(
                 f,
                 "Newton's iteration does not converge at t = {t} s with h = {h} s: take a shorter step if it is fixed, look for a jump in a motion or load, or relax the tolerance"
+            )?,
+            SolveErrorKind::SingularConfiguration(text) => write!(
+                f,
+                "at t = {:e} s the motion comes to a singular configuration, where its branch cannot be told: {text}; relax the tolerance to step across, or change a length or the start to stay away from it",
+                self.t
             )?,
             SolveErrorKind::StepTooSmall => write!(
                 f,
@@ -131,6 +139,9 @@ mod tests {
     fn numbers_are_short() {
         let text = |value: f64| Short(value).to_string();
         let found = [0.0, 1.0, 0.25, 1.234_567_8, -2e-3, 1.425_212_5e-8, 2e6, 99_999.96].map(text);
-        assert_eq!(found, ["0", "1", "0.25", "1.23457", "-0.002", "1.42521e-8", "2e6", "1e5"]);
+        assert_eq!(
+            found,
+            ["0", "1", "0.25", "1.23457", "-0.002", "1.42521e-8", "2e6", "1e5"]
+        );
     }
 }

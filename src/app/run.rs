@@ -296,7 +296,11 @@ const CORRECTED: f64 = 1e-12;
 fn corrections(statistics: &Statistics) -> Vec<String> {
     let corrections = [
         ("positions", statistics.position_correction, "the size of the model"),
-        ("velocities", statistics.velocity_correction, "that size in the time of the run"),
+        (
+            "velocities",
+            statistics.velocity_correction,
+            "that size in the time of the run",
+        ),
     ];
     let moved = corrections.into_iter().filter(|(_, size, _)| *size > CORRECTED);
     moved
@@ -452,6 +456,20 @@ mod tests {
         assert_eq!(summary["notes"][1], "the spring is soft at 6 rad/s");
         let steady = steady::steady(&rotor, &RunSettings::default()).unwrap();
         assert_eq!(steady.warnings, result.warnings);
+    }
+
+    #[test]
+    fn corrections_of_the_start_are_noted() {
+        let mut statistics = Statistics::default();
+        assert!(corrections(&statistics).is_empty());
+        statistics.position_correction = 2.999e-4;
+        let notes = corrections(&statistics);
+        assert_eq!(
+            notes,
+            ["The initial positions were moved onto the constraints, by up to 3.0e-4 of the size of the model."]
+        );
+        statistics.velocity_correction = 1e-3;
+        assert_eq!(corrections(&statistics).len(), 2);
     }
 
     #[test]

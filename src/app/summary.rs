@@ -68,8 +68,16 @@ pub(super) fn of_run<M: Model>(model: &M, result: &RunResult) -> Summary {
     put(&mut summary, "energy_error", json!(result.energy_error));
     let violation = (result.constraints > 0).then_some(result.statistics.max_constraint_residual);
     put(&mut summary, "max_constraint_residual", json!(violation));
-    put(&mut summary, "position_correction", json!(result.statistics.position_correction));
-    put(&mut summary, "velocity_correction", json!(result.statistics.velocity_correction));
+    put(
+        &mut summary,
+        "position_correction",
+        json!(result.statistics.position_correction),
+    );
+    put(
+        &mut summary,
+        "velocity_correction",
+        json!(result.statistics.velocity_correction),
+    );
     tail::<M>(&mut summary, &result.history, &result.warnings);
     summary
 }

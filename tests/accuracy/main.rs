@@ -2,6 +2,7 @@
 
 mod dense;
 mod determinism;
+mod free_flight;
 mod gravity;
 mod heavy_top;
 mod mechanisms;

@@ -4,6 +4,7 @@
 //!   code with run-time loops; also the yardstick of the benches.
 //! - [`spin_up`], [`beam`], [`rotating_beam`], [`inertial_beam`]: the spin-up beam (THEORY 9.1) in the rotating and in
 //!   the inertial frame, as first-order systems.
+//! - [`free_cable`]: the cable of THEORY 9.6 in free flight, and what it keeps.
 //! - [`swing`]: another motion of the same beam, for scenes that are nobody's example.
 //! - [`pendulum`]: the planar pendulum (THEORY 10, T1) with its exact multiplier.
 //! - [`heavy_top`], [`governor`]: mechanisms of BENCHMARKS 3 and 6 in coordinates without constraints.
@@ -15,6 +16,7 @@
 pub mod beam;
 pub mod dense;
 pub mod element;
+pub mod free_cable;
 pub mod governor;
 pub mod heavy_top;
 pub mod inertia;

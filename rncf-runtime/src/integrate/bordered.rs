@@ -9,13 +9,14 @@
 //! matrix converges fast.
 
 use super::Statistics;
+use super::anderson::Acceleration;
 use crate::linalg::{Pattern, Saddle, Singular};
 use crate::system::{ConstraintLevel, State, System};
 
 /// Refinement stops when a correction is this small relative to the solution.
 const REFINED: f64 = 1e-6;
-/// Refinement that contracts worse than this asks for a new factorization.
-const SLOW: f64 = 0.03;
+/// Most corrections: more of them cost as much as a new factorization.
+const CORRECTIONS: usize = 5;
 
 /// `[[M, C_x^T], [C_x, 0]]` at a time and position, and solutions with it.
 pub(super) struct Bordered {
@@ -31,6 +32,8 @@ pub(super) struct Bordered {
     given: (Vec<f64>, Vec<f64>),
     rest: (Vec<f64>, Vec<f64>),
     work: Vec<f64>,
+    acceleration: Acceleration,
+    inverse_sizes: Vec<f64>,
 }
 
 /// What weighs a change of the unknowns.
@@ -81,6 +84,8 @@ impl Bordered {
             given: (vec![0.0; n], vec![0.0; m]),
             rest: (vec![0.0; n], vec![0.0; m]),
             work: vec![0.0; m],
+            acceleration: Acceleration::new(n + m),
+            inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
             pattern,
             constraint_pattern,
         }
@@ -232,20 +237,24 @@ impl Bordered {
         constraints.fill(0.0);
         self.rest.0.copy_from_slice(&self.given.0);
         self.rest.1.copy_from_slice(&self.given.1);
-        let mut before = f64::INFINITY;
-        loop {
+        let n = dynamics.len();
+        self.acceleration.restart();
+        for _ in 0..CORRECTIONS {
             statistics.solves += 1;
             self.saddle.solve(&mut self.rest.0, &mut self.rest.1);
-            add(dynamics, &self.rest.0);
-            add(constraints, &self.rest.1);
-            let (correction, solution) = (self.norm(&self.rest.0), self.norm(dynamics));
-            if correction <= REFINED * solution {
+            let iterate = [&*dynamics, &*constraints].concat();
+            let mut change = [&self.rest.0[..], &self.rest.1].concat();
+            self.acceleration.note(&iterate, &change);
+            self.acceleration.accelerate(&self.inverse_sizes, &mut change);
+            let correction = self.norm(&self.rest.0);
+            add(dynamics, &change[..n]);
+            add(constraints, &change[n..]);
+            if correction <= REFINED * self.norm(dynamics) {
                 return true;
             }
-            if correction.is_nan() || correction > SLOW * before {
+            if !correction.is_finite() {
                 return false;
             }
-            before = correction;
             self.rest.0.copy_from_slice(&self.given.0);
             self.rest.1.copy_from_slice(&self.given.1);
             self.pattern.multiply_add(-1.0, &self.mass, dynamics, &mut self.rest.0);
@@ -254,6 +263,7 @@ impl Bordered {
             self.constraint_pattern
                 .transpose_multiply_add(-1.0, &self.jacobian, dynamics, &mut self.rest.1);
         }
+        false
     }
 
     /// Euclidean norm relative to the sizes of the unknowns.

@@ -22,8 +22,8 @@ const ITERATIONS: usize = 10;
 
 /// Why a state cannot be made consistent.
 pub(super) enum Inconsistent {
-    /// Violation of the worst constraint, in its unit, and its index.
-    Far(f64, usize),
+    /// Violation of the worst constraint (or of its rate), in its unit, its index, and the level.
+    Far(f64, usize, ConstraintLevel),
     /// The constraints contradict or depend on each other.
     Singular(Singular),
 }
@@ -79,7 +79,7 @@ impl Projection {
         let (mut largest, mut before) = (0.0_f64, f64::INFINITY);
         for iteration in 0..=ITERATIONS {
             let (violation, worst) = self.violation(system, state, level);
-            let far = Inconsistent::Far(self.value[worst].abs(), worst);
+            let far = Inconsistent::Far(self.value[worst].abs(), worst, level);
             if iteration == 0 && violation > NEAR || !violation.is_finite() {
                 return Err(far);
             }

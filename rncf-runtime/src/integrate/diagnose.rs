@@ -6,6 +6,8 @@ use crate::system::{State, System};
 
 /// What is left of a constraint's row, of norm one, that counts as nothing.
 const DEPENDENT: f64 = 1e-9;
+/// The same near a singular configuration.
+const NEARLY_DEPENDENT: f64 = 1e-2;
 /// Coefficients of a dependency below this are round-off.
 const TAKES_PART: f64 = 1e-6;
 /// More constraints than these are not searched for dependencies: the time grows with their cube.
@@ -20,11 +22,10 @@ const SHIFT: f64 = 1e-9;
 const NAMED: f64 = 0.1;
 const NAMES: usize = 6;
 
-/// Names constraints that depend on each other at the state, and which one to weaken; `None` if
-/// the rows of `C_x` are independent.
+/// Names joints that take freedoms which others take already, and what to weaken; `None` if the rows
+/// of `C_x` are independent.
 ///
-/// Rows are scaled by the sizes of the unknowns and to norm one, then orthogonalised, the largest
-/// remainder first.
+/// Rows are scaled by the sizes of the unknowns and to norm one, then orthogonalised.
 pub(super) fn redundancy<S: System + ?Sized>(system: &mut S, state: &State) -> Option<String> {
     let m = system.constraints();
     if m == 0 || m > MOST {
@@ -33,50 +34,115 @@ pub(super) fn redundancy<S: System + ?Sized>(system: &mut S, state: &State) -> O
     let rows = scaled_rows(system, state);
     if let Some(empty) = rows.iter().position(|row| row.iter().all(|entry| *entry == 0.0)) {
         return Some(format!(
-            "{} restrains no motion here: turn its axes, or leave it out",
+            "{} restrains no motion here: move its points apart, turn its axes, or leave it out",
             system.describe_constraint(empty)
         ));
     }
-    let basis = Basis::of(&rows);
-    if basis.left.is_empty() {
+    let pivoted = Basis::of(&rows, true, DEPENDENT);
+    if pivoted.left.is_empty() {
         return None;
     }
+    // In the declared order it is the later constraints that are one too many; the rank is known better
+    // with the largest remainder first.
+    let ordered = Basis::of(&rows, false, DEPENDENT);
+    let basis = if ordered.left.len() == pivoted.left.len() {
+        ordered
+    } else {
+        pivoted
+    };
     let mut text = match basis.left.len() {
         1 => "one constraint is redundant".to_string(),
         count => format!("{count} constraints are redundant"),
     };
-    for &row in basis.left.iter().take(LISTED) {
-        text.push_str(": ");
-        text.push_str(&dependency(system, &basis.combination(row)));
+    let names: Vec<String> = (0..m).map(|row| system.describe_constraint(row)).collect();
+    let mut owners: Vec<&str> = basis.left.iter().map(|&row| owner(&names[row])).collect();
+    owners.dedup();
+    for (place, &over) in owners.iter().take(LISTED).enumerate() {
+        text.push_str(if place == 0 { ": " } else { "; " });
+        text.push_str(&overlap(over, &basis, &names));
+    }
+    if owners.len() > LISTED {
+        text.push_str(&format!("; and {} more", owners.len() - LISTED));
     }
     Some(text)
 }
 
-/// One dependency in words; constraints with their coefficients, not all of them zero.
-fn dependency<S: System + ?Sized>(system: &S, combination: &[(usize, f64)]) -> String {
-    let name = |row: usize| system.describe_constraint(row);
-    // The joint's name stands before the first comma.
-    let joint = |row: usize| name(row).split(',').next().unwrap_or_default().to_string();
-    let last = combination
-        .iter()
-        .map(|&(row, _)| row)
-        .max()
-        .map(joint)
-        .unwrap_or_default();
-    let weaken = combination
-        .iter()
-        .filter(|&&(row, _)| joint(row) == last)
-        .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()).then(a.0.cmp(&b.0)))
-        .map(|&(row, _)| name(row))
-        .unwrap_or_default();
-    let mut rows: Vec<usize> = combination.iter().map(|&(row, _)| row).collect();
+/// Names constraints that nearly depend on each other at the state: a singular configuration is near;
+/// `None` if there are none.
+pub(super) fn near_singular<S: System + ?Sized>(system: &mut S, state: &State) -> Option<String> {
+    let m = system.constraints();
+    if m == 0 || m > MOST {
+        return None;
+    }
+    let basis = Basis::of(&scaled_rows(system, state), true, NEARLY_DEPENDENT);
+    let &row = basis.left.first()?;
+    let mut rows: Vec<usize> = basis.combination(row).iter().map(|&(row, _)| row).collect();
     rows.sort_unstable();
-    let mut all: Vec<String> = rows.into_iter().map(name).collect();
-    all.dedup();
+    let mut names: Vec<String> = rows.iter().map(|&row| system.describe_constraint(row)).collect();
+    names.dedup();
+    Some(format!("{} nearly depend on each other", names.join("; ")))
+}
+
+/// The joint that a constraint belongs to: its name stands before the first comma.
+fn owner(name: &str) -> &str {
+    name.split(',').next().unwrap_or_default()
+}
+
+/// What a joint takes that others take already, in words, and what to do.
+fn overlap(over: &str, basis: &Basis, names: &[String]) -> String {
+    let own = |row: &usize| owner(&names[*row]) == over;
+    let twice: Vec<usize> = basis.left.iter().copied().filter(own).collect();
+    let all = (0..names.len()).filter(own).count();
+    let mut involved: Vec<usize> = twice
+        .iter()
+        .flat_map(|&row| basis.combination(row))
+        .map(|(row, _)| row)
+        .collect();
+    involved.sort_unstable();
+    let mut others: Vec<&str> = involved.iter().map(|&row| owner(&names[row])).collect();
+    others.retain(|&other| other != over);
+    others.dedup();
+    let others = listed(&others);
+    if twice.len() == all && !others.is_empty() {
+        return format!("{over} takes no freedom that {others} do not take already: leave it out");
+    }
+    let rows: Vec<&str> = twice
+        .iter()
+        .map(|&row| names[row].split_once(", ").map_or(over, |(_, what)| what))
+        .collect();
+    let beside = if others.is_empty() {
+        String::new()
+    } else {
+        format!(" together with {others}")
+    };
     format!(
-        "{} depend on each other; weaken `{last}` such that it leaves `{weaken}` free",
-        all.join("; ")
+        "{over}{beside} takes the freedom `{}` twice: weaken it such that it leaves this free{}",
+        rows.join("`, `"),
+        weaker(over, &rows)
     )
+}
+
+/// `a, b and c`.
+fn listed(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [name] => (*name).to_string(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// A kind of joint that takes less, for rows of a kind that turns or shifts less.
+fn weaker(over: &str, rows: &[&str]) -> &'static str {
+    let turning = rows.iter().all(|row| row.starts_with("direction"));
+    let is = |kind: &str| over.ends_with(kind);
+    match (is("(revolute)"), is("(weld)"), is("(prismatic)"), is("(universal)")) {
+        (true, ..) if turning && rows.len() == 1 => ", e.g. make it `universal`",
+        (true, ..) if turning => ", e.g. make it `spherical`",
+        (_, true, ..) if turning && rows.len() == 1 => ", e.g. make it `revolute`",
+        (_, _, true, _) if turning && rows.len() == 1 => ", e.g. make it `cylindrical`",
+        (_, _, _, true) if turning => ", e.g. make it `spherical`",
+        _ => "",
+    }
 }
 
 /// Rows of `C_x` relative to the sizes of the unknowns, of norm one, over the unknowns that occur.
@@ -114,22 +180,29 @@ struct Basis {
 }
 
 impl Basis {
-    fn of(rows: &[Vec<f64>]) -> Self {
+    /// The rows in their order, or (`pivoted`) the largest remainder first; what is left of a row that is
+    /// no longer than `dependent` counts as nothing.
+    fn of(rows: &[Vec<f64>], pivoted: bool, dependent: f64) -> Self {
         let mut rest = rows.to_vec();
         let mut left: Vec<usize> = (0..rows.len()).collect();
         let mut components = vec![Vec::new(); rows.len()];
         let mut chosen = Vec::new();
-        while let Some(place) = largest(&rest, &left) {
-            let row = left[place];
+        let mut waiting = left.clone();
+        while let Some(place) = if pivoted {
+            largest(&rest, &waiting)
+        } else {
+            first(&waiting)
+        } {
+            let row = waiting.remove(place);
             let size = dot(&rest[row], &rest[row]).sqrt();
-            if size <= DEPENDENT {
-                break;
+            if size <= dependent {
+                continue;
             }
-            left.remove(place);
+            left.retain(|&other| other != row);
             let direction: Vec<f64> = rest[row].iter().map(|entry| entry / size).collect();
             components[row].push(size);
             chosen.push(row);
-            for &other in &left {
+            for &other in &waiting {
                 let along = dot(&direction, &rest[other]);
                 components[other].push(along);
                 for (entry, direction) in rest[other].iter_mut().zip(&direction) {
@@ -148,7 +221,8 @@ impl Basis {
     fn combination(&self, row: usize) -> Vec<(usize, f64)> {
         let mut rest = self.components[row].clone();
         let mut combination = vec![(row, -1.0)];
-        for (place, &chosen) in self.chosen.iter().enumerate().rev() {
+        // Rows chosen after this one have no part in it.
+        for (place, &chosen) in self.chosen.iter().enumerate().take(rest.len()).rev() {
             let components = &self.components[chosen];
             let coefficient = rest[place] / components[place];
             for (rest, component) in rest.iter_mut().zip(components) {
@@ -160,6 +234,10 @@ impl Basis {
         }
         combination
     }
+}
+
+fn first(waiting: &[usize]) -> Option<usize> {
+    (!waiting.is_empty()).then_some(0)
 }
 
 /// Place in `left` of the largest remainder; the first of equals.
@@ -239,7 +317,7 @@ fn motion_in_words<S: System + ?Sized>(system: &S, parts: &[f64]) -> String {
         count => format!(" and {count} others"),
     };
     format!(
-        "a motion of {}{others} has no inertia and nothing ties it: add a condition that holds it, or give it mass",
+        "a motion of {}{others} has no inertia and nothing ties it: add a condition that holds it, or give it mass or inertia",
         names.join("; ")
     )
 }

@@ -4,6 +4,7 @@
 //! steps. A method (`scheme::Scheme`) tries one step at a time.
 
 mod alpha;
+mod anderson;
 mod bordered;
 mod charts;
 mod consistent;
@@ -293,6 +294,15 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
     }
 
     fn rejection_error(&mut self, t: f64, h: f64, cause: Cause) -> SolveError {
+        let branching = match cause {
+            Cause::Newton { .. } | Cause::Singular { .. } => {
+                diagnose::near_singular(self.system, self.scheme.state())
+            }
+            Cause::Error | Cause::NotFinite => None,
+        };
+        if let Some(text) = branching {
+            return self.error(SolveErrorKind::SingularConfiguration(text), t, h, None);
+        }
         let (kind, worst) = match cause {
             Cause::Error => (SolveErrorKind::StepTooSmall, self.scheme.worst_error()),
             Cause::Newton { worst } => (SolveErrorKind::NoConvergence, worst),
@@ -385,8 +395,11 @@ fn prepare<S: System + ?Sized>(
     };
     check(system, state)?;
     consistent::project(system, state, span, statistics).map_err(|inconsistent| match inconsistent {
-        Inconsistent::Far(size, index) => {
-            let worst = system.describe_constraint(index);
+        Inconsistent::Far(size, index, level) => {
+            let mut worst = system.describe_constraint(index);
+            if level == ConstraintLevel::Velocity {
+                worst.insert_str(0, "the rate of ");
+            }
             (SolveErrorKind::Inconsistent(size), Some(worst))
         }
         Inconsistent::Singular(singular) => {

@@ -34,8 +34,13 @@ const COARSE: f64 = 1e-4;
 const AGED: f64 = 0.02;
 /// The next step keeps its size, and thus the factorizations, if it would grow by less.
 const KEEP: f64 = 1.2;
-/// Contraction up to which a step may grow.
+/// Iterations up to which a step may grow, and contraction up to which it may after more of them.
+const EASY: u32 = 5;
 const CONTRACTING: f64 = 0.04;
+/// After an iteration failed, the next steps stay below this part of the step that failed, and the growth of
+/// that limit from step to step.
+const BELOW_FAILURE: f64 = 0.7;
+const RECOVERY: f64 = 1.05;
 /// Bounds of the change of the step.
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 4.0;
@@ -62,6 +67,8 @@ pub(super) struct Radau {
     accepted: Option<(f64, f64)>,
     /// The last attempt was rejected, or there was none since the start.
     first_or_rejected: bool,
+    /// Largest step at which the iteration is trusted, s.
+    trusted: f64,
 }
 
 /// How far the tangent can be trusted.
@@ -102,6 +109,7 @@ impl Radau {
             tangent: Age::Stale,
             accepted: None,
             first_or_rejected: true,
+            trusted: f64::INFINITY,
         }
     }
 
@@ -210,6 +218,7 @@ impl Scheme for Radau {
         self.tangent = Age::Stale;
         self.accepted = None;
         self.first_or_rejected = true;
+        self.trusted = f64::INFINITY;
         self.newton.restart();
         Ok(())
     }
@@ -219,6 +228,7 @@ impl Scheme for Radau {
             Ok(converged) => converged,
             Err((ratio, cause)) => {
                 self.first_or_rejected = true;
+                self.trusted = BELOW_FAILURE * h;
                 return Outcome::Rejected { next: ratio * h, cause };
             }
         };
@@ -254,7 +264,11 @@ impl Scheme for Radau {
             ratio = ratio.min(1.0);
         }
         // Contraction grows with the step: a longer one must still converge.
-        ratio = ratio.min((CONTRACTING / converged.contraction.max(1e-3)).max(1.0));
+        self.trusted *= RECOVERY;
+        ratio = ratio.min((self.trusted / h).max(1.0));
+        if converged.iterations > EASY {
+            ratio = ratio.min((CONTRACTING / converged.contraction.max(1e-3)).max(1.0));
+        }
         if self.fixed || self.tangent == Age::Kept && (1.0..=KEEP).contains(&ratio) {
             ratio = 1.0;
         }

@@ -91,9 +91,8 @@ pub fn inertia(owner: &str, inertia: [f64; 6]) -> Result<(), ModelError> {
     if is_inertia(inertia) {
         return Ok(());
     }
-    let [xx, yy, zz, ..] = inertia;
     Err(ModelError::new(format!(
-        "{owner}: no body has the inertia xx = {xx}, yy = {yy}, zz = {zz} kg*m^2 with these products: no principal moment may be negative or greater than the sum of the other two"
+        "{owner}: no body has the inertia {inertia:?} kg*m^2: no principal moment may be negative or greater than the sum of the other two"
     )))
 }
 
@@ -134,9 +133,7 @@ pub fn array_mut<const N: usize>(slice: &mut [f64]) -> &mut [f64; N] {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-
-    /// Inertia of two point masses at `r` and one at `s`, turned nowhere: sum m (r.r I - r r^T).
+    /// Inertia of unit point masses about the origin: sum (r.r I - r r^T).
     fn of_points(points: &[[f64; 3]]) -> [f64; 6] {
         let mut inertia = [0.0; 6];
         for [x, y, z] in points {
@@ -156,8 +153,8 @@ mod tests {
             let mut inertia = of_points(&points[..count]);
             assert!(super::inertia("body", inertia).is_ok(), "{count}");
             if count < 3 {
-                inertia[0] += 1e-3;
-                inertia[3] += 1e-2;
+                // The second moments of mass, singular for fewer than three points, less 1e-3 I.
+                inertia[..3].iter_mut().for_each(|moment| *moment -= 2e-3);
                 assert!(super::inertia("body", inertia).is_err(), "{count}");
             }
         }

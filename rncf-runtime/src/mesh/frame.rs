@@ -51,7 +51,13 @@ impl FrameMotion {
 
     /// Whether pose, velocities and accelerations are numbers.
     pub(super) fn is_finite(&self) -> bool {
-        let vectors = [self.position, self.velocity, self.acceleration, self.spin, self.spin_rate];
+        let vectors = [
+            self.position,
+            self.velocity,
+            self.acceleration,
+            self.spin,
+            self.spin_rate,
+        ];
         let values = vectors.iter().chain(&self.rotation).flatten();
         values.copied().all(f64::is_finite)
     }

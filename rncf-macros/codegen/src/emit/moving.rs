@@ -64,13 +64,22 @@ impl Parts<'_> {
         for frame in &self.model.frames {
             let Some(free) = &frame.free else { continue };
             for (place, part) in free.parts.iter().enumerate() {
-                let owner = if free.is_body && place == 0 { "rigid body" } else { "fixture" };
+                let owner = if free.is_body && place == 0 {
+                    "rigid body"
+                } else {
+                    "fixture"
+                };
                 let owner = format!("{owner} `{}`", part.name);
-                let mass = if place == 0 && free.is_body { "positive" } else { "non_negative" };
+                let mass = if place == 0 && free.is_body {
+                    "positive"
+                } else {
+                    "non_negative"
+                };
                 checks += &self.number_check(mass, &owner, "mass", &part.mass, "kg");
                 match free.motions {
                     Motions::Planar { normal } => {
-                        checks += &self.number_check("non_negative", &owner, "inertia", &part.inertia[normal], "kg*m^2");
+                        checks +=
+                            &self.number_check("non_negative", &owner, "inertia", &part.inertia[normal], "kg*m^2");
                     }
                     Motions::Shifting | Motions::ShiftingPlanar { .. } => {}
                     _ if part.inertia.iter().all(|expr| fold::constant(expr).is_some()) => {}

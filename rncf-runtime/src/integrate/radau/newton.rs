@@ -4,6 +4,7 @@ use super::coefficients::Coefficients;
 use super::matrices::Matrices;
 use super::stages::Stages;
 use crate::integrate::Statistics;
+use crate::integrate::anderson::Acceleration;
 use crate::integrate::bordered::add;
 use crate::integrate::newton::norm;
 use crate::system::{ConstraintLevel, State, System};
@@ -16,6 +17,12 @@ const PATIENT: u32 = 50;
 const DIVERGING: f64 = 0.99;
 /// Contraction above which an iteration near round-off counts as at its end.
 const STAGNANT: f64 = 0.3;
+/// Ratio of successive increments above which they are accelerated.
+const ACCELERATED: f64 = 0.05;
+/// Iterations after which acceleration should show.
+const LEARNING: u32 = 5;
+/// Ratio of successive increments, accelerated, at which the iteration is given up.
+const HOPELESS: f64 = 30.0;
 /// Increments below this, relative to the sizes of the unknowns, are noise.
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 /// Noise that the residual may add to that.
@@ -60,6 +67,11 @@ pub(super) struct Newton {
     /// Change of a stage's drift.
     drift: Vec<f64>,
     stage: State,
+    acceleration: Acceleration,
+    /// Iterate and increment in one piece: increments of position, multipliers; weights of the former.
+    iterate: Vec<f64>,
+    increment: Vec<f64>,
+    weights: Vec<f64>,
 }
 
 impl Newton {
@@ -87,6 +99,10 @@ impl Newton {
             jacobian: vec![0.0; matrices.chart.constraints.entries()],
             drift: vec![0.0; if stabilised { n } else { 0 }],
             stage: State::of(system, 0.0),
+            acceleration: Acceleration::new(3 * (n + m + rates)),
+            iterate: Vec::with_capacity(3 * (n + m + rates)),
+            increment: Vec::with_capacity(3 * (n + m + rates)),
+            weights: system.sizes().repeat(3).iter().map(|size| 1.0 / size).collect(),
         }
     }
 
@@ -111,6 +127,7 @@ impl Newton {
         let growth = (stages.h / self.seen_at).clamp(1.0, 1e3);
         let mut amplification = self.amplification.max(f64::EPSILON).powf(0.8) * growth.powi(2);
         let (mut last, mut last_ratio, mut contraction) = (0.0, 0.0, 0.0);
+        self.acceleration.restart();
         let most = if self.patient { PATIENT } else { ITERATIONS };
         for iteration in 1..=most {
             self.differentiate(system, coefficients, matrices, start, stages);
@@ -118,7 +135,7 @@ impl Newton {
             let sides = [&mut self.dynamics, &mut self.constraints, &mut self.rates];
             matrices.solve_stages(coefficients, stages.h, sides, statistics);
             statistics.newton_iterations += 1;
-            let size = self.apply(matrices, stages);
+            let size = self.size(matrices, stages.h);
             if !size.is_finite() {
                 return Err(Failure::NotFinite);
             }
@@ -132,6 +149,8 @@ impl Newton {
                 last_ratio = ratio;
                 amplification = contraction / (1.0 - contraction);
             }
+            // A fixed step is iterated down to round-off, where differences tell nothing.
+            self.apply(stages, !self.patient && iteration > 1 && last_ratio > ACCELERATED);
             let at_noise = size <= floor || contraction > STAGNANT && size <= AMPLIFIED * floor;
             if at_noise || contraction < DIVERGING && amplification * size <= self.tolerance {
                 self.seen_at = stages.h;
@@ -153,11 +172,11 @@ impl Newton {
             }
             if iteration > 1 {
                 let left = (most - 1).saturating_sub(iteration) as i32;
-                if contraction >= DIVERGING {
+                if last_ratio >= HOPELESS || iteration > LEARNING && contraction >= DIVERGING {
                     return Err(self.slow(0.5));
                 }
                 let expected = amplification * size * contraction.powi(left) / self.tolerance;
-                if expected >= 1.0 && AMPLIFIED * floor < size * contraction.powi(left) {
+                if iteration > LEARNING && expected >= 1.0 && AMPLIFIED * floor < size * contraction.powi(left) {
                     let excess = expected.clamp(1e-4, 20.0);
                     return Err(self.slow(0.8 * excess.powf(-1.0 / (4.0 + f64::from(left)))));
                 }
@@ -224,24 +243,49 @@ impl Newton {
         statistics.residual_evaluations += 3;
     }
 
-    /// Adds the increments; their weighted size, h times the change of drift like one of position.
-    fn apply(&mut self, matrices: &Matrices, stages: &mut Stages) -> f64 {
+    /// Weighted size of the increments, h times the change of drift like one of position.
+    fn size(&mut self, matrices: &Matrices, h: f64) -> f64 {
         let mut sum = 0.0;
         for s in 0..3 {
-            add(&mut stages.z[s], &self.dynamics[s]);
-            add(&mut stages.lambda[s], &self.constraints[s]);
-            add(&mut stages.mu[s], &self.rates[s]);
             sum += norm(&self.dynamics[s], &self.inverse_weights).powi(2) / 3.0;
             if !self.rates[s].is_empty() {
                 self.drift.fill(0.0);
                 let (pattern, slopes) = (&matrices.chart.constraints, &matrices.slopes.jacobian);
-                pattern.multiply_add(stages.h, slopes, &self.rates[s], &mut self.drift);
+                pattern.multiply_add(h, slopes, &self.rates[s], &mut self.drift);
                 sum += norm(&self.drift, &self.inverse_weights).powi(2) / 3.0;
             }
             // Multipliers carry no weight, but must be finite.
             sum += self.constraints[s].iter().map(|change| 0.0 * change).sum::<f64>();
         }
         sum.sqrt()
+    }
+
+    /// Adds the increments, accelerated or as they are.
+    fn apply(&mut self, stages: &mut Stages, accelerated: bool) {
+        self.iterate.clear();
+        self.increment.clear();
+        for (values, changes) in [
+            (&stages.z, &self.dynamics),
+            (&stages.lambda, &self.constraints),
+            (&stages.mu, &self.rates),
+        ] {
+            for s in 0..3 {
+                self.iterate.extend_from_slice(&values[s]);
+                self.increment.extend_from_slice(&changes[s]);
+            }
+        }
+        self.acceleration.note(&self.iterate, &self.increment);
+        if accelerated {
+            self.acceleration.accelerate(&self.weights, &mut self.increment);
+        }
+        let mut changes = self.increment.as_slice();
+        for values in [&mut stages.z, &mut stages.lambda, &mut stages.mu] {
+            for values in values {
+                let (these, others) = changes.split_at(values.len());
+                add(values, these);
+                changes = others;
+            }
+        }
     }
 
     fn slow(&self, ratio: f64) -> Failure {

@@ -132,14 +132,9 @@ fn redundant_constraints_are_named_with_what_to_weaken() {
     };
     assert!(text.contains("one constraint is redundant"), "{text}");
     assert!(
-        text.contains("joint a, x; joint b, y; joint c, mostly depend on each other"),
+        text.contains("joint c together with joint a and joint b takes the freedom `mostly` twice"),
         "{text}"
     );
-    assert!(
-        text.contains("weaken `joint c` such that it leaves `joint c, mostly` free"),
-        "{text}"
-    );
-    assert!(error.to_string().contains("joint b, y"));
     let error = refusal(Tied::new(&[1.0], &[0.0], &[("joint idle, x", &[0.0])]));
     assert!(
         error.to_string().contains("joint idle, x restrains no motion"),
@@ -227,7 +222,7 @@ fn large_violations_name_the_constraint() {
     let (mut long, mut radial) = (start(), start());
     long.x[0] = 1.05;
     radial.v[0] = 0.1;
-    for (state, size) in [(long, 0.05125), (radial, 0.1)] {
+    for (state, size, worst) in [(long, 0.05125, "rod"), (radial, 0.1, "the rate of rod")] {
         let mut system = Pendulum::at_rest();
         let error = Integrator::new(&mut system, state, 1.0, METHODS[0], Options::default())
             .err()
@@ -236,7 +231,7 @@ fn large_violations_name_the_constraint() {
             matches!(error.kind, SolveErrorKind::Inconsistent(found) if (found - size).abs() < 1e-6),
             "{error:?}"
         );
-        assert_eq!(error.worst.as_deref(), Some("rod"));
+        assert_eq!(error.worst.as_deref(), Some(worst));
     }
 }
 

@@ -6,8 +6,7 @@ use super::super::scene::MeshScene;
 use crate::system::System;
 
 /// What can be done where markers meet.
-const APART: &str =
-    "a length, direction or divisor in it is zero or outside the range of a function; move its points apart or change its parameters";
+const APART: &str = "a length, direction or divisor in it is zero or outside the range of a function; move its points apart or change its parameters";
 
 fn finite(values: &[f64]) -> bool {
     values.iter().all(|value| value.is_finite())

@@ -361,3 +361,43 @@ fn mass_without_inertia_needs_ties() {
     free.parts[0].inertia[0] = Number(1e-6);
     assert_eq!(ties::check(&model, arm), Ok(()));
 }
+
+/// A cable that is tied to its frame by a clamp and by what its end holds.
+const FLIGHT: &str = r#"
+model Flight {
+    param bend = 2 [1/m];
+    material steel { density = 7850 kg/m^3; young = 210 GPa; }
+    section thin { area = 1 mm^2; second_moment = 1 mm^4; }
+    frame f = free();
+    body b in f {
+        spatial; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * cable(thin, steel);
+        initial position [x, bend * x^2, 0];
+        initial velocity [0, 0, 1 [1/s] * x * (1 - x / 2 m)];
+    }
+    joint root = clamp(b.start, f);
+    joint twist = hold(b.end.z);
+    output u = b.end.x;
+}
+"#;
+
+#[test]
+fn initial_shapes_are_functions_of_the_arclength() {
+    let model = model(FLIGHT);
+    let initial = &model.bodies[0].initial;
+    let position = initial.position.as_ref().expect("a position");
+    assert_eq!((&position[0], &position[2]), (&Expr::Arclength, &Number(0.0)));
+    assert!(initial.velocity.is_some());
+    // Place, and slope by derivation: y = 2 x^2.
+    let [place, slope] = crate::lower::initial::along_axis(&model, position, 1.5);
+    assert_eq!((place, slope), ([1.5, 4.5, 0.0], [1.0, 6.0, 0.0]));
+}
+
+#[test]
+fn ties_are_those_of_the_initial_shape() {
+    let bent = model(FLIGHT);
+    assert_eq!(ties::check(&bent, FrameId(1)), Ok(()));
+    let mut straight = bent;
+    straight.bodies[0].initial.position = None;
+    let motions = "turning about the x axis".to_string();
+    assert_eq!(ties::check(&straight, FrameId(1)), Err(Untied::Loose { motions }));
+}
