@@ -11,6 +11,12 @@ pub struct FreeFlight {
     pub tip_mass: f64,
     /// Radius of the arc that the cable starts in. (SI; declared in m)
     pub radius: f64,
+    /// Initial angular velocity about the tangent at the cable's start: it keeps the cable bent, as the frame needs. (SI; declared in rad/s)
+    pub roll: f64,
+    /// Initial angular velocity in the plane of the arc, across the tangent. (SI; declared in rad/s)
+    pub pitch: f64,
+    /// Initial angular velocity about the normal of the arc. (SI; declared in rad/s)
+    pub yaw: f64,
 }
 impl Default for FreeFlight {
     fn default() -> Self {
@@ -18,6 +24,9 @@ impl Default for FreeFlight {
             elements: 3,
             tip_mass: 0.7,
             radius: 1.5,
+            roll: 4.0,
+            pitch: -1.0,
+            yaw: 1.0,
         }
     }
 }
@@ -32,6 +41,12 @@ impl ::rncf::Model for FreeFlight {
     param tip_mass = 0.7 kg;
     /// Radius of the arc that the cable starts in.
     param radius = 1.5 m;
+    /// Initial angular velocity about the tangent at the cable's start: it keeps the cable bent, as the frame needs.
+    param roll = 4 rad/s;
+    /// Initial angular velocity in the plane of the arc, across the tangent.
+    param pitch = -1 rad/s;
+    /// Initial angular velocity about the normal of the arc.
+    param yaw = 1 rad/s;
 
     // EA = 400 N, EI = 2 N m^2 and 1.5 kg/m.
     material soft { density = 1500 kg/m^3; young = 0.4 MPa; }
@@ -40,7 +55,7 @@ impl ::rncf::Model for FreeFlight {
     /// Frame of the cable.
     frame f = free(
         origin = [0.3, -0.2, 0.5] m, axis = [1, 2, -1], angle = 40 deg,
-        velocity = [-3, 1, 2] m/s, angular_velocity = [1, -2.5, 3] rad/s
+        velocity = [-3, 1, 2] m/s, angular_velocity = [roll, pitch, yaw]
     );
     body cable in f {
         spatial;
@@ -51,7 +66,7 @@ impl ::rncf::Model for FreeFlight {
     // Six ties of the frame to the cable: five at its start; the sixth, the spin about the cable's axis, by the end,
     // which stays in the frame's xy plane.
     joint root = clamp(cable.start, f);
-    joint roll = hold(cable.end.z);
+    joint twist = hold(cable.end.z);
     fixture tip on cable.end { mass = tip_mass; }
 
     /// Start of the cable in space.
@@ -68,7 +83,7 @@ impl ::rncf::Model for FreeFlight {
         "Body `cable` moves in the free frame `f`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
         "Frame `f` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Constraint `root` (clamp in absolute coordinates): 5 multipliers; gradient and second derivatives are derived.",
-        "Constraint `roll` (hold in absolute coordinates): 1 multiplier; gradient and second derivatives are derived.",
+        "Constraint `twist` (hold in absolute coordinates): 1 multiplier; gradient and second derivatives are derived.",
         "Fixture `tip` adds constants to the inertia of `cable` and no unknowns.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -100,6 +115,33 @@ impl ::rncf::Model for FreeFlight {
                 default: 1.5,
                 doc: "Radius of the arc that the cable starts in.",
             },
+            ::rncf::Param {
+                name: "roll",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "rad/s",
+                unit_si: 1.0,
+                dimension: [0, 0, -1, 0, 0, 1],
+                default: 4.0,
+                doc: "Initial angular velocity about the tangent at the cable's start: it keeps the cable bent, as the frame needs.",
+            },
+            ::rncf::Param {
+                name: "pitch",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "rad/s",
+                unit_si: 1.0,
+                dimension: [0, 0, -1, 0, 0, 1],
+                default: -1.0,
+                doc: "Initial angular velocity in the plane of the arc, across the tangent.",
+            },
+            ::rncf::Param {
+                name: "yaw",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "rad/s",
+                unit_si: 1.0,
+                dimension: [0, 0, -1, 0, 0, 1],
+                default: 1.0,
+                doc: "Initial angular velocity about the normal of the arc.",
+            },
         ]
     }
     fn outputs() -> &'static [::rncf::Output] {
@@ -129,7 +171,10 @@ impl ::rncf::Model for FreeFlight {
             0 => self.elements as f64,
             1 => self.tip_mass,
             2 => self.radius,
-            _ => panic!("FreeFlight has 3 parameters, not {index}"),
+            3 => self.roll,
+            4 => self.pitch,
+            5 => self.yaw,
+            _ => panic!("FreeFlight has 6 parameters, not {index}"),
         }
     }
     fn set(&mut self, index: usize, value: f64) {
@@ -137,7 +182,10 @@ impl ::rncf::Model for FreeFlight {
             0 => self.elements = value as usize,
             1 => self.tip_mass = value,
             2 => self.radius = value,
-            _ => panic!("FreeFlight has 3 parameters, not {index}"),
+            3 => self.roll = value,
+            4 => self.pitch = value,
+            5 => self.yaw = value,
+            _ => panic!("FreeFlight has 6 parameters, not {index}"),
         }
     }
     fn run(&self) -> ::rncf::RunDefaults {
@@ -2624,9 +2672,9 @@ pub mod free_flight_equations {
         spec.velocity[0] = -3.0;
         spec.velocity[1] = 1.0;
         spec.velocity[2] = 2.0;
-        spec.spin[0] = 1.0;
-        spec.spin[1] = -2.5;
-        spec.spin[2] = 3.0;
+        spec.spin[0] = model.roll;
+        spec.spin[1] = model.pitch;
+        spec.spin[2] = model.yaw;
         spec.angle = 0.6981317007977318;
         spec.axis[0] = 0.408248290463863;
         spec.axis[1] = 0.816496580927726;
@@ -2798,10 +2846,10 @@ pub mod free_flight_equations {
         prescribed.slope[3][1] = 0.0;
         prescribed.slope[3][2] = 0.0;
     }
-    /// Joint `roll`: conditions, position level.
+    /// Joint `twist`: conditions, position level.
     ///
     /// Operations: 1 additions, 0 multiplications.
-    pub fn joint_roll_referenced_position(
+    pub fn joint_twist_referenced_position(
         model: &super::FreeFlight,
         t: f64,
         data: &::rncf::mesh::JointData,
@@ -2812,10 +2860,10 @@ pub mod free_flight_equations {
     ) {
         rows[0] = q[2] - data.point[2];
     }
-    /// Joint `roll`: conditions, velocity level.
+    /// Joint `twist`: conditions, velocity level.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_roll_referenced_velocity(
+    pub fn joint_twist_referenced_velocity(
         model: &super::FreeFlight,
         t: f64,
         data: &::rncf::mesh::JointData,
@@ -2826,10 +2874,10 @@ pub mod free_flight_equations {
     ) {
         rows[0] = 0.0;
     }
-    /// Joint `roll`: conditions, acceleration level.
+    /// Joint `twist`: conditions, acceleration level.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_roll_referenced_acceleration(
+    pub fn joint_twist_referenced_acceleration(
         model: &super::FreeFlight,
         t: f64,
         data: &::rncf::mesh::JointData,
@@ -2840,10 +2888,10 @@ pub mod free_flight_equations {
     ) {
         rows[0] = 0.0;
     }
-    /// Joint `roll`: conditions, jerk level.
+    /// Joint `twist`: conditions, jerk level.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_roll_referenced_jerk(
+    pub fn joint_twist_referenced_jerk(
         model: &super::FreeFlight,
         t: f64,
         data: &::rncf::mesh::JointData,
@@ -2854,10 +2902,10 @@ pub mod free_flight_equations {
     ) {
         rows[0] = 0.0;
     }
-    /// Joint `roll`: derivatives of the conditions.
+    /// Joint `twist`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_roll_referenced_jacobian(
+    pub fn joint_twist_referenced_jacobian(
         model: &super::FreeFlight,
         t: f64,
         data: &::rncf::mesh::JointData,
@@ -2870,10 +2918,10 @@ pub mod free_flight_equations {
         jacobian[4] = 0.0;
         jacobian[5] = 0.0;
     }
-    /// Joint `roll`: what it prescribes, with three derivatives.
+    /// Joint `twist`: what it prescribes, with three derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_roll_referenced_prescribed(
+    pub fn joint_twist_referenced_prescribed(
         model: &super::FreeFlight,
         t: f64,
         data: &::rncf::mesh::JointData,
@@ -3105,14 +3153,14 @@ pub mod free_flight_equations {
         hessian[215] = lambda[4];
         hessian[89] = lambda[4];
     }
-    /// Constraint `roll` (hold in absolute coordinates): rows C(z, t).
+    /// Constraint `twist` (hold in absolute coordinates): rows C(z, t).
     ///
-    /// Of `roll`: `z[0]` a place on `cable`; `z[1]` fixed in `f`, where another vector starts; `z[2]` a direction of `f` (inertial axes).
+    /// Of `twist`: `z[0]` a place on `cable`; `z[1]` fixed in `f`, where another vector starts; `z[2]` a direction of `f` (inertial axes).
     ///
     /// * position z: `z[2][0][0] * (z[0][0][0] - z[1][0][0]) + z[2][0][1] * (z[0][0][1] - z[1][0][1]) + z[2][0][2] * (z[0][0][2] - z[1][0][2])`
     ///
     /// Operations: 5 additions, 3 multiplications.
-    pub fn constraint_position_roll(
+    pub fn constraint_position_twist(
         model: &super::FreeFlight,
         t: f64,
         z: &[[[f64; 3]; 4]],
@@ -3123,10 +3171,10 @@ pub mod free_flight_equations {
             + z[2][0][1] * (z[0][0][1] - z[1][0][1])
             + z[2][0][2] * (z[0][0][2] - z[1][0][2]);
     }
-    /// Constraint `roll` (hold in absolute coordinates): their rate dC/dt.
+    /// Constraint `twist` (hold in absolute coordinates): their rate dC/dt.
     ///
     /// Operations: 11 additions, 6 multiplications.
-    pub fn constraint_velocity_roll(
+    pub fn constraint_velocity_twist(
         model: &super::FreeFlight,
         t: f64,
         z: &[[[f64; 3]; 4]],
@@ -3141,10 +3189,10 @@ pub mod free_flight_equations {
             + (z[2][1][2] * (z[0][0][2] - z[1][0][2])
                 + z[2][0][2] * (z[0][1][2] - z[1][1][2]));
     }
-    /// Constraint `roll` (hold in absolute coordinates): their second time derivative.
+    /// Constraint `twist` (hold in absolute coordinates): their second time derivative.
     ///
     /// Operations: 20 additions, 9 multiplications.
-    pub fn constraint_acceleration_roll(
+    pub fn constraint_acceleration_twist(
         model: &super::FreeFlight,
         t: f64,
         z: &[[[f64; 3]; 4]],
@@ -3162,10 +3210,10 @@ pub mod free_flight_equations {
             + (z[2][2][2] * (z[0][0][2] - z[1][0][2]) + t42
                 + (t42 + z[2][0][2] * (z[0][2][2] - z[1][2][2])));
     }
-    /// Constraint `roll` (hold in absolute coordinates): their third time derivative.
+    /// Constraint `twist` (hold in absolute coordinates): their third time derivative.
     ///
     /// Operations: 32 additions, 12 multiplications.
-    pub fn constraint_jerk_roll(
+    pub fn constraint_jerk_twist(
         model: &super::FreeFlight,
         t: f64,
         z: &[[[f64; 3]; 4]],
@@ -3189,10 +3237,10 @@ pub mod free_flight_equations {
             + (t58 + (t57 + z[2][0][2] * (z[0][3][2] - z[1][3][2])));
         rows[0] = t51 + t55 + t59;
     }
-    /// Constraint `roll` (hold in absolute coordinates): writes dC/dz, rows first; entries that are always zero are left alone.
+    /// Constraint `twist` (hold in absolute coordinates): writes dC/dz, rows first; entries that are always zero are left alone.
     ///
     /// Operations: 3 additions, 0 multiplications.
-    pub fn constraint_gradient_roll(
+    pub fn constraint_gradient_twist(
         model: &super::FreeFlight,
         t: f64,
         z: &[[f64; 3]],
@@ -3209,10 +3257,10 @@ pub mod free_flight_equations {
         gradient[7] = z[0][1] - z[1][1];
         gradient[8] = z[0][2] - z[1][2];
     }
-    /// Constraint `roll` (hold in absolute coordinates): writes d(dC/dt)/dz at constant z', rows first; entries that are always zero are left alone.
+    /// Constraint `twist` (hold in absolute coordinates): writes d(dC/dt)/dz at constant z', rows first; entries that are always zero are left alone.
     ///
     /// Operations: 3 additions, 0 multiplications.
-    pub fn constraint_rate_gradient_roll(
+    pub fn constraint_rate_gradient_twist(
         model: &super::FreeFlight,
         t: f64,
         z: &[[f64; 3]],
@@ -3231,10 +3279,10 @@ pub mod free_flight_equations {
         gradient[7] = velocity[0][1] - velocity[1][1];
         gradient[8] = velocity[0][2] - velocity[1][2];
     }
-    /// Constraint `roll` (hold in absolute coordinates): writes sum_i lambda_i d^2 C_i/dz dz, rows first; entries that are always zero are left alone.
+    /// Constraint `twist` (hold in absolute coordinates): writes sum_i lambda_i d^2 C_i/dz dz, rows first; entries that are always zero are left alone.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn constraint_hessian_roll(
+    pub fn constraint_hessian_twist(
         model: &super::FreeFlight,
         t: f64,
         z: &[[f64; 3]],
@@ -3337,7 +3385,7 @@ pub mod free_flight_equations {
                     point: None,
                 },
                 ::rncf::mesh::JointSpec {
-                    name: "roll",
+                    name: "twist",
                     kind: ::rncf::mesh::JointKind::Hold {
                         order: 0,
                         axis: 2,
@@ -3664,7 +3712,7 @@ pub mod free_flight_equations {
                 (1, false) => {
                     match level {
                         ::rncf::system::ConstraintLevel::Position => {
-                            joint_roll_referenced_position(
+                            joint_twist_referenced_position(
                                 &self.model,
                                 t,
                                 data,
@@ -3675,7 +3723,7 @@ pub mod free_flight_equations {
                             )
                         }
                         ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_roll_referenced_velocity(
+                            joint_twist_referenced_velocity(
                                 &self.model,
                                 t,
                                 data,
@@ -3686,7 +3734,7 @@ pub mod free_flight_equations {
                             )
                         }
                         ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_roll_referenced_acceleration(
+                            joint_twist_referenced_acceleration(
                                 &self.model,
                                 t,
                                 data,
@@ -3697,7 +3745,7 @@ pub mod free_flight_equations {
                             )
                         }
                         ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_roll_referenced_jerk(
+                            joint_twist_referenced_jerk(
                                 &self.model,
                                 t,
                                 data,
@@ -3725,7 +3773,7 @@ pub mod free_flight_equations {
                     joint_root_referenced_jacobian(&self.model, t, data, jacobian);
                 }
                 (1, false) => {
-                    joint_roll_referenced_jacobian(&self.model, t, data, jacobian);
+                    joint_twist_referenced_jacobian(&self.model, t, data, jacobian);
                 }
                 _ => {}
             }
@@ -3743,7 +3791,7 @@ pub mod free_flight_equations {
                     joint_root_referenced_prescribed(&self.model, t, data, prescribed);
                 }
                 (1, false) => {
-                    joint_roll_referenced_prescribed(&self.model, t, data, prescribed);
+                    joint_twist_referenced_prescribed(&self.model, t, data, prescribed);
                 }
                 _ => {}
             }
@@ -3835,7 +3883,7 @@ pub mod free_flight_equations {
                     when: ::rncf::mesh::When::Absolute(0),
                 },
                 ::rncf::mesh::ConstraintSpec {
-                    name: "roll",
+                    name: "twist",
                     kind: "hold",
                     rows: &["position z"],
                     markers: &[5, 6, 7],
@@ -3872,16 +3920,16 @@ pub mod free_flight_equations {
                 1 => {
                     match level {
                         ::rncf::system::ConstraintLevel::Position => {
-                            constraint_position_roll(&self.model, t, z, rows)
+                            constraint_position_twist(&self.model, t, z, rows)
                         }
                         ::rncf::system::ConstraintLevel::Velocity => {
-                            constraint_velocity_roll(&self.model, t, z, rows)
+                            constraint_velocity_twist(&self.model, t, z, rows)
                         }
                         ::rncf::system::ConstraintLevel::Acceleration => {
-                            constraint_acceleration_roll(&self.model, t, z, rows)
+                            constraint_acceleration_twist(&self.model, t, z, rows)
                         }
                         ::rncf::system::ConstraintLevel::Jerk => {
-                            constraint_jerk_roll(&self.model, t, z, rows)
+                            constraint_jerk_twist(&self.model, t, z, rows)
                         }
                     }
                 }
@@ -3898,7 +3946,7 @@ pub mod free_flight_equations {
             gradient.fill(0.0);
             match constraint {
                 0 => constraint_gradient_root(&self.model, t, z, gradient),
-                1 => constraint_gradient_roll(&self.model, t, z, gradient),
+                1 => constraint_gradient_twist(&self.model, t, z, gradient),
                 _ => {}
             }
         }
@@ -3913,7 +3961,9 @@ pub mod free_flight_equations {
             gradient.fill(0.0);
             match constraint {
                 0 => constraint_rate_gradient_root(&self.model, t, z, velocity, gradient),
-                1 => constraint_rate_gradient_roll(&self.model, t, z, velocity, gradient),
+                1 => {
+                    constraint_rate_gradient_twist(&self.model, t, z, velocity, gradient)
+                }
                 _ => {}
             }
         }
@@ -3928,7 +3978,7 @@ pub mod free_flight_equations {
             hessian.fill(0.0);
             match constraint {
                 0 => constraint_hessian_root(&self.model, t, z, lambda, hessian),
-                1 => constraint_hessian_roll(&self.model, t, z, lambda, hessian),
+                1 => constraint_hessian_twist(&self.model, t, z, lambda, hessian),
                 _ => {}
             }
         }
