@@ -1,7 +1,7 @@
 //! Expansion of `models/src/andrews_squeezer.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank turns eight times a
-/// second after 30 ms; the published angles at 0.03 s have ten digits.
+/// Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank makes two and
+/// a half turns in 30 ms, while the triangle hardly moves.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct AndrewsSqueezer {
@@ -16,7 +16,7 @@ impl Default for AndrewsSqueezer {
 #[allow(unused_variables, clippy::all)]
 impl ::rncf::Model for AndrewsSqueezer {
     const NAME: &'static str = "AndrewsSqueezer";
-    const DOC: &'static str = "Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank turns eight times a\nsecond after 30 ms; the published angles at 0.03 s have ten digits.";
+    const DOC: &'static str = "Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank makes two and\na half turns in 30 ms, while the triangle hardly moves.";
     const SOURCE: &'static str = r#"pub model AndrewsSqueezer {
     /// Torque of the motor on the crank.
     param torque = 0.033 N*m;

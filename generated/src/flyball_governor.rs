@@ -41,7 +41,7 @@ impl ::rncf::Model for FlyballGovernor {
         origin = [0, 0, 0.5] m;
         angular_velocity = [0, 0, omega_0];
     }
-    // The arms' own x axes point outwards along the rods.
+    // The arms' own x axes lie along the rods, both to the right.
     rigid right {
         mass = 0.3 kg;
         inertia = [along, across, across];

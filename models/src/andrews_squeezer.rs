@@ -1,8 +1,8 @@
 //! Andrews' squeezing mechanism (Schiehlen 1990; IVP test set): seven bodies in a plane, one degree of freedom.
 
 rncf::model! {
-    /// Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank turns eight times a
-    /// second after 30 ms; the published angles at 0.03 s have ten digits.
+    /// Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank makes two and
+    /// a half turns in 30 ms, while the triangle hardly moves.
     pub model AndrewsSqueezer {
         /// Torque of the motor on the crank.
         param torque = 0.033 N*m;

@@ -5,6 +5,7 @@ mod determinism;
 mod free_flight;
 mod gravity;
 mod heavy_top;
+mod mechanisms;
 mod modal;
 mod models;
 mod multibody;

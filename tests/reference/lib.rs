@@ -7,6 +7,7 @@
 //! - [`free_cable`]: the cable of THEORY 9.6 in free flight, and what it keeps.
 //! - [`swing`]: another motion of the same beam, for scenes that are nobody's example.
 //! - [`pendulum`]: the planar pendulum (THEORY 10, T1) with its exact multiplier.
+//! - [`heavy_top`], [`governor`]: mechanisms of BENCHMARKS 3 and 6 in coordinates without constraints.
 //! - [`system`], [`integrate`]: what a first-order system offers, and its integration by russell_ode.
 //! - [`table`]: the published numbers and recorded histories.
 //!
@@ -16,6 +17,8 @@ pub mod beam;
 pub mod dense;
 pub mod element;
 pub mod free_cable;
+pub mod governor;
+pub mod heavy_top;
 pub mod inertia;
 pub mod inertial_beam;
 pub mod integrate;

@@ -3,6 +3,8 @@
 mod beam;
 mod differences;
 mod element;
+mod governor;
+mod heavy_top;
 mod inertia;
 mod pendulum;
 mod quadrature;
