@@ -9,8 +9,11 @@ use rncf::app::{RunResult, RunSettings, run};
 use rncf::prelude::*;
 use rncf_models::SliderCrank;
 
+/// Steps at five speeds, with c = 0 and c > 0.
+type Steps = [[u32; 5]; 2];
+
 /// Published steps at 4, 8, 12, 14, 16 rad/s (their five speeds are not named) with c = 0 and c > 0: elements, ANCF, RNCF.
-const PUBLISHED: [(usize, [[u32; 5]; 2], [[u32; 5]; 2]); 2] = [
+const PUBLISHED: [(usize, Steps, Steps); 2] = [
     (
         10,
         [[21727, 32803, 39180, 42639, 65381], [10603, 21775, 25866, 31498, 39466]],

@@ -8,6 +8,7 @@ pub struct AndrewsSqueezer {
     /// Torque of the motor on the crank. (SI; declared in N m)
     pub torque: f64,
 }
+#[allow(clippy::all)]
 impl Default for AndrewsSqueezer {
     fn default() -> Self {
         Self { torque: 0.033 }

@@ -5,6 +5,7 @@
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct Bricard {}
+#[allow(clippy::all)]
 impl Default for Bricard {
     fn default() -> Self {
         Self {}

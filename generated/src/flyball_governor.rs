@@ -7,6 +7,7 @@ pub struct FlyballGovernor {
     /// Spin at the start. Some sources begin with 2 pi rad/s. (SI; declared in rad/s)
     pub omega_0: f64,
 }
+#[allow(clippy::all)]
 impl Default for FlyballGovernor {
     fn default() -> Self {
         Self {

@@ -8,6 +8,7 @@ pub struct FourBar {
     /// Angular velocity of the links at the start, which moves their ends at 1 m/s. (SI; declared in rad/s)
     pub speed: f64,
 }
+#[allow(clippy::all)]
 impl Default for FourBar {
     fn default() -> Self {
         Self { speed: -1.0 }

@@ -18,6 +18,7 @@ pub struct FreeFlight {
     /// Initial angular velocity about the normal of the arc. (SI; declared in rad/s)
     pub yaw: f64,
 }
+#[allow(clippy::all)]
 impl Default for FreeFlight {
     fn default() -> Self {
         Self {

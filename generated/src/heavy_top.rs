@@ -4,6 +4,7 @@
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct HeavyTop {}
+#[allow(clippy::all)]
 impl Default for HeavyTop {
     fn default() -> Self {
         Self {}

@@ -16,6 +16,7 @@ pub struct SliderCrank {
     /// Mass of the slider. (SI; declared in kg)
     pub slider_mass: f64,
 }
+#[allow(clippy::all)]
 impl Default for SliderCrank {
     fn default() -> Self {
         Self {

@@ -11,6 +11,7 @@ pub struct SpinUp {
     /// Number of elements. (count)
     pub elements: usize,
 }
+#[allow(clippy::all)]
 impl Default for SpinUp {
     fn default() -> Self {
         Self {

@@ -11,6 +11,7 @@ pub struct SpinUpSpatial {
     /// Number of elements. (count)
     pub elements: usize,
 }
+#[allow(clippy::all)]
 impl Default for SpinUpSpatial {
     fn default() -> Self {
         Self {
