@@ -41,7 +41,10 @@ pub fn declaration(model: &Model, equations: &Equations) -> String {
         );
     }
     text += "}\n";
-    let _ = writeln!(text, "#[allow(clippy::all)]\nimpl Default for {name} {{\nfn default() -> Self {{\nSelf {{");
+    let _ = writeln!(
+        text,
+        "#[allow(clippy::all)]\nimpl Default for {name} {{\nfn default() -> Self {{\nSelf {{"
+    );
     for param in &model.params {
         let value = if param.is_count {
             format!("{}", param.default as usize)
