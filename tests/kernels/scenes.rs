@@ -194,4 +194,6 @@ scenes! {
     bricard: Bricard;
     flyball_governor: FlyballGovernor;
     slider_crank: SliderCrank;
+    andrews_squeezer: AndrewsSqueezer;
+    free_flight: FreeFlight;
 }
