@@ -14,12 +14,14 @@ const GRAVITY: Wanted = Wanted {
     dimension: [1, 0, -2, 0, 0, 0],
     unit: "m/s^2",
 };
-const FORCE: Wanted = Wanted {
+/// Component of a force.
+pub(super) const FORCE: Wanted = Wanted {
     what: "a force",
     dimension: [1, 1, -2, 0, 0, 0],
     unit: "N",
 };
-const MOMENT: Wanted = Wanted {
+/// Component of a moment.
+pub(super) const MOMENT: Wanted = Wanted {
     what: "a moment",
     dimension: [2, 1, -2, 0, 0, 0],
     unit: "N m",

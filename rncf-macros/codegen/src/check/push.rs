@@ -1,6 +1,7 @@
 //! Loads on what moves freely, loads that depend on the motion, and followers: forces on markers.
 
 use super::expr::Scope;
+use super::load::{FORCE, MOMENT};
 use super::place::{Hold, Spot};
 use super::plane::{AXES, normal, plane};
 use super::quantity::{Vector, Wanted};
@@ -11,16 +12,6 @@ use crate::joints::unit;
 use crate::model::{Expr as Value, FrameId, INERTIAL, Marker, MarkerId, Space};
 use crate::parse::tree::{Call, Expr, ExprKind, Item};
 
-const FORCE: Wanted = Wanted {
-    what: "a force",
-    dimension: [1, 1, -2, 0, 0, 0],
-    unit: "N",
-};
-const MOMENT: Wanted = Wanted {
-    what: "a moment",
-    dimension: [2, 1, -2, 0, 0, 0],
-    unit: "N m",
-};
 const FOLLOWER: Shape = Shape {
     positional: 2,
     named: &[],

@@ -299,7 +299,7 @@ impl<'m> Frame<'m> {
 
     fn constraint(&self, constraint: &Constraint, scales: &Row) -> Vec<Row> {
         let model = self.start.model;
-        let moves = |marker: &MarkerId| frame_of(&model.markers[marker.0]) == Some(self.id);
+        let moves = |marker: &MarkerId| model.markers[marker.0].frame() == Some(self.id);
         if !constraint.markers.iter().any(moves) {
             return Vec::new();
         }
@@ -318,7 +318,7 @@ impl<'m> Frame<'m> {
     /// Change of a marker when the frame alone moves, inertial axes.
     fn change(&self, marker: MarkerId, mode: &Mode) -> Vector {
         let declared = &self.start.model.markers[marker.0];
-        if frame_of(declared) != Some(self.id) {
+        if declared.frame() != Some(self.id) {
             return [0.0; 3];
         }
         let turn = self.pose.direction(mode.turn);
@@ -414,19 +414,6 @@ fn specialised(model: &Model, expr: &Expr) -> Option<Expr> {
         Expr::Observed(observable) => Expr::Observed(observable.clone()),
         Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Motion(..) => return None,
     })
-}
-
-/// The frame that a marker is fixed in.
-fn frame_of(marker: &Marker) -> Option<FrameId> {
-    match marker {
-        Marker::Point { frame, .. }
-        | Marker::Direction { frame, .. }
-        | Marker::Turn { frame }
-        | Marker::Angle { frame }
-        | Marker::Matching { frame, .. }
-        | Marker::Normal { frame, .. } => Some(*frame),
-        Marker::BodyPoint { .. } | Marker::BodySlope { .. } => None,
-    }
 }
 
 fn axis_vector(axis: usize) -> Vector {

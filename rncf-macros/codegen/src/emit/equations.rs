@@ -12,7 +12,7 @@ use crate::lower::inertia::{InertiaKernels, inertia_kernels};
 use crate::lower::initial::initial_kernel;
 use crate::lower::joints::{JointKernels, joint_kernels};
 use crate::lower::{ElasticKernels, Kernel, Variant, elastic_kernels, loads, motions};
-use crate::model::{Body, Expr, Fidelity, FrameId, INERTIAL, Joint, LoadKind, Marker, Model, Observable};
+use crate::model::{Body, Expr, Fidelity, FrameId, INERTIAL, Joint, LoadKind, Model, Observable};
 
 /// An element variant with its kernels.
 pub struct VariantKernels {
@@ -300,7 +300,7 @@ fn conservative(model: &Model, variants: &[VariantKernels], variant_of: &[usize]
     );
     let used = model.constraints.iter().map(|constraint| &constraint.markers);
     let used = used.chain(model.forces.iter().map(|force| &force.markers)).flatten();
-    let mut frames = frames.chain(used.filter_map(|marker| marker_frame(&model.markers[marker.0])));
+    let mut frames = frames.chain(used.filter_map(|marker| model.markers[marker.0].frame()));
     let loads = model.loads.iter().all(|load| match &load.kind {
         LoadKind::Gravity(components) | LoadKind::Force { components, .. } => !motions::varies(model, components),
         LoadKind::Moment { .. } => false,
@@ -318,17 +318,4 @@ fn conservative(model: &Model, variants: &[VariantKernels], variant_of: &[usize]
         && !rheonomic
         && !model.bodies.iter().zip(variant_of).any(damps)
         && !frames.any(|frame| motions::moves(model, frame))
-}
-
-/// The frame that a marker is fixed in; markers on bodies are in the bodies' frames.
-fn marker_frame(marker: &Marker) -> Option<FrameId> {
-    match marker {
-        Marker::Point { frame, .. }
-        | Marker::Direction { frame, .. }
-        | Marker::Turn { frame }
-        | Marker::Angle { frame }
-        | Marker::Matching { frame, .. }
-        | Marker::Normal { frame, .. } => Some(*frame),
-        Marker::BodyPoint { .. } | Marker::BodySlope { .. } => None,
-    }
 }

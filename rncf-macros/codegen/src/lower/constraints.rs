@@ -111,12 +111,7 @@ impl Rows<'_> {
         arguments: &[&str],
     ) -> Kernel {
         let title = format!("{}: {title}", self.title);
-        let mut kernel = marked
-            .time
-            .kernel(format!("constraint_{what}_{}", self.name), title, outputs);
-        kernel
-            .arguments
-            .extend(arguments.iter().map(|argument| argument.to_string()));
+        let mut kernel = marked.kernel(format!("constraint_{what}_{}", self.name), title, outputs, arguments);
         kernel.bindings.push(format!("let z = &z[..{}];", self.count));
         kernel
     }

@@ -87,12 +87,7 @@ impl Law<'_> {
         arguments: &[&str],
     ) -> Kernel {
         let title = format!("{}: {title}", self.title);
-        let mut kernel = marked
-            .time
-            .kernel(format!("force_{what}_{}", self.name), title, outputs);
-        kernel
-            .arguments
-            .extend(arguments.iter().map(|argument| argument.to_string()));
+        let mut kernel = marked.kernel(format!("force_{what}_{}", self.name), title, outputs, arguments);
         for argument in arguments
             .iter()
             .filter_map(|argument| argument.strip_suffix(": &[[f64; 3]]"))

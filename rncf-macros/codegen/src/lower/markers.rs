@@ -1,6 +1,7 @@
 //! Expressions of markers: what constraints and forces are functions of, counted in the order of
 //! their own lists, so that joints of one kind share their functions.
 
+use super::kernel::Kernel;
 use super::motions::Time;
 use crate::model::{Expr, Marker, MarkerId, Model, Observable};
 use crate::symbolic::Id;
@@ -67,6 +68,14 @@ impl<'m> Marked<'m> {
             symbols.push(ids);
         }
         Self { time, symbols }
+    }
+
+    /// A kernel of the graph, with further arguments behind model and time.
+    pub fn kernel(self, name: String, title: String, outputs: Vec<(String, Id)>, arguments: &[&str]) -> Kernel {
+        let mut kernel = self.time.kernel(name, title, outputs);
+        let arguments = arguments.iter().map(|argument| argument.to_string());
+        kernel.arguments.extend(arguments);
+        kernel
     }
 
     /// Values as `z`, rates as `velocity`.

@@ -1,0 +1,183 @@
+//! What moves freely, and what acts on it: free frames with their rigid parts, markers, and constraints
+//! and forces as expressions of markers.
+
+use super::{BodyId, Expr, FrameId, Location, MarkerId};
+
+/// A frame whose pose is unknown (THEORY 2, 3.1).
+#[derive(Clone, Debug)]
+pub struct Free {
+    /// Which motions are unknown.
+    pub motions: Motions,
+    /// Velocity of the origin relative to the parent at t = 0, m/s, parent axes.
+    pub velocity: [Expr; 3],
+    /// Angular velocity relative to the parent at t = 0, rad/s, frame axes.
+    pub spin: [Expr; 3],
+    /// Rigid parts that it carries.
+    pub parts: Vec<RigidPart>,
+    /// Whether it was declared as a rigid body.
+    pub is_body: bool,
+}
+
+/// Which motions of a free frame are unknown. See `rncf::mesh::Motions`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Motions {
+    /// Along and about all axes.
+    Spatial,
+    /// In the plane normal to an axis.
+    Planar {
+        /// 0, 1, 2: inertial axis, and axis of the frame.
+        normal: usize,
+    },
+    /// About the origin, which is that of the parent.
+    Turning,
+    /// About an axis through the origin, which is that of the parent.
+    Hinged {
+        /// Unit vector, axes of the parent and of the frame alike.
+        axis: [f64; 3],
+    },
+    /// Along all axes, without turning: a point mass.
+    Shifting,
+    /// Along the axes of a plane, without turning.
+    ShiftingPlanar {
+        /// 0, 1, 2: inertial axis normal to the plane.
+        normal: usize,
+    },
+}
+
+/// A rigid part in a free frame: ten numbers.
+#[derive(Clone, Debug)]
+pub struct RigidPart {
+    /// Name in the declaration.
+    pub name: String,
+    /// Mass, kg.
+    pub mass: Expr,
+    /// Centre of mass, m, frame axes.
+    pub center: [Expr; 3],
+    /// Inertia about the centre of mass, kg m^2, frame axes: xx, yy, zz, xy, xz, yz (matrix entries).
+    pub inertia: [Expr; 6],
+}
+
+/// A vector in inertial axes that moves with the system. See `rncf::mesh::MarkerSpec`.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Marker {
+    /// A point fixed in a frame, m, frame axes.
+    Point {
+        /// Frame, prescribed or free.
+        frame: FrameId,
+        /// Where.
+        at: [Expr; 3],
+    },
+    /// A direction fixed in a frame, frame axes.
+    Direction {
+        /// Frame.
+        frame: FrameId,
+        /// Direction.
+        along: [Expr; 3],
+    },
+    /// A place on a flexible body.
+    BodyPoint {
+        /// Body.
+        body: BodyId,
+        /// Where.
+        at: Location,
+    },
+    /// The slope of a flexible body, not normalised.
+    BodySlope {
+        /// Body.
+        body: BodyId,
+        /// Where.
+        at: Location,
+    },
+    /// The turning of a frame: no value, its rate is the angular velocity (rad/s, inertial axes).
+    Turn {
+        /// Frame.
+        frame: FrameId,
+    },
+    /// The angle of a planar or hinged frame and two zeros, rad.
+    Angle {
+        /// Frame.
+        frame: FrameId,
+    },
+    /// Fixed in a frame, equal to another marker at t = 0.
+    Matching {
+        /// Frame.
+        frame: FrameId,
+        /// The other marker.
+        marker: MarkerId,
+    },
+    /// A unit vector fixed in a frame, normal to another direction at t = 0.
+    Normal {
+        /// Frame.
+        frame: FrameId,
+        /// The other marker.
+        marker: MarkerId,
+        /// 0 or 1: (direction, first, second) is a right-handed triad.
+        which: usize,
+    },
+}
+
+/// Constraints C(z, t) = 0 of one joint or one declaration, as expressions of markers and time.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// Name.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// Kind for messages, e.g. `revolute`, `constraint`.
+    pub kind: String,
+    /// Markers, in the order of the emitted function's arguments.
+    pub markers: Vec<MarkerId>,
+    /// The first so many markers belong to the first party.
+    pub first_party: usize,
+    /// What each row fixes, e.g. `position x`, and its expression.
+    pub rows: Vec<(String, Expr)>,
+    /// `Some(body)`: only where that body's nodal vectors are in the inertial frame; it stands there
+    /// for a joint that is eliminated in the body's own free frame.
+    pub absolute: Option<BodyId>,
+}
+
+/// A force on markers, as expressions of markers, their velocities and time.
+#[derive(Clone, Debug)]
+pub struct Force {
+    /// Name.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// Markers that it depends on or acts on, in the order of the emitted function's arguments.
+    pub markers: Vec<MarkerId>,
+    /// Force on each marker in inertial axes, in the same order: N on points, N m on turns and
+    /// angles (first component), generalised on slopes; zeros where it only depends on it.
+    pub components: Vec<[Expr; 3]>,
+    /// Potential, J, where it has one and nothing damps.
+    pub energy: Option<Expr>,
+}
+
+/// A rigid fixture at a place of a flexible body (THEORY 5.4).
+#[derive(Clone, Debug)]
+pub struct Fixture {
+    /// Name.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// Body.
+    pub body: BodyId,
+    /// Where.
+    pub at: Location,
+    /// Mass (kg), first moment along the slope (kg m), second moment along it (kg m^2).
+    pub constants: [Expr; 3],
+}
+
+impl Marker {
+    /// The frame that it is fixed in; markers on bodies are in the bodies' frames.
+    pub fn frame(&self) -> Option<FrameId> {
+        match self {
+            Marker::Point { frame, .. }
+            | Marker::Direction { frame, .. }
+            | Marker::Turn { frame }
+            | Marker::Angle { frame }
+            | Marker::Matching { frame, .. }
+            | Marker::Normal { frame, .. } => Some(*frame),
+            Marker::BodyPoint { .. } | Marker::BodySlope { .. } => None,
+        }
+    }
+}
