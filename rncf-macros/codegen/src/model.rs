@@ -107,6 +107,9 @@ pub enum Expr {
     Time,
     /// Arclength of a body's stress-free axis from its start, m; in its initial shape only.
     Arclength,
+    /// Component of the Green strain tensor, section axes with x along the body: xx, yy, zz, xy, xz, yz;
+    /// in the energy density of a material only (THEORY 4.2).
+    Strain(usize),
     /// A motion at another time.
     Motion(MotionId, Box<Expr>),
     /// Negation.
@@ -245,6 +248,15 @@ pub enum Observable {
         /// 0, 1, 2 for x, y, z.
         component: usize,
     },
+    /// What a body carries at a place: what the part beyond it exerts on the part before it; in outputs.
+    Section {
+        /// Which body.
+        body: BodyId,
+        /// Where on it.
+        at: Location,
+        /// What of it.
+        what: SectionQuantity,
+    },
     /// Component of what a joint exerts on its body, in the axes of the joint's frame; the moment
     /// is about the joint's point.
     Reaction {
@@ -266,6 +278,31 @@ pub enum PointQuantity {
     Velocity,
     /// Slope dp/dx, 1.
     Slope,
+    /// Derivative of the position along the section's y axis, 1.
+    SectionY,
+    /// Derivative of the position along the section's z axis, 1.
+    SectionZ,
+}
+
+/// What a section carries, in the axes of the section (of a centre line: along and across its slope).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SectionQuantity {
+    /// Force along the axis, N; tension is positive.
+    AxialForce,
+    /// Force along the section's y axis, N.
+    ShearY,
+    /// Force along the section's z axis, N.
+    ShearZ,
+    /// Moment about the axis, N m.
+    Torque,
+    /// Moment about the section's y axis, N m.
+    MomentY,
+    /// Moment about the section's z axis, N m; of a planar body that about the plane's normal.
+    MomentZ,
+    /// Magnitude of the bending moment, N m.
+    Moment,
+    /// Largest von Mises stress over the section, Pa.
+    Stress,
 }
 
 /// A place on a body.
@@ -368,10 +405,47 @@ pub struct Body {
     pub evaluation: Evaluation,
     /// How finely its deformation is described.
     pub fidelity: Fidelity,
+    /// Strain energy density of the material (J/m^3) as a function of [`Expr::Strain`]; `None`: linear
+    /// elastic by Young's modulus.
+    pub strain_energy: Option<Expr>,
+    /// Shape of the section.
+    pub shape: SectionShape,
+    /// Direction of the section's y axis at the start, frame axes, made normal to the tangent at run time;
+    /// `None`: z x tangent, or y where the axis starts along z.
+    pub section_y: Option<[Expr; 3]>,
+    /// Stress-free twist of the section from the start to the end about the tangent, rad.
+    pub twist: Expr,
     /// Whether its free frame follows the mean axes instead of joints.
     pub mean_axes: bool,
     /// Where and how fast it starts.
     pub initial: Initial,
+}
+
+/// Shape of a section, for stresses and for energies that are integrated over it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SectionShape {
+    /// Known by its properties alone: distances of the outermost fibres along y and z (m), where given.
+    General {
+        /// Along y and z.
+        extent: [Option<Expr>; 2],
+    },
+    /// A full circle.
+    Circle {
+        /// Radius, m.
+        radius: Expr,
+    },
+    /// A circular tube.
+    Tube {
+        /// Outer radius, m.
+        radius: Expr,
+        /// Thickness of the wall, m.
+        thickness: Expr,
+    },
+    /// A rectangle.
+    Rectangle {
+        /// Sizes along the section's y and z axes, m.
+        sizes: [Expr; 2],
+    },
 }
 
 /// Start of a body at t = 0 as functions of [`Expr::Arclength`], frame axes; its slopes are their
@@ -408,15 +482,17 @@ pub enum Line {
         /// End, m, frame axes.
         to: [Expr; 3],
     },
-    /// A circular arc in the plane of a planar body.
+    /// A circular arc.
     Arc {
         /// Start, m, frame axes.
         from: [Expr; 3],
         /// Tangent at the start, frame axes; normalised at run time.
         direction: [Expr; 3],
+        /// Normal of its plane, frame axes; made normal to the tangent and normalised at run time.
+        normal: [Expr; 3],
         /// Radius, m, positive.
         radius: Expr,
-        /// Subtended angle, rad; positive turns counter-clockwise about the plane's normal.
+        /// Subtended angle, rad; positive turns counter-clockwise about the normal.
         angle: Expr,
     },
 }
@@ -466,20 +542,34 @@ pub struct Joint {
 /// What a joint fixes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum JointKind {
-    /// Position, and direction of the slope; its norm stays free.
+    /// Position, and direction of the slope, or of the section's axes where the body has them; norms
+    /// stay free.
     Clamp,
-    /// Position and the whole slope.
+    /// Position and the whole slope, or the section's axes with their norms.
     ClampFull,
     /// Position.
     Pin,
-    /// One component of the position (order 0) or slope (order 1) in the body's own frame, at its
+    /// One component of the position, slope, or section's axes in the body's own frame, at its
     /// undeformed value.
     Hold {
-        /// 0 position, 1 slope.
-        order: usize,
+        /// What is held.
+        of: Held,
         /// Frame axis 0, 1, 2.
         axis: usize,
     },
+}
+
+/// A nodal vector that a joint holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Held {
+    /// Position.
+    Position,
+    /// Slope.
+    Slope,
+    /// Section's y axis.
+    SectionY,
+    /// Section's z axis.
+    SectionZ,
 }
 
 /// A load.

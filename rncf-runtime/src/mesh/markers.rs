@@ -36,6 +36,25 @@ pub enum MarkerSpec {
         /// Where.
         at: Place,
     },
+    /// The y (1) or z (2) axis of a body's section, not normalised: `A y_a(x) q_a`.
+    BodySection {
+        /// Body.
+        body: usize,
+        /// Where.
+        at: Place,
+        /// 1 or 2.
+        axis: usize,
+    },
+    /// Constants: components at t = 0 of another direction, normalised, in the triad (r_y x r_z, r_y, r_z) of a
+    /// section, each normalised; its rates are zero and it depends on no unknown.
+    InSection {
+        /// Body.
+        body: usize,
+        /// Where.
+        at: Place,
+        /// Index of the other marker.
+        marker: usize,
+    },
     /// The turning of a frame: its value is zero, its rate the angular velocity in inertial axes
     /// (rad/s); the force on it is a moment (N m).
     Turn {
@@ -116,6 +135,7 @@ pub struct FixtureSpec {
     pub body: usize,
     /// Where.
     pub at: Place,
-    /// Mass (kg), first moment along the slope m X (kg m), second moment along it (kg m^2).
-    pub constants: [f64; 3],
+    /// Mass (kg); first moments (kg m) along the slope and the section's y and z axes; second moments
+    /// (kg m^2) xx, yy, zz, xy, xz, yz of those coordinates. Without a section only x has entries.
+    pub constants: [f64; 10],
 }

@@ -21,18 +21,47 @@ pub struct BodySpec {
     pub line: Line,
     /// Number of elements.
     pub count: usize,
-    /// Names of an element's nodal vectors by local number, e.g. `position`.
-    pub meanings: &'static [&'static str],
-    /// Order of each local vector: 0 position, 1 slope.
-    pub orders: &'static [usize],
+    /// An element's nodal vectors by local number.
+    pub nodal: &'static [NodalSpec],
     /// Place of each local vector relative to the first vector of the element's first node.
     pub connectivity: &'static [usize],
     /// Number of vectors of a node.
     pub vectors_per_node: usize,
+    /// Number of vectors from one node to the next: those inside an element follow its first node's.
+    pub stride: usize,
+    /// Direction of the section's y axis at the start, frame axes, not yet normal to the tangent; `None`:
+    /// z x tangent, or y where the axis starts along z.
+    pub section_y: Option<[f64; 3]>,
+    /// Stress-free twist of the section from start to end about the tangent, rad.
+    pub twist: f64,
     /// How finely its deformation is described.
     pub fidelity: Fidelity,
     /// Whether its free frame follows the mean axes (THEORY 6, Buckens) instead of joints.
     pub mean_axes: bool,
+}
+
+/// What a nodal vector interpolates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interpolant {
+    /// Position r of the axis.
+    Position,
+    /// Derivative of the position along the section's y axis, r_y; in a plane the only one.
+    SectionY,
+    /// Derivative of the position along the section's z axis, r_z; not in a plane.
+    SectionZ,
+}
+
+/// A nodal vector of an element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodalSpec {
+    /// Its name in messages, e.g. `position`.
+    pub meaning: &'static str,
+    /// What it interpolates.
+    pub of: Interpolant,
+    /// Its order: 0 value, 1 slope d/dx.
+    pub order: usize,
+    /// Where on the element it is, xi: 0 at its first node, 1 at its last, between them inside.
+    pub xi: f64,
 }
 
 /// How finely the deformation of a body is described (THEORY 3).
@@ -57,19 +86,43 @@ impl BodySpec {
 
     /// Degrees of freedom of one element.
     pub fn element_size(&self) -> usize {
-        self.orders.len() * self.dimension()
+        self.nodal.len() * self.dimension()
     }
 
-    /// Node and local number (of the node's first element) of a nodal vector, counted in the body.
+    /// Node (of vectors inside an element its first) and local number of a nodal vector, counted in the
+    /// body.
     pub fn locate(&self, vector: usize) -> (usize, usize) {
-        let place = vector % self.vectors_per_node;
+        let place = vector % self.stride;
         let local = self.connectivity.iter().position(|&other| other == place).unwrap_or(0);
-        (vector / self.vectors_per_node, local)
+        (vector / self.stride, local)
     }
 
     /// Nodal vectors of the body.
     pub fn vectors(&self) -> usize {
-        (self.count + 1) * self.vectors_per_node
+        self.count * self.stride + self.vectors_per_node
+    }
+
+    /// Whether its nodes carry the section's axes.
+    pub fn has_section(&self) -> bool {
+        self.nodal.iter().any(|vector| vector.of != Interpolant::Position)
+    }
+
+    /// Number of interpolants: the axis alone, and the section's axes.
+    pub fn interpolants(&self) -> usize {
+        let is_there = |of: &Interpolant| self.nodal.iter().any(|vector| vector.of == *of);
+        [Interpolant::Position, Interpolant::SectionY, Interpolant::SectionZ]
+            .iter()
+            .filter(|of| is_there(of))
+            .count()
+    }
+
+    /// Place of the vector of an end node that is this derivative of an interpolant, counted in the body;
+    /// `None` where its nodes do not carry it.
+    pub fn end_vector(&self, at_end: bool, of: Interpolant, order: usize) -> Option<usize> {
+        let node = if at_end { self.count * self.stride } else { 0 };
+        let is_it = |vector: &NodalSpec| vector.of == of && vector.order == order && vector.xi == 0.0;
+        let local = self.nodal.iter().position(is_it)?;
+        Some(node + self.connectivity[local])
     }
 }
 
@@ -87,16 +140,17 @@ pub enum Place {
 /// What a joint fixes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JointKind {
-    /// Position, and direction of the slope.
+    /// Position, and direction of the slope, or of the section's axes where the body has them.
     Clamp,
-    /// Position and slope.
+    /// Position and slope, or the section's axes with their norms.
     ClampFull,
     /// Position.
     Pin,
-    /// One component of the position (order 0) or slope (order 1) in the body's own frame, at its
-    /// undeformed value.
+    /// One component of a nodal vector in the body's own frame, at its undeformed value.
     Hold {
-        /// 0 position, 1 slope.
+        /// What the vector interpolates.
+        of: Interpolant,
+        /// 0 value, 1 slope.
         order: usize,
         /// Frame axis 0, 1, 2.
         axis: usize,
@@ -125,10 +179,12 @@ pub struct JointSpec {
 pub struct JointData {
     /// Fixed point, m.
     pub point: [f64; 3],
-    /// Direction of the slope, unit vector.
+    /// Direction of the slope, unit vector; with a section that of its y axis.
     pub tangent: [f64; 3],
     /// Unit vectors normal to it; planar bodies use the first, which lies in the plane.
     pub normals: [[f64; 3]; 2],
+    /// Direction of the section's z axis in space, and unit vectors normal to it; else zeros.
+    pub second: [[f64; 3]; 3],
 }
 
 /// What an eliminated condition prescribes, in the body's axes: value, rate, acceleration and jerk.
@@ -137,8 +193,10 @@ pub struct JointData {
 pub struct Prescribed {
     /// Position, m, m/s, m/s^2, m/s^3.
     pub position: [[f64; 3]; 4],
-    /// Slope.
+    /// Slope; with a section its y axis.
     pub slope: [[f64; 3]; 4],
+    /// The section's z axis in space.
+    pub second: [[f64; 3]; 4],
 }
 
 /// Kind of a load.
@@ -182,6 +240,75 @@ pub enum PointQuantity {
     Velocity,
     /// Slope dp/dx.
     Slope,
+    /// Derivative of the position along the section's y axis.
+    SectionY,
+    /// Derivative of the position along the section's z axis.
+    SectionZ,
+}
+
+/// What a section carries, in its own axes (of a centre line: along and across its slope).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SectionQuantity {
+    /// Force along the axis, N; tension is positive.
+    AxialForce,
+    /// Force along the section's y axis, N.
+    ShearY,
+    /// Force along the section's z axis, N.
+    ShearZ,
+    /// Moment about the axis, N m.
+    Torque,
+    /// Moment about the section's y axis, N m.
+    MomentY,
+    /// Moment about the section's z axis, N m; of a planar body that about the plane's normal.
+    MomentZ,
+    /// Magnitude of the bending moment, N m.
+    Moment,
+    /// Largest von Mises stress over the section, Pa.
+    Stress,
+}
+
+/// Shape of a section, for stresses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SectionShape {
+    /// Distances of the outermost fibres along y and z, m, where known.
+    General {
+        /// Along y and z.
+        extent: [Option<f64>; 2],
+    },
+    /// A full circle.
+    Circle {
+        /// Radius, m.
+        radius: f64,
+    },
+    /// A circular tube.
+    Tube {
+        /// Outer radius, m.
+        radius: f64,
+        /// Thickness of the wall, m.
+        thickness: f64,
+    },
+    /// A rectangle.
+    Rectangle {
+        /// Sizes along y and z, m.
+        sizes: [f64; 2],
+    },
+}
+
+/// What stresses of a body's section follow from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SectionSpec {
+    /// Shape.
+    pub shape: SectionShape,
+    /// Area, m^2.
+    pub area: f64,
+    /// Second moments about the section's y and z axes, m^4: int Z^2 dA, int Y^2 dA.
+    pub second_moments: [f64; 2],
+    /// Torsion constant, m^4; 0 where unknown.
+    pub torsion_constant: f64,
+    /// Yield stress of the material, Pa.
+    pub yield_stress: Option<f64>,
+    /// Name of the material, for messages.
+    pub material: &'static str,
 }
 
 /// Something that outputs read.
@@ -224,6 +351,15 @@ pub enum ObservedSpec {
         /// Row.
         row: usize,
     },
+    /// What a body carries at a place: what the part beyond it exerts on the part before it.
+    Section {
+        /// Body.
+        body: usize,
+        /// Where.
+        at: Place,
+        /// What.
+        what: SectionQuantity,
+    },
     /// Component of what a joint exerts on its body, in the joint's frame, about its point.
     Reaction {
         /// Joint.
@@ -243,12 +379,14 @@ pub enum Carried<'a> {
         /// Body.
         body: usize,
     },
-    /// A fixture of a body: position and slope of its place are q.
+    /// A fixture of a body: position and slope of its place are q, with a section also its axes.
     Fixture {
         /// Components of a vector: 2 or 3.
         dimension: usize,
+        /// Vectors of the place: position and slope (2), with the section's axes 3 or 4.
+        vectors: usize,
         /// As in [`FixtureSpec::constants`].
-        constants: [f64; 3],
+        constants: [f64; 10],
     },
     /// Rigid parts of the frame itself; no q, three components.
     Rigid(&'a RigidSpec),
@@ -343,15 +481,30 @@ pub trait Parts: Clone + Send + Sync + 'static {
     );
     /// Strain energy of one element, J.
     fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64;
-    /// Shape functions of an element at `xi` in [0, 1] and their derivatives d/dx.
-    fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]);
+    /// Weights of an element's nodal vectors in the `order`-th derivative d/dx (0, 1, 2) of an interpolant
+    /// at `xi` in [0, 1].
+    fn shapes(&self, body: usize, of: Interpolant, order: usize, xi: f64, weights: &mut [f64]);
+    /// What stresses of a body follow from.
+    fn section(&self, body: usize) -> SectionSpec;
+    /// Number of fields that the strain energy of a body depends on, and for each the interpolant and order
+    /// of derivative.
+    fn fields(&self, body: usize) -> &'static [(Interpolant, usize)];
+    /// Forces on the fields of a body at a point of an element, dU/d(field) per unit length, body axes: N on
+    /// order 1 of the position, N m on the others; from the fields' values in the stress-free shape, at
+    /// present, and their rates, one vector of the body's dimension after the other.
+    fn field_forces(&self, body: usize, stress_free: &[f64], fields: &[f64], rates: &[f64], forces: &mut [f64]);
     /// Adds the generalised force of a moment (N m, body axes; planar: first component) on a slope.
     fn moment(&self, dimension: usize, slope: &[f64], moment: [f64; 3], force: &mut [f64]);
     /// Adds its derivative with respect to the slope, rows first.
     fn moment_tangent(&self, dimension: usize, slope: &[f64], moment: [f64; 3], tangent: &mut [f64]);
+    /// Adds the generalised force of a moment (N m, body axes) on the axes r_y, r_z of a section in space
+    /// (six numbers each): exact virtual work, `r_y x Q_y + r_z x Q_z = M`.
+    fn section_moment(&self, _axes: &[f64; 6], _moment: [f64; 3], _force: &mut [f64; 6]) {}
+    /// Adds its derivative with respect to the axes, rows first.
+    fn section_moment_tangent(&self, _axes: &[f64; 6], _moment: [f64; 3], _tangent: &mut [f64; 36]) {}
 
     /// Conditions of a joint on the position and slope of its node: position rows, then direction or
-    /// slope rows. `q`, `v`, `a` hold the position, then the slope.
+    /// slope rows. `q`, `v`, `a` hold the position, then the slope; with a section its axes instead.
     #[allow(clippy::too_many_arguments)]
     fn condition(
         &self,
@@ -415,12 +568,13 @@ pub trait Parts: Clone + Send + Sync + 'static {
         _out: &mut CarriedTangent,
     ) {
     }
-    /// Adds the inertia force of a fixture on position and slope of its place.
+    /// Adds the inertia force of a fixture on the vectors of its place.
     #[allow(clippy::too_many_arguments)]
     fn fixture_force(
         &self,
         _dimension: usize,
-        _constants: [f64; 3],
+        _vectors: usize,
+        _constants: [f64; 10],
         _absolute: bool,
         _frame: &FrameAction,
         _q: &[f64],
@@ -433,7 +587,8 @@ pub trait Parts: Clone + Send + Sync + 'static {
     fn fixture_tangent(
         &self,
         _dimension: usize,
-        _constants: [f64; 3],
+        _vectors: usize,
+        _constants: [f64; 10],
         _absolute: bool,
         _frame: &FrameAction,
         _stiffness: &mut [f64],

@@ -1,7 +1,9 @@
 //! Hermite centre-line element (THEORY 5.1): axial strain and bending of a thin beam, cable or
 //! tether; no shear, no torsion.
 
-use super::{Coefficient, Density, Element, ElementOption, Field, Invariants, NodalVector, Node, Term};
+use super::{
+    Coefficient, Density, Element, ElementOption, Field, Inertia, Interpolant, Invariants, NodalVector, Node, Term,
+};
 use crate::symbolic::{Graph, Id};
 use crate::tensors::Polynomial;
 
@@ -14,6 +16,7 @@ pub const CABLE: Element = Element {
             name: "r0",
             meaning: "position",
             node: Node::Start,
+            of: Interpolant::Position,
             order: 0,
             shape: || Polynomial::whole(&[1, 0, -3, 2]),
         },
@@ -21,6 +24,7 @@ pub const CABLE: Element = Element {
             name: "s0",
             meaning: "slope",
             node: Node::Start,
+            of: Interpolant::Position,
             order: 1,
             shape: || Polynomial::whole(&[0, 1, -2, 1]),
         },
@@ -28,6 +32,7 @@ pub const CABLE: Element = Element {
             name: "r1",
             meaning: "position",
             node: Node::End,
+            of: Interpolant::Position,
             order: 0,
             shape: || Polynomial::whole(&[0, 0, 3, -2]),
         },
@@ -35,11 +40,23 @@ pub const CABLE: Element = Element {
             name: "s1",
             meaning: "slope",
             node: Node::End,
+            of: Interpolant::Position,
             order: 1,
             shape: || Polynomial::whole(&[0, 0, -1, 1]),
         },
     ],
-    fields: &[Field { name: "a", order: 1 }, Field { name: "b", order: 2 }],
+    fields: &[
+        Field {
+            name: "a",
+            of: Interpolant::Position,
+            order: 1,
+        },
+        Field {
+            name: "b",
+            of: Interpolant::Position,
+            order: 2,
+        },
+    ],
     coefficients: &[
         Coefficient {
             name: "EA",
@@ -57,7 +74,10 @@ pub const CABLE: Element = Element {
             factors: &["density", "area"],
         },
     ],
-    inertia: "rhoA",
+    inertia: &[Inertia {
+        of: Interpolant::Position,
+        coefficient: "rhoA",
+    }],
     damping: "damping",
     options: &[ElementOption {
         name: "bending",
@@ -71,6 +91,7 @@ pub const CABLE: Element = Element {
         "in space a centre line alone does not know which way it is curved: \
          use the beam with a cross-section, or declare the body planar",
     ),
+    own_rule: false,
 };
 
 /// Exponent p of `|r_x|^-2p` in the bending energy, for each value of `bending`.
@@ -100,11 +121,13 @@ pub fn thin_beam(graph: &mut Graph, fields: &Invariants, p: f64) -> Vec<Term> {
             name: "axial strain",
             coefficient: "EA",
             density: Density::Measure(axial_strain),
+            points: None,
         },
         Term {
             name: "bending",
             coefficient: "EI",
             density: bending,
+            points: None,
         },
     ]
 }

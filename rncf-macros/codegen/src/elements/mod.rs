@@ -13,8 +13,21 @@ pub use cable::{CABLE, thin_beam};
 pub enum Node {
     /// At the first node, shared with the element before.
     Start,
+    /// In the middle of the element, not shared.
+    Middle,
     /// At the last node, shared with the element after.
     End,
+}
+
+/// What a nodal vector interpolates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Interpolant {
+    /// Position r of the axis.
+    Position,
+    /// Derivative of the position along the section's y axis, r_y; in a plane the only one.
+    SectionY,
+    /// Derivative of the position along the section's z axis, r_z; not in a plane.
+    SectionZ,
 }
 
 /// A nodal vector of an element.
@@ -26,19 +39,32 @@ pub struct NodalVector {
     pub meaning: &'static str,
     /// Node it belongs to.
     pub node: Node,
-    /// 0 for a position, 1 for a slope d/dx.
+    /// What it interpolates.
+    pub of: Interpolant,
+    /// 0 for a value (position, r_y, r_z), 1 for a slope d/dx.
     pub order: usize,
     /// Shape function on the unit element, xi in [0, 1]; the real one is l^order times it.
     pub shape: fn() -> Polynomial,
 }
 
-/// A field at a point of the axis: a derivative of the position, e.g. `a = r_x`.
+/// A field at a point of the axis: a derivative of an interpolant, e.g. `a = r_x`.
 #[derive(Clone, Copy, Debug)]
 pub struct Field {
     /// Name in generated code.
     pub name: &'static str,
-    /// Order of the derivative with respect to x, at least 1.
+    /// What is differentiated.
+    pub of: Interpolant,
+    /// Order of the derivative with respect to x; at least 1 of the position.
     pub order: usize,
+}
+
+/// Mass per unit length that moves with an interpolant, e.g. `rho I_zz` with r_y.
+#[derive(Clone, Copy, Debug)]
+pub struct Inertia {
+    /// What moves.
+    pub of: Interpolant,
+    /// Coefficient of the element, kg/m or kg m.
+    pub coefficient: &'static str,
 }
 
 /// A coefficient of the element: a product of properties, e.g. `EA = young * area`.
@@ -72,6 +98,8 @@ pub struct Term {
     pub coefficient: &'static str,
     /// What is multiplied.
     pub density: Density,
+    /// Number of Gauss points of this term; `None`: the rule that the body asks for.
+    pub points: Option<usize>,
 }
 
 /// Density of a term, as an expression of the invariants of the fields.
@@ -102,14 +130,14 @@ pub struct Element {
     pub names: &'static [&'static str],
     /// What it is, for documentation.
     pub doc: &'static str,
-    /// Nodal vectors.
+    /// Nodal vectors in space; in a plane those of r_z are left out.
     pub vectors: &'static [NodalVector],
-    /// Fields that the strain energy depends on.
+    /// Fields that the strain energy depends on, in space; in a plane those of r_z are left out.
     pub fields: &'static [Field],
     /// Coefficients.
     pub coefficients: &'static [Coefficient],
-    /// Name of the coefficient that is the mass per unit length.
-    pub inertia: &'static str,
+    /// Masses per unit length; interpolants do not couple (principal centroidal axes).
+    pub inertia: &'static [Inertia],
     /// Vocabulary name of the property that damps the measures (s).
     pub damping: &'static str,
     /// Options.
@@ -123,6 +151,27 @@ pub struct Element {
     pub least_points: usize,
     /// Why an initially curved axis is refused in space; `None` where it is not.
     pub curved_in_space: Option<&'static str>,
+    /// Whether every term has its own number of points, so that the body cannot ask for a rule.
+    pub own_rule: bool,
+}
+
+impl Element {
+    /// Whether its nodes carry the section's directions.
+    pub fn has_section(&self) -> bool {
+        self.vectors.iter().any(|vector| vector.of != Interpolant::Position)
+    }
+
+    /// Nodal vectors in the plane or in space.
+    pub fn vectors_in(&self, dimension: usize) -> impl Iterator<Item = &'static NodalVector> {
+        let vectors = self.vectors.iter();
+        vectors.filter(move |vector| dimension == 3 || vector.of != Interpolant::SectionZ)
+    }
+
+    /// Fields in the plane or in space.
+    pub fn fields_in(&self, dimension: usize) -> impl Iterator<Item = &'static Field> {
+        let fields = self.fields.iter();
+        fields.filter(move |field| dimension == 3 || field.of != Interpolant::SectionZ)
+    }
 }
 
 /// The elements that the language knows.

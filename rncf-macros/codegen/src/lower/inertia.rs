@@ -105,7 +105,7 @@ impl<'a> Inertia<'a> {
     pub fn new(variant: &'a Variant, library: &'a Library) -> Self {
         let mut graph = Graph::new();
         let length = graph.symbol("length");
-        let density = graph.symbol(variant.declaration(library).inertia);
+        let density = graph.symbol(variant.declaration(library).inertia[0].coefficient);
         let mass = graph.multiply(density, length);
         graph.name(mass, "element_mass");
         Self {

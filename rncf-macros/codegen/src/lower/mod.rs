@@ -25,4 +25,4 @@ mod tests;
 pub use choose::{ElasticKernels, elastic_kernels};
 pub use kernel::{Kernel, PointLoop};
 pub use signature::camel_case;
-pub use variant::Variant;
+pub use variant::{Connectivity, Variant};

@@ -25,13 +25,13 @@ impl Signature<'_> {
                     .coefficients
                     .iter()
                     .map(|c| c.name)
-                    .filter(|&name| name != element.inertia),
+                    .filter(|&name| element.inertia.iter().all(|inertia| inertia.coefficient != name)),
             );
             if self.variant.damped {
                 fields.push("damping");
             }
         } else {
-            fields.push(element.inertia);
+            fields.extend(element.inertia.iter().map(|inertia| inertia.coefficient));
         }
         let mut bindings = vec![format!("let {} {{ {}, .. }} = *row;", self.row(), fields.join(", "))];
         for (argument, prefix) in states {

@@ -1,7 +1,7 @@
 //! What distinguishes one emitted element from another: one set of kernels serves every body that
 //! agrees in all of this, whatever its lengths, stiffnesses and densities.
 
-use crate::elements::{Element, Library, Node};
+use crate::elements::{Element, Library, NodalVector, Node};
 use crate::model::{Body, ElementId, Evaluation, Expr, Line, Quadrature};
 
 /// A specialised element.
@@ -46,6 +46,11 @@ impl Variant {
         &library.elements[self.element.0]
     }
 
+    /// Nodal vectors of one element.
+    pub fn vectors(&self, library: &Library) -> Vec<&'static NodalVector> {
+        self.declaration(library).vectors_in(self.dimension).collect()
+    }
+
     /// Name in generated code, e.g. `cable_planar_exact_damped`.
     pub fn name(&self, library: &Library) -> String {
         let element = self.declaration(library);
@@ -79,29 +84,49 @@ impl Variant {
 
     /// Degrees of freedom of one element.
     pub fn size(&self, library: &Library) -> usize {
-        self.declaration(library).vectors.len() * self.dimension
+        self.vectors(library).len() * self.dimension
     }
 
     /// Names of all components of the nodal vectors with a prefix, e.g. `r0_x, r0_y, s0_x, ..`.
     pub fn component_names(&self, library: &Library, prefix: &str) -> Vec<Vec<String>> {
         let component = |name: &str, c: usize| format!("{prefix}{name}_{}", COMPONENTS[c]);
-        let vectors = self.declaration(library).vectors.iter();
+        let vectors = self.vectors(library).into_iter();
         vectors
             .map(|vector| (0..self.dimension).map(|c| component(vector.name, c)).collect())
             .collect()
     }
 
-    /// Place of each local nodal vector relative to the first vector of the element's first node,
-    /// and the number of vectors of a node.
-    pub fn connectivity(&self, library: &Library) -> (Vec<usize>, usize) {
-        let vectors = self.declaration(library).vectors;
-        let per_node = vectors.iter().filter(|vector| vector.node == Node::Start).count();
-        let mut counts = [0, 0];
+    /// Where an element's vectors are among those of its body.
+    pub fn connectivity(&self, library: &Library) -> Connectivity {
+        let vectors = self.vectors(library);
+        let count = |node: Node| vectors.iter().filter(|vector| vector.node == node).count();
+        let (per_node, inside) = (count(Node::Start), count(Node::Middle));
+        let mut next = [0, per_node, per_node + inside];
         let places = vectors.iter().map(|vector| {
-            let end = usize::from(vector.node == Node::End);
-            counts[end] += 1;
-            end * per_node + counts[end] - 1
+            let place = &mut next[match vector.node {
+                Node::Start => 0,
+                Node::Middle => 1,
+                Node::End => 2,
+            }];
+            *place += 1;
+            *place - 1
         });
-        (places.collect(), per_node)
+        Connectivity {
+            places: places.collect(),
+            per_node,
+            stride: per_node + inside,
+        }
     }
+}
+
+/// Where the vectors of an element are: nodes and insides of elements follow each other, `node, inside,
+/// node, inside, .., node`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Connectivity {
+    /// Place of each local vector relative to the first vector of the element's first node.
+    pub places: Vec<usize>,
+    /// Vectors of a node.
+    pub per_node: usize,
+    /// Vectors from one node to the next.
+    pub stride: usize,
 }

@@ -88,6 +88,25 @@ pub enum Marker {
         /// Where.
         at: Location,
     },
+    /// The y (1) or z (2) axis of a body's section, not normalised: `A y_a(x) q_a`.
+    BodySection {
+        /// Body.
+        body: BodyId,
+        /// Where.
+        at: Location,
+        /// 1 or 2.
+        axis: usize,
+    },
+    /// Constants: components at t = 0 of another direction in the triad (r_y x r_z, r_y, r_z, normalised)
+    /// of a section, so that a direction fixed in it is a combination of markers.
+    InSection {
+        /// Body.
+        body: BodyId,
+        /// Where.
+        at: Location,
+        /// The other marker.
+        marker: MarkerId,
+    },
     /// The turning of a frame: no value, its rate is the angular velocity (rad/s, inertial axes).
     Turn {
         /// Frame.
@@ -163,8 +182,9 @@ pub struct Fixture {
     pub body: BodyId,
     /// Where.
     pub at: Location,
-    /// Mass (kg), first moment along the slope (kg m), second moment along it (kg m^2).
-    pub constants: [Expr; 3],
+    /// Mass (kg); first moments (kg m) along the slope and the section's y and z axes; second moments
+    /// (kg m^2) xx, yy, zz, xy, xz, yz of those coordinates. Without a section only x has entries.
+    pub constants: [Expr; 10],
 }
 
 impl Marker {
@@ -177,7 +197,10 @@ impl Marker {
             | Marker::Angle { frame }
             | Marker::Matching { frame, .. }
             | Marker::Normal { frame, .. } => Some(*frame),
-            Marker::BodyPoint { .. } | Marker::BodySlope { .. } => None,
+            Marker::BodyPoint { .. }
+            | Marker::BodySlope { .. }
+            | Marker::BodySection { .. }
+            | Marker::InSection { .. } => None,
         }
     }
 }
