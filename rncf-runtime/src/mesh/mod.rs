@@ -24,8 +24,10 @@ mod moments;
 mod outputs;
 mod parts;
 mod scene;
+mod section;
 mod states;
 mod steady;
+mod stress;
 mod system;
 mod undeformed;
 mod view;
@@ -42,6 +44,7 @@ pub use parts::{
     NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed, SectionQuantity, SectionShape, SectionSpec,
 };
 pub use scene::MeshScene;
+pub use section::SectionState;
 
 #[cfg(test)]
 mod tests;
