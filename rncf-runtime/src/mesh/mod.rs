@@ -26,6 +26,7 @@ mod scene;
 mod states;
 mod steady;
 mod system;
+mod uniform;
 mod view;
 
 pub use checks::{array, array_mut, check_params, inertia, non_negative, poisson, positive};

@@ -424,16 +424,15 @@ fn outputs_of_relative_equilibria_find_their_multipliers() {
         .map(|row| ObservedSpec::Multiplier { constraint: 0, row })
         .collect();
     let mut scene = hand.scene(Formulation::Rncf);
-    assert_eq!(
-        scene.steady_obstacle(0.0).map(|text| text.contains("uniformly")),
-        Some(true)
-    );
+    assert_eq!(obstacle(&mut scene).contains("uniformly"), true);
     let mut state = scene.rest(0.4);
     Random(3).shake(&scene, &mut state, 0.1);
     let mut out = vec![0.0; 3];
-    scene.steady_outputs(0.4, 0.8, &state.x, &mut out);
-    let mut forces = vec![0.0; state.x.len()];
-    scene.steady_residual(0.4, 0.8, &state.x, &mut forces);
+    let at = Uniform::steady(0.4).scaled(0.8);
+    state.lambda = vec![0.3, -0.2, 0.7];
+    scene.uniform_state(&at, &mut state);
+    scene.uniform_outputs(&at, &state, &mut out);
+    assert_eq!(out, state.lambda);
     // The constraints are on the first node's position: its forces must vanish.
     let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
     scene.constraint_jacobian(&state, &mut jacobian);
