@@ -215,6 +215,15 @@ pub trait Scene: System + Send {
         Vec::new()
     }
 
+    /// Sense in which the points of the bodies circulate about the axis of the rotation in a mode with
+    /// complex increments `shape` of the unknowns that grow as exp(i |im| t), seen in co-rotating axes: 1
+    /// where all go round with the spin on circles, -1 against it, 0 on straight lines or without a common
+    /// sense; weighted by the squares of their displacements across the axis. `None` where nothing
+    /// spins or moves across the axis, or where the scene does not know its points.
+    fn circulation(&mut self, _at: &Uniform, _state: &State, _shape: &[[f64; 2]]) -> Option<f64> {
+        None
+    }
+
     /// Largest angular velocity of a body's frame at `t`, rad/s.
     fn spin(&self, t: f64) -> f64;
 

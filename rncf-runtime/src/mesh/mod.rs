@@ -28,6 +28,7 @@ mod steady;
 mod system;
 mod uniform;
 mod view;
+mod whirl;
 
 pub use checks::{array, array_mut, check_params, inertia, non_negative, poisson, positive};
 pub use frame::{FrameAction, FrameMotion};

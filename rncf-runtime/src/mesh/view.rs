@@ -78,6 +78,10 @@ impl<P: Parts> Scene for MeshScene<P> {
         self.evaluate_outputs(at.t, at.load(), &state.lambda, out);
     }
 
+    fn circulation(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
+        self.circulation_of(at, state, shape)
+    }
+
     fn uniform_obstacle(&mut self, at: &Uniform, state: &State) -> Option<String> {
         self.obstacle(at, state)
     }

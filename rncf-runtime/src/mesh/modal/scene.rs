@@ -472,6 +472,18 @@ impl<P: Parts> Scene for ModalScene<P> {
         self.in_elements(|scene, full| scene.uniform_outputs(at, full, out));
     }
 
+    fn circulation(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
+        self.expand(state);
+        let [real, imaginary] = [0, 1].map(|part| {
+            let unknowns: Vec<f64> = shape.iter().map(|value| value[part]).collect();
+            let mut full = Vec::new();
+            self.reduction.expand(&unknowns, false, &mut full);
+            full
+        });
+        let full: Vec<[f64; 2]> = real.into_iter().zip(imaginary).map(|(re, im)| [re, im]).collect();
+        self.scene.circulation_of(at, &self.full, &full)
+    }
+
     fn uniform_obstacle(&mut self, at: &Uniform, state: &State) -> Option<String> {
         self.expand(state);
         self.scene.uniform_obstacle(at, &self.full)
