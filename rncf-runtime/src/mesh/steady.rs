@@ -5,6 +5,7 @@ use super::conditions::Condition;
 use super::frame::FrameMotion;
 use super::parts::{JointKind, LoadKind, Parts};
 use super::scene::MeshScene;
+use super::symmetry::Displacement;
 use crate::equilibrium::{Kind, Spin, Uniform};
 use crate::system::State;
 use crate::vector::{add, cross, dot, norm, scale, subtract};
@@ -128,6 +129,7 @@ impl<P: Parts> MeshScene<P> {
             let motion = &mut frames[frame.spec.frame];
             motion.spin = motion.direction_to_frame(spin.velocity);
         }
+        let variant = self.variant(&spin, at.t);
         (0..self.loads.len())
             .find_map(|index| self.load_obstacle(index, at.t, &frames))
             .or_else(|| {
@@ -136,6 +138,36 @@ impl<P: Parts> MeshScene<P> {
                     .map(|condition| self.joint_obstacle(condition, &frames))
                     .find_map(|found| found)
             })
+            .or(variant)
+    }
+
+    /// A constraint or force on markers that changes when all that turns is turned on, what stands staying;
+    /// at the loaded state.
+    fn variant(&mut self, spin: &Spin, t: f64) -> Option<String> {
+        let speed = norm(spin.velocity);
+        if speed == 0.0 || !self.is_coupled() {
+            return None;
+        }
+        let turns = |index: usize| self.free_of[index].is_some() || self.buffers.frames[index].spin != [0.0; 3];
+        let moved: Vec<bool> = (0..self.buffers.frames.len()).map(turns).collect();
+        // Of drives the rate must be that of the rotation, of all else nothing may change at any angle.
+        let angles = [0.7, 2.1, 4.4].map(|angle| (angle, 0.0));
+        let rates = [A_WHILE, -0.5 * A_WHILE].map(|later| (speed * later, later));
+        for (angle, later) in angles.into_iter().chain(rates) {
+            let displacement = Displacement {
+                moved: moved.clone(),
+                turn: scale(angle / speed, spin.velocity),
+                point: spin.point,
+                shift: [0.0; 3],
+                later: Some(later),
+            };
+            if let Some(name) = self.changed_by(t, &displacement) {
+                return Some(format!(
+                    "{name} does not stay the same while the system turns: let it act alike in all directions across the axis, on the axis, or between things that turn"
+                ));
+            }
+        }
+        None
     }
 
     /// Whether things in different frames act on each other, or frames move freely: all must turn alike.

@@ -86,6 +86,10 @@ impl<P: Parts> Scene for MeshScene<P> {
         self.obstacle(at, state)
     }
 
+    fn neutral_motions(&mut self, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
+        self.neutral(at, state)
+    }
+
     fn spin(&self, t: f64) -> f64 {
         let frames = self.motions(t);
         let prescribed = self.bodies.iter().map(|body| body.spec.frame);

@@ -489,6 +489,14 @@ impl<P: Parts> Scene for ModalScene<P> {
         self.scene.uniform_obstacle(at, &self.full)
     }
 
+    fn neutral_motions(&mut self, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
+        self.expand(state);
+        let motions = self.scene.neutral_motions(at, &self.full);
+        // Only poses of free frames move.
+        let restricted = motions.iter().map(|motion| self.reduction.restrict(motion, false));
+        restricted.collect()
+    }
+
     fn spin(&self, t: f64) -> f64 {
         self.scene.spin(t)
     }
