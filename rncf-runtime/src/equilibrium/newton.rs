@@ -18,6 +18,8 @@ const STAGNANT: f64 = 0.25;
 const ASTRAY: f64 = 10.0;
 /// Part of the acting forces that a phase condition may carry.
 const UNBALANCED: f64 = 1e-6;
+/// Part of the stiffness times the sizes that forces are resolved to.
+const RESOLVED: f64 = 1e-11;
 
 /// Why no equilibrium was found; rows count unknowns first, then constraints.
 pub(super) enum Failure {
@@ -59,6 +61,8 @@ pub(super) struct Newton {
     /// Places in the whole matrix of the entries of K, of `C_x^T` and of `C_x`.
     block: Vec<usize>,
     border: Vec<[usize; 2]>,
+    /// Row and column of the entries of K.
+    columns: Vec<(usize, usize)>,
     /// Phase conditions, and the places in the whole matrix of their columns and rows by unknown.
     phases: Vec<Vec<f64>>,
     phase_places: Vec<Vec<(usize, [usize; 2])>>,
@@ -114,6 +118,7 @@ impl Newton {
                 damping: zeros(),
             },
             increments: vec![0.0; size],
+            columns: block,
             inverse_sizes: scene.sizes().iter().map(|size| 1.0 / size).collect(),
             held: vec![0.0; phases.len()],
             phases,
@@ -247,11 +252,25 @@ impl Newton {
             let energy = |row: usize| (held * phase[row] / self.inverse_sizes[row]).abs();
             let rows = 0..phase.len();
             let worst = rows.max_by(|&i, &j| energy(i).total_cmp(&energy(j))).unwrap_or(0);
-            if energy(worst) > UNBALANCED * self.acting {
+            if energy(worst) > UNBALANCED * self.acting + RESOLVED * self.stiffest(phase) {
                 return Err(Failure::Unbalanced(worst));
             }
         }
         Ok(())
+    }
+
+    /// Largest energy of a stiffness over the sizes of its unknowns, J, in the rows of a phase condition:
+    /// forces that are in balance by themselves leave round-off of this.
+    fn stiffest(&self, phase: &[f64]) -> f64 {
+        let columns = self.columns.iter().enumerate();
+        let mut largest: f64 = 0.0;
+        for (entry, &(row, column)) in columns {
+            if phase[row] != 0.0 {
+                let sizes = self.inverse_sizes[row] * self.inverse_sizes[column];
+                largest = largest.max((self.tangent.stiffness[entry] / sizes).abs());
+            }
+        }
+        largest
     }
 
     /// Root mean square of the increments of `x`, relative to the sizes of the unknowns.

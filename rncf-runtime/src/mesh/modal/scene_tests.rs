@@ -1,6 +1,7 @@
 use super::arm::{Arm, COUNT};
 use super::scene::{ModalScene, build};
 use super::tests::{close, numbers};
+use crate::equilibrium::Uniform;
 use crate::linalg::{Cholesky, Pattern};
 use crate::mesh::{Fidelity, MeshScene};
 use crate::model::{Formulation, Joints, Scene};
