@@ -448,6 +448,12 @@ pub enum SectionShape {
     },
 }
 
+impl Default for SectionShape {
+    fn default() -> Self {
+        Self::General { extent: [None, None] }
+    }
+}
+
 /// Start of a body at t = 0 as functions of [`Expr::Arclength`], frame axes; its slopes are their
 /// derivatives.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -570,6 +576,13 @@ pub enum Held {
     SectionY,
     /// Section's z axis.
     SectionZ,
+}
+
+impl Held {
+    /// Order of the derivative of what it interpolates: 1 of a slope.
+    pub fn order(self) -> usize {
+        usize::from(self == Held::Slope)
+    }
 }
 
 /// A load.

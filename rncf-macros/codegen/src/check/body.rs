@@ -8,7 +8,9 @@ use super::quantity::{Vector, Wanted};
 use super::{Check, fold, say};
 use crate::elements::Element;
 use crate::errors::Area;
-use crate::model::{Body, BodyId, ElementId, Evaluation, Expr as Value, FrameId, INERTIAL, Line, Quadrature, Space};
+use crate::model::{
+    Body, BodyId, ElementId, Evaluation, Expr as Value, FrameId, INERTIAL, Line, Quadrature, SectionShape, Space,
+};
 use crate::parse::tree::{Argument, Call, Expr, ExprKind, Fields, Item, ItemKind, Keyword, Name, Statement};
 use crate::suggest;
 use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
@@ -122,6 +124,10 @@ impl<'a> Check<'a> {
                 fidelity,
                 mean_axes,
                 initial,
+                strain_energy: None,
+                shape: SectionShape::default(),
+                section_y: None,
+                twist: Value::Number(0.0),
             });
         }
     }
@@ -253,6 +259,8 @@ impl<'a> Check<'a> {
             self.errors.at(angle.area, say::ZERO_ANGLE);
         }
         let (from, direction_vector) = (from?, direction_vector?);
+        let normal = known.space.and_then(normal).unwrap_or(2);
+        let normal = std::array::from_fn(|axis| Value::Number(f64::from(u8::from(axis == normal))));
         if is_zero(&direction_vector.values) {
             self.errors.at(direction.area, say::ZERO_DIRECTION);
         }
@@ -264,6 +272,7 @@ impl<'a> Check<'a> {
         Some(Line::Arc {
             from: from.values,
             direction: direction_vector.values,
+            normal,
             radius: radius_value?,
             angle: angle_value?,
         })

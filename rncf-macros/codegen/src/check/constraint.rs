@@ -97,7 +97,10 @@ impl<'a> Check<'a> {
             | Marker::Angle { frame }
             | Marker::Matching { frame, .. }
             | Marker::Normal { frame, .. } => Owner::Frame(*frame),
-            Marker::BodyPoint { body, .. } | Marker::BodySlope { body, .. } => Owner::Body(*body),
+            Marker::BodyPoint { body, .. }
+            | Marker::BodySlope { body, .. }
+            | Marker::BodySection { body, .. }
+            | Marker::InSection { body, .. } => Owner::Body(*body),
         }
     }
 

@@ -170,7 +170,13 @@ impl<'a> Check<'a> {
                 doc: item.doc.clone(),
                 body: place.body.id,
                 at: place.at,
-                constants: [mass.clone(), product(mass.clone(), offset), product(mass, second)],
+                constants: {
+                    let mut constants = std::array::from_fn(|_| Value::Number(0.0));
+                    constants[0] = mass.clone();
+                    constants[1] = product(mass.clone(), offset);
+                    constants[4] = product(mass, second);
+                    constants
+                },
             });
         }
     }

@@ -22,7 +22,9 @@ fn value(expr: &Expr, leaf: &dyn Fn(&Expr) -> Option<f64>) -> Option<f64> {
     let constant = |expr| value(expr, leaf);
     Some(match expr {
         Expr::Number(value) => *value,
-        Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Motion(..) | Expr::Observed(_) => return leaf(expr),
+        Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Strain(_) | Expr::Motion(..) | Expr::Observed(_) => {
+            return leaf(expr);
+        }
         Expr::Negate(inner) => -constant(inner)?,
         Expr::Binary(operator, left, right) => {
             let (left, right) = (constant(left)?, constant(right)?);
@@ -70,7 +72,7 @@ fn call(function: Function, values: &[f64]) -> Option<f64> {
 /// Whether nothing in the expression depends on time.
 pub fn is_free_of_time(expr: &Expr) -> bool {
     match expr {
-        Expr::Number(_) | Expr::Param(_) | Expr::Arclength => true,
+        Expr::Number(_) | Expr::Param(_) | Expr::Arclength | Expr::Strain(_) => true,
         Expr::Time | Expr::Observed(_) => false,
         Expr::Motion(_, inner) | Expr::Negate(inner) => is_free_of_time(inner),
         Expr::Binary(_, left, right) | Expr::Power(left, right) => is_free_of_time(left) && is_free_of_time(right),
@@ -85,7 +87,7 @@ pub fn is_free_of_time(expr: &Expr) -> bool {
 pub fn has_arclength(expr: &Expr) -> bool {
     match expr {
         Expr::Arclength => true,
-        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Observed(_) => false,
+        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Strain(_) | Expr::Observed(_) => false,
         Expr::Motion(_, inner) | Expr::Negate(inner) => has_arclength(inner),
         Expr::Binary(_, left, right) | Expr::Power(left, right) => has_arclength(left) || has_arclength(right),
         Expr::Call(_, arguments) => arguments.iter().any(has_arclength),

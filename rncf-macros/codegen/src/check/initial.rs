@@ -99,7 +99,9 @@ impl<'a> Check<'a> {
 fn has_motion(expr: &Value) -> bool {
     match expr {
         Value::Motion(..) => true,
-        Value::Number(_) | Value::Param(_) | Value::Time | Value::Arclength | Value::Observed(_) => false,
+        Value::Number(_) | Value::Param(_) | Value::Time | Value::Arclength | Value::Strain(_) | Value::Observed(_) => {
+            false
+        }
         Value::Negate(inner) => has_motion(inner),
         Value::Binary(_, left, right) | Value::Power(left, right) => has_motion(left) || has_motion(right),
         Value::Call(_, arguments) => arguments.iter().any(has_motion),

@@ -7,7 +7,9 @@ use super::quantity::Wanted;
 use super::{Arguments, Check, Shape, body, fold, say};
 use crate::errors::Area;
 use crate::joints::{self, Axis, Builder, KINDS, Kind, Party, Rows, unit};
-use crate::model::{BodyId, Constraint, ConstraintId, Expr as Value, FrameId, Joint, JointId, JointKind, Location};
+use crate::model::{
+    self, BodyId, Constraint, ConstraintId, Expr as Value, FrameId, Joint, JointId, JointKind, Location,
+};
 use crate::parse::tree::{Call, Expr, ExprKind, Item, ItemKind, Keyword, Name};
 use crate::suggest;
 
@@ -45,7 +47,7 @@ pub struct Held {
     at: Location,
     line: usize,
     /// The coordinate that alone is held.
-    only: Option<(usize, usize)>,
+    only: Option<(model::Held, usize)>,
 }
 
 const POINT: Wanted = Wanted {
@@ -261,7 +263,7 @@ impl<'a> Check<'a> {
             return None;
         }
         let only = match kind {
-            JointKind::Hold { order, axis } => Some((order, axis)),
+            JointKind::Hold { of, axis } => Some((of, axis)),
             _ => None,
         };
         let is_same = |other: &&Held| {
@@ -325,8 +327,8 @@ impl<'a> Check<'a> {
                 builder.s(points);
                 "pin"
             }
-            JointKind::Hold { order, axis } => {
-                joints::hold(&mut builder, order, axis);
+            JointKind::Hold { of, axis } => {
+                joints::hold(&mut builder, of.order(), axis);
                 "hold"
             }
         };
@@ -369,9 +371,9 @@ impl<'a> Check<'a> {
             self.errors.at(expr.area, usage());
             return None;
         };
-        let (order, place) = match &base.kind {
-            ExprKind::Member { base, field, .. } if field.text == "slope" => (1, base.as_ref()),
-            ExprKind::Member { .. } => (0, base.as_ref()),
+        let (of, place) = match &base.kind {
+            ExprKind::Member { base, field, .. } if field.text == "slope" => (model::Held::Slope, base.as_ref()),
+            ExprKind::Member { .. } => (model::Held::Position, base.as_ref()),
             _ => {
                 self.errors.at(expr.area, usage());
                 return None;
@@ -390,7 +392,7 @@ impl<'a> Check<'a> {
         }
         let frame = place.body.frame?;
         let area = [expr.area; 2];
-        let kind = JointKind::Hold { order, axis };
+        let kind = JointKind::Hold { of, axis };
         self.tie_end(item, kind, place, frame, None, area, known, held)
     }
 

@@ -170,7 +170,7 @@ impl<'a> Check<'a> {
         let dimension = Dimension::of(match what {
             PointQuantity::Position => [1, 0, 0, 0, 0, 0],
             PointQuantity::Velocity => [1, 0, -1, 0, 0, 0],
-            PointQuantity::Slope => [0; 6],
+            PointQuantity::Slope | PointQuantity::SectionY | PointQuantity::SectionZ => [0; 6],
         });
         let axes = space.axes().to_vec();
         let (axes, is_scalar) = self.axes(rest, &axes, |axis| match normal(space) {

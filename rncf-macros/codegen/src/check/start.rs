@@ -2,7 +2,7 @@
 
 use crate::check::fold::with_defaults;
 use crate::lower::initial::along_axis;
-use crate::model::{BodyId, Expr, FrameId, INERTIAL, Line, Location, Marker, MarkerId, Model, Space};
+use crate::model::{BodyId, Expr, FrameId, INERTIAL, Line, Location, Marker, MarkerId, Model};
 
 pub type Vector = [f64; 3];
 
@@ -142,15 +142,13 @@ impl Start<'_> {
             Line::Arc {
                 from,
                 direction,
+                normal,
                 radius,
                 angle,
             } => {
                 let direction = unit(self.vector(direction)).unwrap_or([0.0; 3]);
                 let (radius, angle) = (self.value(radius), self.value(angle));
-                let mut normal = [0.0; 3];
-                if let Space::Planar { normal: axis } = body.space {
-                    normal[axis] = angle.signum();
-                }
+                let normal = scale(angle.signum(), unit(self.vector(normal)).unwrap_or([0.0; 3]));
                 let inwards = cross(normal, direction);
                 let (sine, cosine) = (along(radius * angle.abs()) / radius).sin_cos();
                 let way = add(scale(radius * sine, direction), scale(radius * (1.0 - cosine), inwards));
@@ -207,7 +205,8 @@ impl Start<'_> {
                 let (_, tangent) = self.initial_place(*body, at);
                 self.pose(self.model.bodies[body.0].frame).direction(tangent)
             }
-            Marker::Turn { .. } => [0.0; 3],
+            // Sections turn with the slope; their axes are those of a straight body until they are known.
+            Marker::BodySection { .. } | Marker::InSection { .. } | Marker::Turn { .. } => [0.0; 3],
             Marker::Angle { frame } => {
                 let rotation = self.model.frames[frame.0].rotation.as_ref();
                 [rotation.map_or(0.0, |rotation| self.value(&rotation.angle)), 0.0, 0.0]

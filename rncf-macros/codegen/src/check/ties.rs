@@ -11,8 +11,8 @@ use super::{Check, say};
 use crate::errors::Area;
 use crate::lower::motions::Time;
 use crate::model::{
-    BodyId, Constraint, Expr, Fidelity, FrameId, Free, Joint, JointKind, Location, Marker, MarkerId, Model, Motions,
-    Observable, Space,
+    BodyId, Constraint, Expr, Fidelity, FrameId, Free, Held, Joint, JointKind, Location, Marker, MarkerId, Model,
+    Motions, Observable, Space,
 };
 use crate::parse::tree::{ItemKind, Statement};
 
@@ -278,7 +278,10 @@ impl<'m> Frame<'m> {
             JointKind::Pin => positions().collect(),
             // The norm of the slope is no motion of the frame.
             JointKind::Clamp | JointKind::ClampFull => positions().chain(across(space, tangent).map(slope)).collect(),
-            JointKind::Hold { order: 0, axis } => vec![position(axis_vector(axis))],
+            JointKind::Hold {
+                of: Held::Position,
+                axis,
+            } => vec![position(axis_vector(axis))],
             JointKind::Hold { axis, .. } => vec![slope(axis_vector(axis))],
         };
         Tie {
@@ -412,7 +415,9 @@ fn specialised(model: &Model, expr: &Expr) -> Option<Expr> {
             Expr::If(*comparison, inner(a)?, inner(b)?, inner(then)?, inner(otherwise)?)
         }
         Expr::Observed(observable) => Expr::Observed(observable.clone()),
-        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Motion(..) => return None,
+        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Strain(_) | Expr::Motion(..) => {
+            return None;
+        }
     })
 }
 

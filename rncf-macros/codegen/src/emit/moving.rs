@@ -175,6 +175,21 @@ impl Parts<'_> {
             }
             Marker::BodyPoint { body, at } => format!("BodyPoint {{ body: {}, at: {} }}", body.0, self.place(at)),
             Marker::BodySlope { body, at } => format!("BodySlope {{ body: {}, at: {} }}", body.0, self.place(at)),
+            Marker::BodySection { body, at, axis } => {
+                format!(
+                    "BodySection {{ body: {}, at: {}, axis: {axis} }}",
+                    body.0,
+                    self.place(at)
+                )
+            }
+            Marker::InSection { body, at, marker } => {
+                format!(
+                    "InSection {{ body: {}, at: {}, marker: {} }}",
+                    body.0,
+                    self.place(at),
+                    marker.0
+                )
+            }
             Marker::Turn { frame } => format!("Turn {{ frame: {} }}", frame.0),
             Marker::Angle { frame } => format!("Angle {{ frame: {} }}", frame.0),
             Marker::Matching { frame, marker } => {
@@ -304,7 +319,7 @@ impl Parts<'_> {
                 fixture.name,
                 fixture.body.0,
                 self.place(&fixture.at),
-                self.vector(&fixture.constants)
+                self.array(&fixture.constants)
             )
         });
         let mut text = list("fixtures", "FixtureSpec", &entries.collect::<Vec<_>>());

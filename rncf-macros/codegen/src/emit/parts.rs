@@ -4,12 +4,12 @@ use std::fmt::Write;
 
 use super::equations::Equations;
 use super::expression::inline;
-use crate::elements::Library;
+use crate::elements::{Library, Node};
 use crate::lower::camel_case;
 use crate::lower::joints::LEVELS;
 use crate::lower::motions::Time;
 use crate::model::{
-    Body, Expr, Fidelity, INERTIAL, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity, Space,
+    Body, Expr, Fidelity, Held, INERTIAL, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity,
 };
 use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
 
@@ -79,6 +79,11 @@ impl Parts<'_> {
 
     /// Text of three expressions as an array.
     pub fn vector(&self, exprs: &[Expr; 3]) -> String {
+        self.array(exprs)
+    }
+
+    /// Text of expressions as an array.
+    pub fn array(&self, exprs: &[Expr]) -> String {
         format!(
             "[{}]",
             exprs.iter().map(|expr| self.expr(expr)).collect::<Vec<_>>().join(", ")
@@ -106,18 +111,15 @@ impl Parts<'_> {
             Line::Arc {
                 from,
                 direction,
+                normal,
                 radius,
                 angle,
             } => {
-                let normal = match body.space {
-                    Space::Planar { normal } => normal,
-                    Space::Spatial => 2,
-                };
-                let normal: [f64; 3] = std::array::from_fn(|axis| f64::from(u8::from(axis == normal)));
                 format!(
-                    "::rncf::mesh::Line::Arc {{ from: {}, direction: {}, normal: {normal:?}, radius: {}, angle: {} }}",
+                    "::rncf::mesh::Line::Arc {{ from: {}, direction: {}, normal: {}, radius: {}, angle: {} }}",
                     self.vector(from),
                     self.vector(direction),
+                    self.vector(normal),
                     self.expr(radius),
                     self.expr(angle)
                 )
@@ -129,18 +131,35 @@ impl Parts<'_> {
         let mut text = "fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
         for (body, &variant) in self.model.bodies.iter().zip(&self.equations.variant_of) {
             let variant = &self.equations.variants[variant].variant;
-            let (connectivity, vectors_per_node) = variant.connectivity(self.library);
-            let vectors = variant.declaration(self.library).vectors;
-            let meanings: Vec<&str> = vectors.iter().map(|vector| vector.meaning).collect();
-            let orders: Vec<usize> = vectors.iter().map(|vector| vector.order).collect();
+            let connectivity = variant.connectivity(self.library);
+            let nodal = variant.vectors(self.library).into_iter().map(|vector| {
+                let xi = match vector.node {
+                    Node::Start => 0.0,
+                    Node::Middle => 0.5,
+                    Node::End => 1.0,
+                };
+                format!(
+                    "::rncf::mesh::NodalSpec {{ meaning: {:?}, of: ::rncf::mesh::Interpolant::{:?}, order: {}, xi: {xi:?} }}",
+                    vector.meaning, vector.of, vector.order
+                )
+            });
+            let nodal = nodal.collect::<Vec<_>>().join(", ");
+            let section_y = match &body.section_y {
+                Some(direction) => format!("Some({})", self.vector(direction)),
+                None => "None".to_string(),
+            };
             let count = self.count(&body.count);
             let _ = writeln!(
                 text,
-                "::rncf::mesh::BodySpec {{ name: {:?}, frame: {}, axes: &{:?}, line: {}, count: {count}, meanings: &{meanings:?}, orders: &{orders:?}, connectivity: &{connectivity:?}, vectors_per_node: {vectors_per_node}, fidelity: ::rncf::mesh::Fidelity::{}, mean_axes: {} }},",
+                "::rncf::mesh::BodySpec {{ name: {:?}, frame: {}, axes: &{:?}, line: {}, count: {count}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {}, fidelity: ::rncf::mesh::Fidelity::{}, mean_axes: {} }},",
                 body.name,
                 body.frame.0,
                 body.space.axes(),
                 self.line(body),
+                connectivity.places,
+                connectivity.per_node,
+                connectivity.stride,
+                self.expr(&body.twist),
                 self.fidelity(body),
                 body.mean_axes,
             );
@@ -172,7 +191,15 @@ impl Parts<'_> {
                 JointKind::Clamp => "Clamp".to_string(),
                 JointKind::ClampFull => "ClampFull".to_string(),
                 JointKind::Pin => "Pin".to_string(),
-                JointKind::Hold { order, axis } => format!("Hold {{ order: {order}, axis: {axis} }}"),
+                JointKind::Hold { of, axis } => {
+                    let (interpolant, order) = match of {
+                        Held::Position => ("Position", 0),
+                        Held::Slope => ("Position", 1),
+                        Held::SectionY => ("SectionY", 0),
+                        Held::SectionZ => ("SectionZ", 0),
+                    };
+                    format!("Hold {{ of: ::rncf::mesh::Interpolant::{interpolant}, order: {order}, axis: {axis} }}")
+                }
             };
             let point = match &joint.point {
                 Some(point) => format!("Some({})", self.vector(point)),
@@ -226,6 +253,8 @@ impl Parts<'_> {
                         PointQuantity::Position => "Position",
                         PointQuantity::Velocity => "Velocity",
                         PointQuantity::Slope => "Slope",
+                        PointQuantity::SectionY => "SectionY",
+                        PointQuantity::SectionZ => "SectionZ",
                     };
                     format!(
                         "Point {{ body: {}, at: {}, what: ::rncf::mesh::PointQuantity::{what}, component: {component} }}",
@@ -255,6 +284,13 @@ impl Parts<'_> {
                 }
                 Observable::Multiplier { constraint, row } => {
                     format!("Multiplier {{ constraint: {}, row: {row} }}", constraint.0)
+                }
+                Observable::Section { body, at, what } => {
+                    format!(
+                        "Section {{ body: {}, at: {}, what: ::rncf::mesh::SectionQuantity::{what:?} }}",
+                        body.0,
+                        self.place(at)
+                    )
                 }
                 Observable::Reaction {
                     joint,

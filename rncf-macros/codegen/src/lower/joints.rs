@@ -60,7 +60,8 @@ impl<'m> Conditions<'m> {
         let mut rows = time.graph.subtract_vectors(&q[0][..dimension], &position);
         match joint.kind {
             JointKind::Pin => {}
-            JointKind::Hold { order, axis } => {
+            JointKind::Hold { of, axis } => {
+                let order = of.order();
                 let held = axes.iter().position(|&other| other == axis).unwrap_or(0);
                 let target = if order == 0 { position[held] } else { slope[held] };
                 rows = vec![time.graph.subtract(q[0][order * dimension + held], target)];

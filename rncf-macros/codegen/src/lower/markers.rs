@@ -10,7 +10,7 @@ use crate::symbolic::Id;
 pub fn localise(expr: &Expr, markers: &[MarkerId]) -> Expr {
     let walk = |expr: &Expr| Box::new(localise(expr, markers));
     match expr {
-        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Arclength => expr.clone(),
+        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Strain(_) => expr.clone(),
         Expr::Motion(motion, argument) => Expr::Motion(*motion, walk(argument)),
         Expr::Negate(a) => Expr::Negate(walk(a)),
         Expr::Binary(operator, a, b) => Expr::Binary(*operator, walk(a), walk(b)),
@@ -117,6 +117,12 @@ pub fn describe(model: &Model, name: &str, markers: &[MarkerId]) -> String {
             Marker::Direction { frame: of, .. } => format!("a direction of {}", frame(of)),
             Marker::BodyPoint { body: of, .. } => format!("a place on {}", body(of)),
             Marker::BodySlope { body: of, .. } => format!("a slope of {}", body(of)),
+            Marker::BodySection { body: of, axis, .. } => {
+                format!("the {} axis of a section of {}", ["x", "y", "z"][*axis], body(of))
+            }
+            Marker::InSection { body: of, .. } => {
+                format!("components of a direction in a section of {} at the start", body(of))
+            }
             Marker::Turn { frame: of } => format!("the turning of {}", frame(of)),
             Marker::Angle { frame: of } => format!("the angle of {}", frame(of)),
             Marker::Matching { frame: of, .. } => format!("fixed in {}, where another vector starts", frame(of)),

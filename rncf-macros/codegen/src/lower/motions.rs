@@ -68,6 +68,7 @@ impl<'m> Time<'m> {
             Expr::Param(param) => self.params[param.0],
             Expr::Time => t,
             Expr::Arclength => self.x,
+            Expr::Strain(component) => self.graph.symbol(format!("strain[{component}]")),
             Expr::Motion(motion, argument) => {
                 let argument = self.expression_at(argument, t);
                 let motion = &self.model.motions[motion.0];

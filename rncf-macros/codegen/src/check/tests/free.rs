@@ -3,8 +3,8 @@
 use super::model;
 use crate::check::ties::{self, Untied};
 use crate::model::{
-    BodyId, Constraint, Expr, Fidelity, FrameId, Free, INERTIAL, Joint, JointKind, Location, Marker, MarkerId, Model,
-    Motions, Observable, ParamId,
+    BodyId, Constraint, Expr, Fidelity, FrameId, Free, Held, INERTIAL, Joint, JointKind, Location, Marker, MarkerId,
+    Model, Motions, Observable, ParamId,
 };
 use Expr::{Number, Param};
 
@@ -110,7 +110,9 @@ fn rigid_bodies_are_frames_with_parts() {
         Number(value) => *value,
         other => panic!("{other:?}"),
     });
-    for (found, want) in constants.into_iter().zip([5.0, 1.0, 5.0 * (0.04 + 0.01)]) {
+    let second = 5.0 * (0.04 + 0.01);
+    let wanted = [5.0, 1.0, 0.0, 0.0, second, 0.0, 0.0, 0.0, 0.0, 0.0];
+    for (found, want) in constants.into_iter().zip(wanted) {
         assert!((found - want).abs() < 1e-15, "{found} {want}");
     }
     let fidelity: Vec<_> = model.bodies.iter().map(|body| body.fidelity.clone()).collect();
@@ -146,7 +148,10 @@ fn tied_by(joints: &[(JointKind, Location)]) -> Model {
 }
 
 fn hold(order: usize, axis: usize) -> JointKind {
-    JointKind::Hold { order, axis }
+    JointKind::Hold {
+        of: [Held::Position, Held::Slope][order],
+        axis,
+    }
 }
 
 fn loose(motions: &str) -> Result<(), Untied> {

@@ -3,7 +3,7 @@
 
 use super::model;
 use crate::joints::algebra::{each_observable, markers_of};
-use crate::model::{Binary, Constraint, Expr, FrameId, JointKind, LoadKind, Marker, MarkerId, Model, Observable};
+use crate::model::{Binary, Constraint, Expr, FrameId, Held, JointKind, LoadKind, Marker, MarkerId, Model, Observable};
 
 type Vec3 = [f64; 3];
 type Mat3 = [Vec3; 3];
@@ -152,6 +152,7 @@ impl World<'_> {
             Marker::Direction { frame, along } => times(self.at(*frame, t).a, fixed(along)),
             Marker::BodyPoint { .. } => (self.end)(t)[0],
             Marker::BodySlope { .. } => (self.end)(t)[1],
+            Marker::BodySection { .. } | Marker::InSection { .. } => unreachable!("no sections in these models"),
             Marker::Matching { frame, marker } => {
                 let (start, now) = (self.at(*frame, 0.0), self.at(*frame, t));
                 let value = self.marker(*marker, 0.0);
@@ -551,7 +552,13 @@ fn flexible_ends_and_free_frames() {
         [
             ("root", JointKind::Clamp),
             ("own", JointKind::Clamp),
-            ("roll", JointKind::Hold { order: 1, axis: 1 })
+            (
+                "roll",
+                JointKind::Hold {
+                    of: Held::Slope,
+                    axis: 1
+                }
+            )
         ]
     );
     let shape: Vec<_> = model

@@ -224,7 +224,13 @@ pub fn moving() -> Model {
             doc: String::new(),
             body: BodyId(body),
             at: Location::End,
-            constants: [Expr::Param(ParamId(0)), number(0.1), number(0.02)],
+            constants: {
+                let mut constants = std::array::from_fn(|_| number(0.0));
+                constants[0] = Expr::Param(ParamId(0));
+                constants[1] = number(0.1);
+                constants[4] = number(0.02);
+                constants
+            },
         });
     }
     let observed = [
