@@ -7,5 +7,6 @@ mod levels;
 mod model;
 mod random;
 mod refusals;
-mod uniform;
 pub(super) mod scenery;
+mod sections;
+mod uniform;
