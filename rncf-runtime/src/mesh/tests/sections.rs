@@ -1,10 +1,12 @@
 //! Bodies with sections, by hand: interpolants of THEORY 5.2, simple strains between all vectors.
 
-use super::super::parts::{BodySpec, Interpolant, JointKind, LoadKind, LoadSpec, NodalSpec, Place};
+use super::super::parts::{
+    BodySpec, Interpolant, JointKind, LoadKind, LoadSpec, NodalSpec, ObservedSpec, Place, SectionQuantity,
+};
 use super::super::scene::MeshScene;
-use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, When};
+use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, Motions, When};
 use super::model::{Hand, Law, Quadratic, hermite, table};
-use super::scenery::{DEAD, body, everything, hold, joint};
+use super::scenery::{DEAD, body, everything, free, hold, joint};
 use crate::model::{Formulation, Joints, Scene};
 use crate::system::{ConstraintLevel, System};
 use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
@@ -387,4 +389,73 @@ fn directions_that_leave_a_section_open_are_refused() {
     };
     let message = alone(arc, &[], Joints::Eliminated).err().unwrap().to_string();
     assert!(message.contains("`shaft`") && message.contains("normal"), "{message}");
+}
+
+#[test]
+fn mean_axes_tie_the_turning_of_a_straight_body_with_a_section() {
+    let rod = BodySpec {
+        mean_axes: true,
+        section_y: None,
+        twist: 0.0,
+        ..beam("rod", 1, &[0, 1, 2], [2.0, 0.0, 0.0])
+    };
+    let hand = Hand {
+        frames: vec!["inertial", "float"],
+        free: vec![free(1, 0, Motions::Spatial)],
+        bodies: vec![rod.clone()],
+        ..Hand::default()
+    };
+    let mut scene = MeshScene::new(hand, Formulation::Rncf, Joints::Eliminated).unwrap();
+    assert_eq!(scene.constraints(), 6);
+    let mut state = scene.rest(0.0);
+    for within in 0..rod.vectors() {
+        let (node, local) = rod.locate(within);
+        let spun = cross([1.0, 0.0, 0.0], rod.undeformed_vector(node, local));
+        let offset = scene.layout.offset(within);
+        state.v[offset..offset + 3].copy_from_slice(&spun);
+    }
+    let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
+    scene.constraint_jacobian(&state, &mut jacobian);
+    let mut rates = vec![0.0; 6];
+    let pattern = scene.constraint_pattern();
+    pattern.transpose_multiply_add(1.0, &jacobian, &state.v, &mut rates);
+    // The radius of gyration about the axis, and no other turning or shift.
+    let wanted = [0.0, 0.0, 0.0, (1.5 * GYRATION).sqrt(), 0.0, 0.0];
+    for (found, wanted) in rates.iter().zip(wanted) {
+        assert!((found - wanted).abs() < 1e-12, "{rates:?}");
+    }
+}
+
+#[test]
+fn a_centre_line_carries_what_its_energy_says() {
+    let what = |what, at| ObservedSpec::Section { body: 0, at, what };
+    let hand = Hand {
+        frames: vec!["inertial"],
+        bodies: vec![body("rope", 0, &[0, 1], [2.0, 0.0, 0.0])],
+        observed: vec![
+            what(SectionQuantity::AxialForce, Place::At(0.5)),
+            what(SectionQuantity::Moment, Place::At(0.5)),
+            what(SectionQuantity::Stress, Place::At(0.5)),
+            what(SectionQuantity::Moment, Place::End),
+        ],
+        ..Hand::default()
+    };
+    let mut scene = MeshScene::new(hand, Formulation::Rncf, Joints::Eliminated).unwrap();
+    // r = (x, c x^2/2), which the shape functions contain: r_x = (1, c x), r_xx = (0, c).
+    let c: f64 = -0.4;
+    let mut state = scene.rest(0.0);
+    for node in 0..3 {
+        let x = node as f64;
+        state.x[4 * node..4 * node + 4].copy_from_slice(&[x, 0.5 * c * x * x, 1.0, c * x]);
+    }
+    let mut found = vec![0.0; 4];
+    scene.outputs(&state, &mut found);
+    // dU/dr_x = 6 (r_x . r_x - 1) r_x, dU/dr_xx = 2 r_xx (the kernels' energy).
+    let slope = 1.0f64.hypot(0.5 * c);
+    let axial = 6.0 * (slope * slope - 1.0) * slope;
+    let moment: f64 = 2.0 * c;
+    let stress = axial / 0.03 + moment.abs() * 0.1 / 7e-5;
+    for (found, wanted) in found.iter().zip([axial, moment, stress, moment]) {
+        assert!((found / wanted - 1.0).abs() < 1e-12, "{found} instead of {wanted}");
+    }
 }
