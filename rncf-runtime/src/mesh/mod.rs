@@ -26,6 +26,7 @@ mod outputs;
 mod parts;
 mod scene;
 mod section;
+mod section_spec;
 mod states;
 mod steady;
 mod stress;
@@ -45,10 +46,11 @@ pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
 pub use modal::build;
 pub use parts::{
     BodySpec, Carried, CarriedTangent, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec,
-    NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed, SectionQuantity, SectionShape, SectionSpec,
+    NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed,
 };
 pub use scene::MeshScene;
 pub use section::SectionState;
+pub use section_spec::{SectionQuantity, SectionShape, SectionSpec};
 
 #[cfg(test)]
 mod tests;

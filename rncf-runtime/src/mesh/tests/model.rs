@@ -3,9 +3,11 @@
 use super::super::free::FreeSpec;
 use super::super::parts::{
     BodySpec, Carried, CarriedTangent, Interpolant, JointData, JointKind, JointSpec, LoadSpec, NodalSpec, ObservedSpec,
-    Parts, Prescribed, SectionShape, SectionSpec,
+    Parts, Prescribed,
 };
-use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, FrameAction, FrameMotion, MarkerSpec, MeshScene};
+use super::super::{
+    ConstraintSpec, FixtureSpec, ForceSpec, FrameAction, FrameMotion, MarkerSpec, MeshScene, SectionShape, SectionSpec,
+};
 use super::inertia::{self, Inertia};
 use super::sections;
 use crate::error::ModelError;

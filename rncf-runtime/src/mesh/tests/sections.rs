@@ -1,10 +1,8 @@
 //! Bodies with sections, by hand: interpolants of THEORY 5.2, simple strains between all vectors.
 
-use super::super::parts::{
-    BodySpec, Interpolant, JointKind, LoadKind, LoadSpec, NodalSpec, ObservedSpec, Place, SectionQuantity,
-};
+use super::super::parts::{BodySpec, Interpolant, JointKind, LoadKind, LoadSpec, NodalSpec, ObservedSpec, Place};
 use super::super::scene::MeshScene;
-use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, Motions, When};
+use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, Motions, SectionQuantity, When};
 use super::model::{Hand, Law, Quadratic, hermite, table};
 use super::scenery::{DEAD, body, everything, free, hold, joint};
 use crate::model::{Formulation, Joints, Scene};
