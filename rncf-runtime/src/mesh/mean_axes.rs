@@ -23,7 +23,7 @@ impl MeanAxes {
     /// The conditions from the undeformed shape: `shape` has the body's components.
     pub fn new(index: usize, body: &MeshBody, first: usize, shape: &[f64]) -> Self {
         let spec = &body.spec;
-        let (dimension, count) = (spec.dimension(), spec.orders.len());
+        let (dimension, count) = (spec.dimension(), spec.nodal.len());
         let turns: Vec<Vector> = (0..3)
             .map(|axis| std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 }))
             .filter(|&turn| dimension == 3 || is_normal(spec, turn))
@@ -41,14 +41,14 @@ impl MeanAxes {
                     let mass = body.mass[a * count + b];
                     for c in 0..dimension {
                         let place = components[b * dimension + c] - first;
-                        if spec.orders[a] == 0 {
+                        if spec.nodal[a].is_position() {
                             rows[c][place] += mass;
                         }
                         for (row, &turn) in turns.iter().enumerate() {
                             rows[dimension + row][place] += mass * cross(turn, from)[spec.axes[c]];
                         }
                     }
-                    if spec.orders[a] == 0 && spec.orders[b] == 0 {
+                    if spec.nodal[a].is_position() && spec.nodal[b].is_position() {
                         total += mass;
                     }
                 }

@@ -20,6 +20,7 @@ mod linked;
 mod markers;
 mod mean_axes;
 mod modal;
+mod moments;
 mod neutral;
 mod outputs;
 mod parts;
@@ -28,6 +29,7 @@ mod states;
 mod steady;
 mod symmetry;
 mod system;
+mod undeformed;
 mod uniform;
 mod view;
 mod whirl;
@@ -40,8 +42,8 @@ pub use line::Line;
 pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
 pub use modal::build;
 pub use parts::{
-    BodySpec, Carried, CarriedTangent, Fidelity, JointData, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec,
-    Parts, Place, PointQuantity, Prescribed,
+    BodySpec, Carried, CarriedTangent, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec,
+    NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed, SectionQuantity, SectionShape, SectionSpec,
 };
 pub use scene::MeshScene;
 
