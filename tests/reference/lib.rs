@@ -8,8 +8,9 @@
 //! - [`swing`]: another motion of the same beam, for scenes that are nobody's example.
 //! - [`pendulum`]: the planar pendulum (THEORY 10, T1) with its exact multiplier.
 //! - [`heavy_top`], [`governor`]: mechanisms of BENCHMARKS 3 and 6 in coordinates without constraints.
-//! - [`section_beam`], [`section_chain`], [`section_statics`]: the ten-vector beam (THEORY 5.2), also the yardstick of
-//!   the benches, in chains and in static and relative equilibrium.
+//! - [`section_beam`], [`section_inertia`]: the ten-vector element (THEORY 5.2), also a yardstick of the benches.
+//! - [`section_chain`], [`section_statics`], [`section_modes`]: chains of it in static and relative equilibrium, and
+//!   small motions about it.
 //! - [`rod`]: the geometrically exact rod of BENCHMARKS 1, 4 and 5.
 //! - [`galerkin_rotor`]: the rotating cantilever on a hub (THEORY 8.2).
 //! - [`dense`], [`banded`], [`symmetric`]: the linear algebra of all that.
@@ -35,6 +36,8 @@ pub mod rod;
 pub mod rotating_beam;
 pub mod section_beam;
 pub mod section_chain;
+pub mod section_inertia;
+pub mod section_modes;
 pub mod section_statics;
 pub mod spin_up;
 pub mod swing;

@@ -42,8 +42,10 @@ pub struct Chain {
 pub struct Forces {
     /// Elastic force.
     pub force: Vec<f64>,
-    /// Its derivative.
+    /// Its derivative by the positions.
     pub tangent: Banded,
+    /// That of the damping force by the velocities.
+    pub damping: Banded,
 }
 
 impl Chain {
@@ -145,11 +147,12 @@ impl Chain {
         self.elements.iter().enumerate().map(part).sum()
     }
 
-    /// Elastic force and tangent at rest, in the unknowns.
+    /// Elastic force, tangent and damping matrix at rest, in the unknowns.
     pub fn forces(&self, q: &[f64], supports: &Supports) -> Forces {
         let mut sum = Forces {
             force: vec![0.0; supports.unknowns()],
             tangent: supports.matrix(),
+            damping: supports.matrix(),
         };
         for (e, element) in self.elements.iter().enumerate() {
             let (first, size) = (e * self.stride(), element.coordinates());
@@ -160,6 +163,7 @@ impl Chain {
                 supports.add(first + i, force[i], &mut sum.force);
                 for j in 0..size {
                     supports.add_pair(first + i, first + j, k[size * i + j], &mut sum.tangent);
+                    supports.add_pair(first + i, first + j, c[size * i + j], &mut sum.damping);
                 }
             }
         }

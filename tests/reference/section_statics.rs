@@ -2,10 +2,8 @@
 
 use crate::Result;
 use crate::banded::Banded;
-use crate::dense::Matrix;
-use crate::inertia::{Frame, centrifugal_and_euler, skew};
+use crate::inertia::{Frame, centrifugal_and_euler};
 use crate::section_chain::{Chain, Slot, Supports};
-use crate::symmetric;
 
 /// A load on a node.
 #[derive(Clone, Copy, Debug)]
@@ -140,100 +138,4 @@ impl Problem {
             }
         }
     }
-
-    /// Frequencies (rad/s, ascending, in the turning frame) of small undamped motions about the equilibrium `q` at
-    /// scale 1: `M x'' + 2 M [w] x' + K x = 0` with positive definite K, by Meirovitch's symmetric form.
-    ///
-    /// # Errors
-    /// If K or M is not positive definite: the equilibrium is no minimum of the energy in the turning frame.
-    pub fn frequencies(&self, q: &[f64]) -> Result<Vec<f64>> {
-        let (k, m, g) = self.linearised(q)?;
-        let n = k.size();
-        // y = (x', x), diag(M, K) y' + [[G, K], [-K, 0]] y = 0; squared: nu^2 diag(M, K) y = S^T diag(M, K)^-1 S y.
-        let (mut weight, mut skewed) = (Matrix::zero(2 * n), Matrix::zero(2 * n));
-        for i in 0..n {
-            for j in 0..n {
-                weight.set(i, j, m.get(i, j));
-                weight.set(n + i, n + j, k.get(i, j));
-                skewed.set(i, j, g.get(i, j));
-                skewed.set(i, n + j, k.get(i, j));
-                skewed.set(n + i, j, -k.get(i, j));
-            }
-        }
-        // With half = L^-1 S the square is half^T half.
-        let factor = crate::dense::Cholesky::new(&weight)?;
-        let columns: Vec<Vec<f64>> = (0..2 * n)
-            .map(|j| {
-                let mut column: Vec<f64> = (0..2 * n).map(|i| skewed.get(i, j)).collect();
-                factor.forward(&mut column);
-                column
-            })
-            .collect();
-        let mut squared = Matrix::zero(2 * n);
-        for i in 0..2 * n {
-            for j in 0..2 * n {
-                squared.set(i, j, columns[i].iter().zip(&columns[j]).map(|(a, b)| a * b).sum());
-            }
-        }
-        // Every frequency comes twice; the lowest are the largest values the other way round.
-        let inverse = symmetric::generalised(&weight, &squared)?;
-        Ok(inverse.into_iter().rev().step_by(2).map(|s| s.sqrt().recip()).collect())
-    }
-
-    /// Speeds (rad/s, ascending) about the direction of `spin` at which `K - Omega^2 M P` of the stress-free shape
-    /// becomes singular: critical speeds of a balanced rotor (THEORY 8.2).
-    ///
-    /// # Errors
-    /// If the supports leave a rigid motion.
-    pub fn critical_speeds(&self) -> Result<Vec<f64>> {
-        let q = self.chain.stress_free().to_vec();
-        let size = self.spin.iter().map(|w| w * w).sum::<f64>().sqrt();
-        let unit = Self {
-            spin: self.spin.map(|w| w / size),
-            ..self.clone()
-        };
-        let (turning, ..) = unit.linearised(&q)?;
-        let still = Self {
-            spin: [0.0; 3],
-            ..self.clone()
-        };
-        let (k, ..) = still.linearised(&q)?;
-        let mut softening = Matrix::zero(k.size());
-        for i in 0..k.size() {
-            for j in 0..k.size() {
-                softening.set(i, j, k.get(i, j) - turning.get(i, j));
-            }
-        }
-        let inverse = symmetric::generalised(&softening, &k)?;
-        let bent = inverse.into_iter().rev().filter(|&s| s > 0.0);
-        Ok(bent.map(|s| s.sqrt().recip()).collect())
-    }
-
-    /// Stiffness with the centrifugal part, mass and gyroscopic matrix about `q`, dense.
-    fn linearised(&self, q: &[f64]) -> Result<(Matrix, Matrix, Matrix)> {
-        let (n, w) = (self.chain.dimension(), skew(self.spin));
-        let (_, k) = self.residual(1.0, q)?;
-        let (mut m, mut g) = (self.supports.matrix(), self.supports.matrix());
-        for (a, b, moment) in self.chain.second_moments()? {
-            for i in 0..n {
-                self.supports.add_pair(n * a + i, n * b + i, moment, &mut m);
-                for j in 0..n {
-                    let twice = 2.0 * moment * w[i][j];
-                    self.supports.add_pair(n * a + i, n * b + j, twice, &mut g);
-                }
-            }
-        }
-        Ok((dense(&k), dense(&m), dense(&g)))
-    }
-}
-
-/// The matrix with its zeros.
-pub fn dense(banded: &Banded) -> Matrix {
-    let mut full = Matrix::zero(banded.size());
-    for i in 0..banded.size() {
-        for j in 0..banded.size() {
-            full.set(i, j, banded.get(i, j));
-        }
-    }
-    full
 }
