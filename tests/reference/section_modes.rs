@@ -131,7 +131,8 @@ impl Problem {
                 continue;
             }
             s = [s[0] - d_re, s[1] - d_im];
-            if d_re.hypot(d_im) < 1e-11 * guess[0].hypot(guess[1]) {
+            // Convergence is quadratic: the step after this one would be lost in round-off.
+            if d_re.hypot(d_im) < 1e-8 * guess[0].hypot(guess[1]) {
                 return Ok(s);
             }
         }

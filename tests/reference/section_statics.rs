@@ -52,12 +52,10 @@ impl Problem {
         for _ in 0..60 {
             let (residual, tangent) = self.residual(scale, q)?;
             let step = tangent.solve(&residual)?;
-            let size = step
-                .iter()
-                .fold(0.0, |a: f64, x| if x.is_nan() { f64::NAN } else { a.max(x.abs()) });
-            if size.is_nan() {
-                return Err("the iteration left the numbers: take more load steps".into());
+            if step.iter().any(|x| !x.is_finite()) {
+                return Err("the iteration left the numbers: check the loads, take more load steps".into());
             }
+            let size = step.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
             // Steps that turn directors by more than half a radian lead astray.
             let shorten = (0.5 / size).min(1.0);
             let back: Vec<f64> = step.iter().map(|x| -shorten * x).collect();
