@@ -171,7 +171,7 @@ impl Properties {
         }
     }
 
-    /// The same with Poisson coupling on the axis.
+    /// The same with Poisson coupling on the axis; a planar element has no `e33` and is in plane strain then.
     pub fn coupled(dimension: usize, length: f64, section: &Section) -> Self {
         Self {
             axis: section.coupled(),

@@ -5,7 +5,7 @@ use rncf_tests::element::{Data, Weights};
 use rncf_tests::inertia::{Frame, Inertia, State};
 use rncf_tests::section_beam::{Element, Properties, Section, residual_and_jacobian};
 use rncf_tests::section_chain::{Chain, Shape, Supports, straight};
-use rncf_tests::section_inertia::{self, SectionInertia, Workspace};
+use rncf_tests::section_inertia::MovingElement;
 use rncf_tests::section_modes::dense;
 use rncf_tests::symmetric::eigenvalues;
 
@@ -267,11 +267,13 @@ fn the_whole_element_in_a_moving_frame() {
     for n in [2, 3] {
         let (element, q, qd) = shaken(soft(n)[1], &mut random);
         let (size, qdd) = (q.len(), random.list(q.len(), 1.0));
-        let (inertia, mut room) = (SectionInertia::new(&element).unwrap(), Workspace::new(&element));
+        let moving = MovingElement::new(element.clone()).unwrap();
         let weights = [Weights::POSITION, Weights::VELOCITY, Weights::ACCELERATION];
-        let evaluate = |state: State, weights, room: &mut Workspace| {
+        let evaluate = |state: State, weights| {
             let (mut r, mut j) = (vec![0.0; size], vec![0.0; size * size]);
-            section_inertia::residual_and_jacobian(&element, &inertia, state, &frame(n), weights, room, &mut r, &mut j);
+            moving
+                .clone()
+                .residual_and_jacobian(state, &frame(n), weights, &mut r, &mut j);
             (r, j)
         };
         for (which, weights) in weights.into_iter().enumerate() {
@@ -283,7 +285,6 @@ fn the_whole_element_in_a_moving_frame() {
                     qdd: &qdd,
                 },
                 weights,
-                &mut room,
             )
             .1;
             let columns = jacobian(
@@ -291,7 +292,7 @@ fn the_whole_element_in_a_moving_frame() {
                     let mut states = states.map(|s| s.as_slice());
                     states[which] = x;
                     let [q, qd, qdd] = states;
-                    evaluate(State { q, qd, qdd }, weights, &mut Workspace::new(&element)).0
+                    evaluate(State { q, qd, qdd }, weights).0
                 },
                 states[which],
                 1e-2,
@@ -329,12 +330,11 @@ fn the_whole_element_in_a_moving_frame() {
                 qdd: &qdd,
             },
             Weights::POSITION,
-            &mut room,
         );
         let elastic = force(&element, &q, &qd);
         let inertial: Vec<f64> = all.iter().zip(elastic).map(|(a, e)| a - e).collect();
         assert!(relative(&pick(&inertial), &expected) < 1e-12);
-        let first = pick_first(inertia.first_moments(), places);
+        let first = pick_first(moving.first_moments(), places);
         assert!(relative(&first, &data.first_moments().unwrap()) < 1e-14);
     }
 }
