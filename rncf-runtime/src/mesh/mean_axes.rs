@@ -55,10 +55,11 @@ impl MeanAxes {
             }
         }
         for (place, row) in rows.iter_mut().enumerate() {
-            let size = if place < dimension {
-                total
-            } else {
-                total * spec.line.length()
+            let size = match place.checked_sub(dimension) {
+                None => total,
+                // The turning about a straight axis has only the inertia of the sections.
+                Some(turn) if spec.has_section() => (total * turned(spec, turns[turn], shape, row)).sqrt(),
+                Some(_) => total * spec.line.length(),
             };
             row.iter_mut().for_each(|value| *value /= size);
         }
@@ -79,6 +80,20 @@ impl MeanAxes {
     }
 }
 
+/// Value of a row when the undeformed body turns about an axis by one: its moment of inertia, kg m^2.
+fn turned(spec: &BodySpec, turn: Vector, shape: &[f64], row: &[f64]) -> f64 {
+    let vectors = shape.chunks_exact(spec.dimension());
+    let moved = vectors.flat_map(|vector| {
+        let mut from = [0.0; 3];
+        for (value, &axis) in vector.iter().zip(spec.axes) {
+            from[axis] = *value;
+        }
+        let moved = cross(turn, from);
+        spec.axes.iter().map(move |&axis| moved[axis])
+    });
+    row.iter().zip(moved).map(|(row, moved)| row * moved).sum()
+}
+
 fn is_normal(spec: &BodySpec, turn: Vector) -> bool {
     spec.axes.iter().all(|&axis| turn[axis] == 0.0)
 }
@@ -89,7 +104,7 @@ fn product(row: &[f64], values: &[f64]) -> f64 {
 
 /// Refuses mean axes of a body whose frame cannot follow them, or that do not tie its frame.
 pub(super) fn check(spec: &BodySpec, frame: &str, unknowns: usize) -> Result<(), ModelError> {
-    if spec.dimension() == 3 && matches!(spec.line, Line::Straight { .. }) {
+    if spec.dimension() == 3 && !spec.has_section() && matches!(spec.line, Line::Straight { .. }) {
         return Err(ModelError::new(format!(
             "body `{}` is straight: its mean axes do not tie the turning of frame `{frame}` about its line: use joints to the frame, or a curved line",
             spec.name

@@ -25,9 +25,11 @@ mod neutral;
 mod outputs;
 mod parts;
 mod scene;
+mod section;
 mod states;
 mod steady;
 mod symmetry;
+mod stress;
 mod system;
 mod undeformed;
 mod uniform;
@@ -46,6 +48,7 @@ pub use parts::{
     NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed, SectionQuantity, SectionShape, SectionSpec,
 };
 pub use scene::MeshScene;
+pub use section::SectionState;
 
 #[cfg(test)]
 mod tests;

@@ -121,7 +121,12 @@ impl<P: Parts> MeshScene<P> {
                 let at = |full: &[f64]| self.at_point(point, what.into(), full);
                 self.in_declared(body, what, [at(&self.buffers.q), at(&self.buffers.v)])[component]
             }
-            ObservedSpec::Section { .. } => f64::NAN,
+            ObservedSpec::Section { what, .. } => {
+                let point = self.observed_points[index].as_ref();
+                let value = point.and_then(|point| self.section_at(point).value(what));
+                // Sections without stress are refused when the scene is built.
+                value.unwrap_or(f64::NAN)
+            }
             ObservedSpec::Marker {
                 marker,
                 derivative,

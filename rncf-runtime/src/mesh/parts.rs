@@ -272,7 +272,7 @@ pub enum SectionQuantity {
     MomentY,
     /// Moment about the section's z axis, N m; of a planar body that about the plane's normal.
     MomentZ,
-    /// Magnitude of the bending moment, N m.
+    /// Magnitude of the bending moment, N m; of a planar body signed, about the plane's normal.
     Moment,
     /// Largest von Mises stress over the section, Pa.
     Stress,

@@ -278,6 +278,10 @@ impl<P: Parts> MeshScene<P> {
     pub(super) fn observed_point(&self, observed: &ObservedSpec) -> Result<Option<MeshPoint>, ModelError> {
         match *observed {
             ObservedSpec::Point { body, at, .. } => self.point(body, at, "an output").map(Some),
+            ObservedSpec::Section { body, at, what } => {
+                self.check_stress(body, what)?;
+                self.point(body, at, "an output").map(Some)
+            }
             _ => Ok(None),
         }
     }
