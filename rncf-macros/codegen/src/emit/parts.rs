@@ -360,7 +360,7 @@ impl Parts<'_> {
             let element = variant.variant.declaration(self.library);
             let mut text = self.properties(body);
             let mut fields = vec!["length".to_string()];
-            for coefficient in element.coefficients {
+            for coefficient in element.coefficients_in(variant.variant.dimension, &variant.variant.options) {
                 fields.push(format!("{}: {}", coefficient.name, super::section::coefficient(body, coefficient)));
             }
             if body.properties.contains_key(element.damping) {
