@@ -20,6 +20,10 @@ fn has(body: &Body, name: &str) -> bool {
     body.properties.contains_key(name) || derived.is_some_and(from)
 }
 
+/// What a model without bodies says of their sections.
+const NO_SECTION: &str = "::rncf::mesh::SectionSpec { shape: ::rncf::mesh::SectionShape::General { extent: [None, None] }, \
+                          area: 0.0, second_moments: [0.0; 2], torsion_constant: 0.0, yield_stress: None, material: \"\" }\n";
+
 impl Parts<'_> {
     /// Statements that bind the properties of a body, each checked, and those that its coefficients derive.
     pub fn properties(&self, body: &Body) -> String {
@@ -37,17 +41,14 @@ impl Parts<'_> {
             }
         }
         let element = &self.library.elements[body.element.0];
-        let used = |name: &str| {
-            element
-                .coefficients
+        let coefficients = element.coefficients_in(body.space.dimension(), &body.options);
+        for derived in DERIVED {
+            let used = coefficients
                 .iter()
-                .any(|coefficient| coefficient.factors.contains(&name))
-        };
-        for derived in DERIVED
-            .iter()
-            .filter(|derived| used(derived.name) && has(body, derived.name))
-        {
-            let _ = writeln!(text, "let {} = {};", derived.name, derived.value);
+                .any(|coefficient| coefficient.factors.contains(&derived.name));
+            if used && has(body, derived.name) {
+                let _ = writeln!(text, "let {} = {};", derived.name, derived.value);
+            }
         }
         text
     }
@@ -76,9 +77,9 @@ impl Parts<'_> {
                 variant.field_forces.name, body.name
             )
         });
+        // Of a model without bodies nothing is asked.
         let (section, fields) = if self.model.bodies.is_empty() {
-            let none = "panic!(\"no body {body}\")\n";
-            (none.to_string(), none.to_string())
+            (NO_SECTION.to_string(), "&[]\n".to_string())
         } else {
             (section, fields)
         };
