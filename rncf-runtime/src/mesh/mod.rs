@@ -22,6 +22,7 @@ mod mean_axes;
 mod modal;
 mod outputs;
 mod parts;
+mod points;
 mod scene;
 mod states;
 mod steady;
@@ -39,6 +40,7 @@ pub use parts::{
     BodySpec, Carried, CarriedTangent, Fidelity, JointData, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec,
     Parts, Place, PointQuantity, Prescribed,
 };
+pub use points::{Blocks, Relative, Rule, Tile, Vectors};
 pub use scene::MeshScene;
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ pub mod kernel;
 mod moving;
 pub mod number;
 pub mod parts;
+pub mod points;
 
 use crate::elements::Library;
 use crate::model::Model;
