@@ -9,6 +9,7 @@ mod moving;
 pub mod number;
 pub mod parts;
 mod section;
+pub mod points;
 
 use crate::elements::Library;
 use crate::model::Model;
