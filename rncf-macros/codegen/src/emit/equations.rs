@@ -274,7 +274,7 @@ fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Librar
         "#[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct {} {{\n/// Length, m.\npub length: f64,\n",
         crate::lower::camel_case(name)
     );
-    for coefficient in element.coefficients {
+    for coefficient in element.coefficients_in(variant.dimension, &variant.options) {
         let factors = coefficient.factors.join(" * ");
         text += &format!("/// {factors}, {}.\npub {}: f64,\n", coefficient.unit, coefficient.name);
     }

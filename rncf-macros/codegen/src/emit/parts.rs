@@ -369,7 +369,7 @@ impl Parts<'_> {
                 }
             }
             let mut fields = vec!["length".to_string()];
-            for coefficient in element.coefficients {
+            for coefficient in element.coefficients_in(variant.variant.dimension, &variant.variant.options) {
                 fields.push(format!("{}: {}", coefficient.name, coefficient.factors.join(" * ")));
             }
             if body.properties.contains_key(element.damping) {

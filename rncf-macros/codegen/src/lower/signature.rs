@@ -22,8 +22,8 @@ impl Signature<'_> {
         if coefficients {
             fields.extend(
                 element
-                    .coefficients
-                    .iter()
+                    .coefficients_in(self.variant.dimension, &self.variant.options)
+                    .into_iter()
                     .map(|c| c.name)
                     .filter(|&name| element.inertia.iter().all(|inertia| inertia.coefficient != name)),
             );
