@@ -394,7 +394,7 @@ fn coefficients(used: Used) -> impl Iterator<Item = &'static Coefficient> {
 fn at_rest(model: &Model, energy: &Value) -> [[f64; 6]; 3] {
     let mut time = Time::new(model);
     let root = time.expression(energy);
-    let strains: [Id; 6] = std::array::from_fn(|at| time.expression(&Value::Strain(at)));
+    let strains: [Id; 6] = std::array::from_fn(|at| time.strain(at));
     let mut inputs: HashMap<Id, f64> = strains.map(|strain| (strain, 0.0)).into();
     for (at, param) in model.params.iter().enumerate() {
         inputs.insert(time.param(at), param.default);
