@@ -51,7 +51,9 @@ pub(super) fn spectrum(pencil: &Pencil, count: usize) -> Result<(f64, Vec<Pair>,
         let end = iteration.run(wanted, needed, 2 * count + MOST_VECTORS)?;
         let ritz = iteration.ritz()?;
         let ready = ritz.iter().take_while(|ritz| ritz.residual <= CONVERGED).count();
-        let news = ritz[..ready].iter().filter(|ritz| needed.is_none_or(|needed| ritz.value.norm() >= needed));
+        let news = ritz[..ready]
+            .iter()
+            .filter(|ritz| needed.is_none_or(|needed| ritz.value.norm() >= needed));
         let is_new = news.count() > 0;
         if end == End::Exhausted && ready == 0 || needed.is_some() && !is_new {
             all = end == End::Exhausted;
@@ -76,7 +78,10 @@ pub(super) fn spectrum(pencil: &Pencil, count: usize) -> Result<(f64, Vec<Pair>,
 /// Size of the inverse's eigenvalue that is certainly not exceeded by those farther from zero than the
 /// `count` lowest of the found ones.
 fn farthest(found: &[c64], count: usize, shift: f64) -> f64 {
-    let mut speeds: Vec<f64> = found.iter().map(|value| (c64::new(shift, 0.0) + value.inv()).norm()).collect();
+    let mut speeds: Vec<f64> = found
+        .iter()
+        .map(|value| (c64::new(shift, 0.0) + value.inv()).norm())
+        .collect();
     speeds.sort_by(f64::total_cmp);
     let radius = speeds[(2 * count).min(speeds.len()) - 1];
     1.0 / (radius + shift)
@@ -92,7 +97,10 @@ fn choose_shift(pencil: &Pencil) -> Result<Inverse<'_>, Failure> {
         iteration.extend(LOOK_AROUND);
         let ritz = iteration.ritz()?;
         // The first ones tell the direction, whether they have converged or not.
-        let seen = ritz.iter().enumerate().filter(|(place, ritz)| *place < FIRST || ritz.residual <= ROUGH);
+        let seen = ritz
+            .iter()
+            .enumerate()
+            .filter(|(place, ritz)| *place < FIRST || ritz.residual <= ROUGH);
         let pairs = seen.map(|(_, ritz)| Pair {
             s: c64::new(shift, 0.0) + ritz.value.inv(),
             x: combination(&iteration.basis, &ritz.vector, pencil.unknowns()),
@@ -341,14 +349,25 @@ impl<'a, 'b> Iteration<'a, 'b> {
         let mut ritz: Vec<Ritz> = all
             .filter(|(value, _)| value.norm() > INFINITE * self.size)
             .map(|(value, vector)| {
-                let residual = if self.exhausted { 0.0 } else { rest * vector[k - 1].norm() / value.norm() };
-                Ritz { value, vector, residual }
+                let residual = if self.exhausted {
+                    0.0
+                } else {
+                    rest * vector[k - 1].norm() / value.norm()
+                };
+                Ritz {
+                    value,
+                    vector,
+                    residual,
+                }
             })
             .collect();
         let key = |ritz: &Ritz| (ritz.value.norm(), ritz.value.im.abs());
         ritz.sort_by(|a, b| {
             let ((size_a, im_a), (size_b, im_b)) = (key(a), key(b));
-            size_b.total_cmp(&size_a).then(im_b.total_cmp(&im_a)).then(b.value.im.total_cmp(&a.value.im))
+            size_b
+                .total_cmp(&size_a)
+                .then(im_b.total_cmp(&im_a))
+                .then(b.value.im.total_cmp(&a.value.im))
         });
         Ok(ritz)
     }

@@ -74,11 +74,21 @@ impl<'a> Refinement<'a> {
     /// Motions with the eigenvalue zero, at most `count` of them: the null vectors of K.
     pub fn still(&mut self, count: usize) -> Vec<Pair> {
         let beside = STILL * self.shift;
-        if count == 0 || self.lu.factor(&self.pencil.without_damping(c64::new(beside, 0.0))).is_err() {
+        if count == 0
+            || self
+                .lu
+                .factor(&self.pencil.without_damping(c64::new(beside, 0.0)))
+                .is_err()
+        {
             return Vec::new();
         }
-        let vectors = self.eigenspace(count, |pencil, x, image| image.copy_from_slice(&pencil.products(x, &[]).mass));
-        let pairs = vectors.unwrap_or_default().into_iter().map(|x| Pair { s: c64::default(), x });
+        let vectors = self.eigenspace(count, |pencil, x, image| {
+            image.copy_from_slice(&pencil.products(x, &[]).mass)
+        });
+        let pairs = vectors
+            .unwrap_or_default()
+            .into_iter()
+            .map(|x| Pair { s: c64::default(), x });
         let lowest = CLOSE * self.shift;
         let is_still = |pair: &Pair| {
             let products = self.pencil.products(&pair.x, &[]);
@@ -95,7 +105,10 @@ impl<'a> Refinement<'a> {
         let n = self.pencil.unknowns();
         let mut vectors = Vec::with_capacity(count);
         for start in 0..count {
-            let mut x: Vec<c64> = scattered(n, start).into_iter().map(|value| c64::new(value, 0.0)).collect();
+            let mut x: Vec<c64> = scattered(n, start)
+                .into_iter()
+                .map(|value| c64::new(value, 0.0))
+                .collect();
             for _ in 0..INVERSE_ITERATIONS {
                 let mut image = vec![c64::default(); n + self.pencil.constraints()];
                 weight(self.pencil, &x, &mut image[..n]);
@@ -129,7 +142,9 @@ impl<'a> Refinement<'a> {
     fn factor(&mut self, s: c64, part: f64) -> Option<()> {
         let distance = part * s.norm().max(self.shift);
         let mut places = [1.0, -1.7, 3.0].into_iter();
-        places.find(|place| self.lu.factor(&self.pencil.at(s + place * distance)).is_ok()).map(|_| ())
+        places
+            .find(|place| self.lu.factor(&self.pencil.at(s + place * distance)).is_ok())
+            .map(|_| ())
     }
 
     /// The refined pair, if it satisfies its equation.
@@ -148,7 +163,10 @@ impl<'a> Refinement<'a> {
             if !change.iter().all(|value| value.is_finite()) {
                 return None;
             }
-            x.iter_mut().chain(&mut lambda).zip(&change).for_each(|(value, change)| *value -= change);
+            x.iter_mut()
+                .chain(&mut lambda)
+                .zip(&change)
+                .for_each(|(value, change)| *value -= change);
             normalise(&mut x, &mut lambda);
             if size <= ROUND_OFF || size > STAGNANT * last {
                 break;
