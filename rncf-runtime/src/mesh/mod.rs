@@ -23,6 +23,7 @@ mod modal;
 mod moments;
 mod outputs;
 mod parts;
+mod points;
 mod scene;
 mod section;
 mod states;
@@ -43,6 +44,7 @@ pub use parts::{
     BodySpec, Carried, CarriedTangent, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec,
     NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed, SectionQuantity, SectionShape, SectionSpec,
 };
+pub use points::{Blocks, Relative, Rule, Tile, Vectors};
 pub use scene::MeshScene;
 pub use section::SectionState;
 

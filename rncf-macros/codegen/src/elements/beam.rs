@@ -45,8 +45,8 @@ pub const BEAM: Element = Element {
         field("a", Interpolant::Position, 1),
         field("b", Interpolant::SectionY, 0),
         field("c", Interpolant::SectionZ, 0),
-        field("b_x", Interpolant::SectionY, 1),
-        field("c_x", Interpolant::SectionZ, 1),
+        field("db", Interpolant::SectionY, 1),
+        field("dc", Interpolant::SectionZ, 1),
     ],
     coefficients: &[
         coefficient("EA", "N", &["young", "area"]),
@@ -160,20 +160,20 @@ fn beam(graph: &mut Graph, fields: &Invariants, poisson: bool) -> Vec<Term> {
     }
     terms.push(measure("shear along y", "kyGA", dots[0][1], AXIS_POINTS));
     if planar {
-        let (a, b, b_x) = (0, 1, 2);
-        terms.push(measure("bending about z", "EIz", dots[a][b_x], GRADIENT_POINTS));
-        terms.push(measure("gradient along y", "GIz", dots[b][b_x], GRADIENT_POINTS));
+        let (a, b, db) = (0, 1, 2);
+        terms.push(measure("bending about z", "EIz", dots[a][db], GRADIENT_POINTS));
+        terms.push(measure("gradient along y", "GIz", dots[b][db], GRADIENT_POINTS));
         return terms;
     }
-    let (a, b, c, b_x, c_x) = (0, 1, 2, 3, 4);
+    let (a, b, c, db, dc) = (0, 1, 2, 3, 4);
     terms.push(measure("shear along z", "kzGA", dots[a][c], AXIS_POINTS));
     terms.push(measure("shear of the section", "GA", dots[b][c], AXIS_POINTS));
-    let difference = graph.subtract(dots[b_x][c], dots[c_x][b]);
+    let difference = graph.subtract(dots[db][c], dots[dc][b]);
     let twist = graph.multiply(half, difference);
-    terms.push(measure("bending about z", "EIz", dots[a][b_x], GRADIENT_POINTS));
-    terms.push(measure("bending about y", "EIy", dots[a][c_x], GRADIENT_POINTS));
+    terms.push(measure("bending about z", "EIz", dots[a][db], GRADIENT_POINTS));
+    terms.push(measure("bending about y", "EIy", dots[a][dc], GRADIENT_POINTS));
     terms.push(measure("torsion", "GJ", twist, GRADIENT_POINTS));
-    terms.push(measure("gradient along y", "GIz", dots[b][b_x], GRADIENT_POINTS));
-    terms.push(measure("gradient along z", "GIy", dots[c][c_x], GRADIENT_POINTS));
+    terms.push(measure("gradient along y", "GIz", dots[b][db], GRADIENT_POINTS));
+    terms.push(measure("gradient along z", "GIy", dots[c][dc], GRADIENT_POINTS));
     terms
 }

@@ -164,6 +164,9 @@ impl Equations {
         let mut text = String::new();
         let mut add = |kernel: &Kernel| text += &function(kernel);
         for variant in &self.variants {
+            if let Some(fields) = &variant.elastic.fields {
+                fields.rules.iter().flat_map(|rule| &rule.kernels).for_each(&mut add);
+            }
             for kernel in [
                 &variant.elastic.force,
                 &variant.elastic.tangent,
@@ -190,7 +193,11 @@ impl Equations {
         }
         self.rest().into_iter().for_each(&mut add);
         let rows: String = self.variants.iter().map(|variant| variant.row.clone()).collect();
-        rows + &text
+        let tables = self.variants.iter().filter_map(|variant| {
+            let fields = variant.elastic.fields.as_ref()?;
+            Some(super::points::tables(&variant.name, variant.variant.dimension, fields))
+        });
+        rows + &tables.collect::<String>() + &text
     }
 
     /// The functions that belong to no element.

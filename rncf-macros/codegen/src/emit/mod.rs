@@ -8,6 +8,7 @@ pub mod kernel;
 mod moving;
 pub mod number;
 pub mod parts;
+pub mod points;
 mod section;
 
 use crate::elements::Library;

@@ -1,12 +1,15 @@
 //! Elastic kernels of an element: force, tangent, energy and reference values, as a constant tensor
 //! or by integration points, unrolled or in a loop.
 
+mod fields;
 mod nodal;
 mod points;
 mod stress;
 mod tensor;
 
 use std::collections::HashMap;
+
+pub use fields::{FieldBlocks, FieldKernels, FieldRule, Groups, field_kernels};
 
 use crate::elements::{Element, Field, Library, NodalVector};
 use crate::lower::invariants::{Blocks, Invariant};
@@ -26,6 +29,8 @@ pub enum Form {
     Points,
     /// Integration points in a loop.
     Loop,
+    /// Integration points in a loop of the runtime, unrolled at one point as functions of the fields.
+    Fields,
 }
 
 /// What a kernel computes.
@@ -64,7 +69,8 @@ pub fn rules(variant: &Variant, element: &Element) -> Vec<usize> {
 }
 
 /// The kernel of one quantity in one form; `None` where the form does not exist (a tensor of an
-/// energy that is not quadratic; one loop over points of several rules).
+/// energy that is not quadratic; one loop over points of several rules; the form by
+/// fields, see [`field_kernels`]).
 pub fn kernel(variant: &Variant, library: &Library, form: Form, quantity: Quantity) -> Option<Kernel> {
     // Reference values are computed once, so that nothing is gained by a loop.
     let form = if (form, quantity) == (Form::Loop, Quantity::Reference) {
@@ -79,6 +85,7 @@ pub fn kernel(variant: &Variant, library: &Library, form: Form, quantity: Quanti
     match form {
         Form::Tensor => builder.tensor()?,
         Form::Points | Form::Loop => builder.points(),
+        Form::Fields => return None,
     }
     Some(builder.finish())
 }

@@ -137,7 +137,10 @@ fn prescribed_axes_fulfil_the_conditions() {
         let prescribed = evaluate(&kernels.prescribed, &inputs);
         for (vector, what) in ["position", "slope", "second"].iter().enumerate() {
             for i in 0..3 {
-                inputs.insert(format!("q[{}]", 3 * vector + i), prescribed[&format!("prescribed.{what}[0][{i}]")]);
+                inputs.insert(
+                    format!("q[{}]", 3 * vector + i),
+                    prescribed[&format!("prescribed.{what}[0][{i}]")],
+                );
             }
         }
         for (row, value) in evaluate(&kernels.levels[0], &inputs) {
@@ -198,7 +201,9 @@ fn forces_on_fields() {
 fn bodies_with_sections_are_written() {
     let mut model = base();
     model.bodies[1].element = beam();
-    model.bodies[1].shape = SectionShape::Rectangle { sizes: [number(0.01), Expr::Param(ParamId(1))] };
+    model.bodies[1].shape = SectionShape::Rectangle {
+        sizes: [number(0.01), Expr::Param(ParamId(1))],
+    };
     model.bodies[1].properties.insert("second_moment_z", number(1e-9));
     model.bodies[1].properties.insert("shear_factor_y", number(0.8));
     model.bodies[1].properties.insert("yield", number(2e8));
@@ -234,7 +239,12 @@ fn bodies_with_sections_are_written() {
     ] {
         assert!(text.contains(there), "{there} is missing");
     }
-    for absent in ["section_moment(", "shapes_section_z", "let double_shear_modulus", "let lame"] {
+    for absent in [
+        "section_moment(",
+        "shapes_section_z",
+        "let double_shear_modulus",
+        "let lame",
+    ] {
         assert!(!text.contains(absent), "{absent} should not be there");
     }
 }

@@ -82,7 +82,12 @@ fn check(
 #[test]
 fn elements() {
     let library = Library::standard();
-    for (element, dimension, positions) in [("cable", 2, [0, 2]), ("cable", 3, [0, 2]), ("beam", 2, [0, 4]), ("beam", 3, [0, 6])] {
+    for (element, dimension, positions) in [
+        ("cable", 2, [0, 2]),
+        ("cable", 3, [0, 2]),
+        ("beam", 2, [0, 4]),
+        ("beam", 3, [0, 6]),
+    ] {
         let variant = variant(element, dimension);
         let kernels = element_kernels(&variant, &library);
         let inertia = inertia_kernels(&variant, &library);
@@ -138,9 +143,17 @@ fn fixtures_are_sums_over_particles() {
     let accelerations: [[f64; 3]; 4] = std::array::from_fn(|_| std::array::from_fn(|_| random.next()));
     let origin: [f64; 3] = std::array::from_fn(|_| random.next());
     for (name, vector) in names.iter().zip(accelerations) {
-        inputs.extend(axes.iter().zip(vector).map(|(axis, value)| (format!("a_{name}_{axis}"), value)));
+        inputs.extend(
+            axes.iter()
+                .zip(vector)
+                .map(|(axis, value)| (format!("a_{name}_{axis}"), value)),
+        );
     }
-    inputs.extend(axes.iter().zip(origin).map(|(axis, value)| (format!("e_{axis}"), value)));
+    inputs.extend(
+        axes.iter()
+            .zip(origin)
+            .map(|(axis, value)| (format!("e_{axis}"), value)),
+    );
     let mut wanted = [0.0; 12];
     for mass in [1.0, 2.0, 0.5] {
         let weights = [1.0, random.next(), random.next(), random.next()];
