@@ -60,7 +60,10 @@ pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> S
 
 fn implementation(model: &Model, library: &Library, equations: &Equations) -> String {
     let (name, module) = (&model.name, module_name(model));
-    let notes: Vec<String> = notes(model, library, equations).iter().map(|note| format!("{note:?}")).collect();
+    let notes: Vec<String> = notes(model, library, equations)
+        .iter()
+        .map(|note| format!("{note:?}"))
+        .collect();
     let mut text = format!(
         "#[allow(unused_variables, clippy::all)]\nimpl ::rncf::Model for {name} {{\n\
          const NAME: &'static str = {name:?};\n\
