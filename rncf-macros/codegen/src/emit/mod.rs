@@ -9,6 +9,7 @@ mod moving;
 pub mod number;
 pub mod parts;
 pub mod points;
+mod section;
 
 use crate::elements::Library;
 use crate::model::Model;
