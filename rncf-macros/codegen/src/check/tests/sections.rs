@@ -263,7 +263,7 @@ fn sections_tie_the_turning_about_the_axis() {
         let twice = swap("joint foot = clamp(ring.start, f); joint head = pin(ring.end, f);");
         assert!(twice[0].contains("a second time"), "{twice:?}");
         let loose = swap("joint foot = pin(ring.start, f);");
-        assert!(loose[0].contains("turning about the x axis, turning about the y axis and turning about the z axis"), "{loose:?}");
+        assert!(loose[0].contains("turning about the x axis"), "{loose:?}");
     }
     assert_eq!(tied("joint foot = clamp(ring.start, f);"), Ok(()));
 }
