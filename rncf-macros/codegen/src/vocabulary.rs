@@ -176,3 +176,45 @@ pub const SECTION: &[Property] = &[
         default: None,
     },
 ];
+
+/// A property that follows from others.
+#[derive(Clone, Copy, Debug)]
+pub struct Derived {
+    /// Name, as the coefficients of elements use it.
+    pub name: &'static str,
+    /// SI unit for documentation.
+    pub unit: &'static str,
+    /// Properties that it follows from.
+    pub from: &'static [&'static str],
+    /// Rust text, in terms of those.
+    pub value: &'static str,
+}
+
+/// Properties that follow from others; the ranges of those keep them finite.
+pub const DERIVED: &[Derived] = &[
+    Derived {
+        name: "shear_modulus",
+        unit: "Pa",
+        from: &["young", "poisson"],
+        value: "young / (2.0 * (1.0 + poisson))",
+    },
+    Derived {
+        name: "double_shear_modulus",
+        unit: "Pa",
+        from: &["young", "poisson"],
+        value: "young / (1.0 + poisson)",
+    },
+    Derived {
+        name: "lame",
+        unit: "Pa",
+        from: &["young", "poisson"],
+        value: "young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson))",
+    },
+    // Of plane stress.
+    Derived {
+        name: "plane_lame",
+        unit: "Pa",
+        from: &["young", "poisson"],
+        value: "young * poisson / ((1.0 + poisson) * (1.0 - poisson))",
+    },
+];
