@@ -211,7 +211,9 @@ pub struct Library {
 impl Library {
     /// The elements of this crate.
     pub fn standard() -> Self {
-        Self { elements: vec![CABLE, BEAM] }
+        Self {
+            elements: vec![CABLE, BEAM],
+        }
     }
 
     /// With one more element, e.g. a variant declared by a test.

@@ -7,4 +7,5 @@ mod levels;
 mod model;
 mod random;
 mod refusals;
+mod uniform;
 pub(super) mod scenery;

@@ -1,0 +1,130 @@
+//! The lowest eigenpairs of a pencil: found, refined, and one mode for every motion.
+
+use super::arnoldi;
+use super::dense;
+use super::pencil::Pencil;
+use super::refinement::Refinement;
+use crate::linalg::c64;
+
+/// Unknowns up to which full matrices are used, and up to which they are if many modes are wanted.
+const SMALL: usize = 60;
+const STILL_SMALL: usize = 600;
+/// Part of the unknowns that counts as many modes: one of this many.
+const MANY: usize = 4;
+/// Parts of the shift that the lowest frequency may be.
+const FITTING: std::ops::Range<f64> = 0.2..20.0;
+/// Part of the shift below which eigenvalues may be zeros.
+const SLOW: f64 = 0.05;
+/// Multiple of the shift beyond which an eigenvalue that fits no equation is infinite.
+const BEYOND: f64 = 1e5;
+/// Eigenvalues closer than this, relative to their distance from the shift, may be one.
+pub(super) const CLOSE: f64 = 1e-6;
+
+/// An eigenvalue and the unknowns of its vector, relative to the pencil's sizes.
+#[derive(Clone, Debug)]
+pub(super) struct Pair {
+    pub s: c64,
+    pub x: Vec<c64>,
+}
+
+/// Why modes were not found. Rows count unknowns first, then constraints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Failure {
+    /// The pencil is singular whatever the eigenvalue.
+    Singular(Option<usize>),
+    /// An entry is not finite.
+    NotFinite,
+    /// The iteration for eigenvalues of a full matrix did not converge.
+    NotFound,
+    /// Arnoldi's iteration did not converge beyond this number of modes.
+    Slow(usize),
+    /// The mode of this number does not satisfy its equation.
+    Inexact(usize),
+}
+
+/// The `count` modes of lowest |s|, one of two conjugates, sorted by frequency, then by growth; all, if
+/// there are fewer.
+pub(super) fn lowest(pencil: &Pencil, count: usize) -> Result<Vec<Pair>, Failure> {
+    if !pencil.is_finite() {
+        return Err(Failure::NotFinite);
+    }
+    if count == 0 || pencil.unknowns() == 0 {
+        return Ok(Vec::new());
+    }
+    let n = pencil.unknowns();
+    let mut asked = count;
+    loop {
+        let is_small = n <= SMALL || n <= STILL_SMALL && MANY * asked >= n;
+        let (shift, pairs, is_all) = if is_small {
+            let (shift, pairs) = dense::spectrum(pencil)?;
+            (shift, pairs, true)
+        } else {
+            arnoldi::spectrum(pencil, asked)?
+        };
+        let (mut modes, is_checked) = distinct(pencil, shift, pairs, asked)?;
+        // Of a motion that drifts two eigenvalues make one mode.
+        if modes.len() < count && !(is_all && is_checked) {
+            asked *= 2;
+            continue;
+        }
+        modes.truncate(count);
+        modes.sort_by(|a, b| a.s.im.total_cmp(&b.s.im).then(a.s.re.total_cmp(&b.s.re)));
+        return Ok(modes);
+    }
+}
+
+/// Refines the pairs of about `count` modes and joins what is one mode; the lowest |s| first. `true` if
+/// there were no more.
+fn distinct(pencil: &Pencil, shift: f64, mut pairs: Vec<Pair>, count: usize) -> Result<(Vec<Pair>, bool), Failure> {
+    pairs.sort_by(|a, b| order(a.s, b.s));
+    let slow = pairs.partition_point(|pair| pair.s.norm() <= SLOW * shift);
+    let mut refinement = Refinement::new(pencil, shift);
+    let mut modes = refinement.still(slow);
+    if !modes.is_empty() {
+        pairs.drain(..slow);
+    }
+    // One of two conjugates.
+    pairs.retain(|pair| pair.s.im >= 0.0);
+    let found = modes.len() + pairs.len();
+    // The one beyond the count only completes a group.
+    pairs.truncate((count + 1).saturating_sub(modes.len()));
+    while let Some(first) = pairs.first().map(|pair| pair.s) {
+        let near = |pair: &Pair| (pair.s - first).norm() <= CLOSE * (first.norm() + shift);
+        let (group, rest): (Vec<Pair>, Vec<Pair>) = pairs.into_iter().partition(near);
+        pairs = rest;
+        let size = group.len();
+        match refinement.group(group) {
+            Some(group) => modes.extend(group),
+            // Infinite eigenvalues come out as very large ones that fit nothing.
+            None if first.norm() >= BEYOND * shift => {}
+            None if modes.len() + size > count && modes.len() >= count => {}
+            None => return Err(Failure::Inexact(modes.len())),
+        }
+    }
+    modes.sort_by(|a, b| order(a.s, b.s));
+    Ok((modes, found <= count))
+}
+
+fn order(a: c64, b: c64) -> std::cmp::Ordering {
+    a.norm().total_cmp(&b.norm()).then(a.re.total_cmp(&b.re)).then(b.im.total_cmp(&a.im))
+}
+
+/// A shift that suits the given approximate pairs better than the present one: near the lowest frequency
+/// that is not zero.
+pub(super) fn better_shift(pencil: &Pencil, shift: f64, pairs: impl Iterator<Item = Pair>) -> Option<f64> {
+    let none = vec![c64::default(); pencil.constraints()];
+    // Either estimate may be off: that of the inverse by its round-off, the other by a stiff part.
+    let speed = |pair: Pair| pair.s.norm().min(pencil.residual(pair.s, &pair.x, &none).1.norm());
+    let lowest = pairs.map(speed).filter(|&speed| speed > CLOSE * shift).fold(f64::INFINITY, f64::min);
+    (lowest.is_finite() && !FITTING.contains(&(lowest / shift))).then_some(0.5 * lowest)
+}
+
+/// Scales the vector such that its first entry of the largest size is 1.
+pub(super) fn normalise(x: &mut [c64], lambda: &mut [c64]) {
+    let largest = x.iter().map(|value| value.norm()).fold(0.0, f64::max);
+    let entry = x.iter().copied().find(|value| value.norm() >= (1.0 - CLOSE) * largest);
+    if let Some(entry) = entry.filter(|entry| entry.norm() > 0.0) {
+        x.iter_mut().chain(lambda).for_each(|value| *value /= entry);
+    }
+}
+
