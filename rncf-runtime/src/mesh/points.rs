@@ -191,7 +191,10 @@ impl<const P: usize, const F: usize, const S: usize> Rule<P, F, S> {
         pairs: &[(usize, usize); B],
         tiles: &'static [(usize, usize, usize)],
     ) -> Blocks<P, SS, B> {
-        assert!(SS == S * S, "a block couples every vector of one group with every one of another");
+        assert!(
+            SS == S * S,
+            "a block couples every vector of one group with every one of another"
+        );
         let mut products = [[[0.0; SS]; B]; P];
         let mut p = 0;
         while p < P {
@@ -313,9 +316,8 @@ impl<const P: usize, const SS: usize, const B: usize> Blocks<P, SS, B> {
             for rc in 0..DD {
                 let mut sum = tiles[tile][rc];
                 for p in 0..P {
-                    for k in from..to {
-                        let block = blocks[p][k][rc];
-                        let products = &self.products[p][k];
+                    for (block, products) in blocks[p][from..to].iter().zip(&self.products[p][from..to]) {
+                        let block = block[rc];
                         for st in 0..SS {
                             sum[st] += block * products[st];
                         }

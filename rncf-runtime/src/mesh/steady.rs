@@ -258,8 +258,8 @@ impl<P: Parts> MeshScene<P> {
         let (joint, data) = (&self.joints[condition.joint], &condition.data);
         let body = &self.bodies[joint.body].spec;
         let (own, other) = (&frames[body.frame], &frames[joint.frame]);
-        let tangent = other.direction_to_inertial(data.tangent);
-        if joint.kind != JointKind::Pin && turns(other, own, tangent) {
+        let held = [data.tangent, data.second[0]].map(|direction| other.direction_to_inertial(direction));
+        if joint.kind != JointKind::Pin && held.iter().any(|&direction| turns(other, own, direction)) {
             return Some(format!(
                 "joint `{}` holds the direction of body `{}` in a frame that does not turn with it",
                 joint.name, body.name

@@ -82,7 +82,9 @@ impl<'a> Check<'a> {
         let property = |word: &str| MATERIAL.iter().find(|property| property.name == word);
         let (values, mut is_whole) = self.property_fields(item, fields, words.collect(), property);
         let mut properties: BTreeMap<_, _> = values.into_iter().map(|(name, (value, _))| (name, value)).collect();
-        let defaults = MATERIAL.iter().filter_map(|property| Some((property.name, property.default?)));
+        let defaults = MATERIAL
+            .iter()
+            .filter_map(|property| Some((property.name, property.default?)));
         for (name, default) in defaults {
             properties.entry(name).or_insert(Value::Number(default));
         }
@@ -180,7 +182,9 @@ impl<'a> Check<'a> {
             return None;
         }
         let [energy, stress, stiffness] = at_rest(&self.model, &value);
-        let largest = stiffness.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+        let largest = stiffness
+            .iter()
+            .fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
         let is_finite = |values: &[f64; 6]| values.iter().all(|value| value.is_finite());
         let message = if ![energy, stress, stiffness].iter().all(is_finite) {
             Some(say::energy_not_finite(name))
@@ -211,7 +215,10 @@ impl<'a> Check<'a> {
         let name = format!("E.{}", field.text);
         let known = self.locals.get(name.as_str()).filter(|_| arguments.is_none()).cloned();
         if known.is_none() {
-            let message = match STRAINS.iter().find(|strain| strain[2..].chars().rev().eq(field.text.chars())) {
+            let message = match STRAINS
+                .iter()
+                .find(|strain| strain[2..].chars().rev().eq(field.text.chars()))
+            {
                 Some(strain) if arguments.is_none() => say::symmetric_strain(&name, strain),
                 _ => say::no_strain(&name),
             };

@@ -14,12 +14,20 @@ pub fn tables(name: &str, dimension: usize, fields: &FieldKernels) -> String {
     };
     let nodal: Vec<Vec<usize>> = groups.nodal.iter().map(filled).collect();
     let is_position = |&nodal: &usize| groups.positions.get(nodal).copied().unwrap_or(false);
-    let positions: Vec<Vec<bool>> = nodal.iter().map(|group| group.iter().map(is_position).collect()).collect();
+    let positions: Vec<Vec<bool>> = nodal
+        .iter()
+        .map(|group| group.iter().map(is_position).collect())
+        .collect();
     let mut text = format!(
         "/// Nodal vectors by what they interpolate: {}.\n\
          static {name}_VECTORS: ::rncf::mesh::Vectors<{vectors}, {dimension}, {count}, {size}> = ::rncf::mesh::Vectors {{\n\
          base: {}, nodal: {nodal:?}, positions: {positions:?} }};\n",
-        groups.of.iter().map(|of| format!("{of:?}")).collect::<Vec<_>>().join(", "),
+        groups
+            .of
+            .iter()
+            .map(|of| format!("{of:?}"))
+            .collect::<Vec<_>>()
+            .join(", "),
         groups.base,
     );
     for rule in &fields.rules {
@@ -30,7 +38,12 @@ pub fn tables(name: &str, dimension: usize, fields: &FieldKernels) -> String {
 
 fn rule_table(name: &str, size: usize, rule: &FieldRule) -> String {
     let (points, fields) = (rule.points, rule.fields.len());
-    let list = |values: &[f64]| format!("[{}]", values.iter().map(|&value| number(value)).collect::<Vec<_>>().join(", "));
+    let list = |values: &[f64]| {
+        format!(
+            "[{}]",
+            values.iter().map(|&value| number(value)).collect::<Vec<_>>().join(", ")
+        )
+    };
     let point = |shapes: &Vec<Vec<f64>>| {
         let fields: Vec<String> = shapes.iter().map(|values| list(values)).collect();
         format!("[{}]", fields.join(", "))

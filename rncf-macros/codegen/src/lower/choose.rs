@@ -1,8 +1,8 @@
 //! The cheapest form of the elastic kernels by counted operations (DESIGN 2: measured limits).
 
 use super::elastic::{FieldKernels, Form, Quantity, field_kernels, kernel, rules};
-use super::signature::Signature;
 use super::kernel::Kernel;
+use super::signature::Signature;
 use super::variant::Variant;
 use crate::elements::Library;
 use crate::model::Evaluation;

@@ -188,7 +188,10 @@ impl Signature<'_> {
     pub fn by_fields(&self, quantity: Quantity, fields: &FieldKernels) -> Kernel {
         let empty = self.elastic(Form::Fields, quantity, Graph::new(), None, Vec::new());
         let mut kernel = empty;
-        kernel.doc.push(format!("Operations: {}.", fields.cost(quantity, self.variant.dimension)));
+        kernel.doc.push(format!(
+            "Operations: {}.",
+            fields.cost(quantity, self.variant.dimension)
+        ));
         kernel.bindings = self.calls(quantity, fields);
         kernel
     }
@@ -257,7 +260,9 @@ impl Signature<'_> {
                 let add = if damped { "add_general" } else { "add_symmetric" };
                 out.push(format!("{upper}_VECTORS.{add}(row.length, &tiles, stiffness);"));
                 if damped {
-                    out.push(format!("{upper}_VECTORS.add_symmetric(row.length, &viscous, damping_matrix);"));
+                    out.push(format!(
+                        "{upper}_VECTORS.add_symmetric(row.length, &viscous, damping_matrix);"
+                    ));
                 }
             }
             Quantity::Energy | Quantity::Reference => {}
@@ -334,7 +339,10 @@ impl Signature<'_> {
             Form::Loop => format!("{points} {count} Gauss points, in a loop."),
             Form::Fields => {
                 let rules: Vec<String> = rules(self.variant, element).iter().map(usize::to_string).collect();
-                format!("{points} {} Gauss points, one kernel of the fields at a point for each rule.", rules.join(" and "))
+                format!(
+                    "{points} {} Gauss points, one kernel of the fields at a point for each rule.",
+                    rules.join(" and ")
+                )
             }
         }
     }

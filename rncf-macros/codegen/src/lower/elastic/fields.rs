@@ -3,7 +3,7 @@
 
 use super::{Builder, Form, Quantity, State, rules};
 use crate::elements::{Interpolant, Library, NodalVector};
-use crate::lower::invariants::{Blocks, Response};
+use crate::lower::invariants::{Blocks, Invariant, Response};
 use crate::lower::kernel::Kernel;
 use crate::lower::quadratic::{base_vector, is_position, length_power, relative_shapes};
 use crate::lower::signature::Signature;
@@ -134,7 +134,13 @@ fn no_blocks() -> FieldBlocks {
     }
 }
 
-fn shapes(variant: &Variant, library: &Library, groups: &Groups, fields: &[usize], points: usize) -> Vec<Vec<Vec<f64>>> {
+fn shapes(
+    variant: &Variant,
+    library: &Library,
+    groups: &Groups,
+    fields: &[usize],
+    points: usize,
+) -> Vec<Vec<Vec<f64>>> {
     let declared: Vec<_> = variant.declaration(library).fields_in(variant.dimension).collect();
     let vectors = variant.vectors(library);
     let relative = relative_shapes(&vectors);
@@ -149,7 +155,9 @@ fn shapes(variant: &Variant, library: &Library, groups: &Groups, fields: &[usize
         values
     };
     let points = rule.points.iter();
-    points.map(|&xi| fields.iter().map(|&field| at(field, xi)).collect()).collect()
+    points
+        .map(|&xi| fields.iter().map(|&field| at(field, xi)).collect())
+        .collect()
 }
 
 /// One kernel and what it turned out to depend on.
@@ -165,18 +173,23 @@ struct Point {
 impl Builder<'_> {
     /// The kernel of one quantity at a point of the rule.
     fn field_point(mut self, groups: &Groups) -> Point {
-        let fields = self.field_symbols("");
-        let rates = if self.rates.is_empty() {
-            Vec::new()
+        let [inputs, fields] = self.field_symbols("");
+        let [input_rates, rates] = if self.rates.is_empty() {
+            [Vec::new(), Vec::new()]
         } else {
             self.field_symbols("v_")
         };
-        let state = self.field_state(&fields, &rates, self.length);
+        let mut state = self.field_state(&fields, &rates, self.length);
+        self.to_unit(&mut state);
         let used: Vec<usize> = (0..fields.len())
             .filter(|&field| state.invariants.iter().any(|it| it.i == field || it.j == field))
             .collect();
-        let group_of: Vec<usize> = used.iter().map(|&field| groups.group(self.declared[field].of)).collect();
-        let (outputs, stiffness, damping) = self.field_outputs(&state, &fields, &rates, &used, (&group_of, groups.of.len()));
+        let group_of: Vec<usize> = used
+            .iter()
+            .map(|&field| groups.group(self.declared[field].of))
+            .collect();
+        let (outputs, stiffness, damping) =
+            self.field_outputs(&state, &inputs, &input_rates, &used, (&group_of, groups.of.len()));
         let names: Vec<&str> = used.iter().map(|&field| self.declared[field].name).collect();
         let inputs = ["", "v_"].map(|prefix| self.input_names(prefix, &used));
         let blocks = [&stiffness, &damping].map(|blocks| blocks.as_ref().map_or(0, |blocks| blocks.pairs.len()));
@@ -213,20 +226,44 @@ impl Builder<'_> {
         fields.iter().map(names).collect()
     }
 
-    /// The fields, from their derivatives on the unit element.
-    fn field_symbols(&mut self, prefix: &str) -> Vec<Vector> {
-        let mut fields = Vec::new();
+    /// The fields' derivatives on the unit element, and the fields.
+    fn field_symbols(&mut self, prefix: &str) -> [Vec<Vector>; 2] {
+        let (mut inputs, mut fields) = (Vec::new(), Vec::new());
         for (index, field) in self.declared.clone().into_iter().enumerate() {
             let scale = self.length_power(length_power(field));
-            let mut vector = Vec::new();
+            let (mut input, mut vector) = (Vec::new(), Vec::new());
             for c in 0..self.variant.dimension {
-                let input = self.graph.symbol(self.input_name(prefix, index, c));
-                let value = self.graph.multiply(scale, input);
-                vector.push(self.graph.name(value, format!("{prefix}{}_{}", field.name, ["x", "y", "z"][c])));
+                let symbol = self.graph.symbol(self.input_name(prefix, index, c));
+                let value = self.graph.multiply(scale, symbol);
+                input.push(symbol);
+                vector.push(
+                    self.graph
+                        .name(value, format!("{prefix}{}_{}", field.name, ["x", "y", "z"][c])),
+                );
             }
+            inputs.push(input);
             fields.push(vector);
         }
-        fields
+        [inputs, fields]
+    }
+
+    /// The stress on invariants of the fields as one on those of their derivatives on the unit element.
+    fn to_unit(&mut self, state: &mut State) {
+        let power = |builder: &Self, it: &Invariant| {
+            length_power(builder.declared[it.i]) + length_power(builder.declared[it.j])
+        };
+        let powers: Vec<i32> = state.invariants.iter().map(|it| power(self, it)).collect();
+        for (row, &p) in powers.iter().enumerate() {
+            let scale = self.length_power(p);
+            state.stress[row] = self.graph.multiply(scale, state.stress[row]);
+            for matrix in [&mut state.stiffness, &mut state.viscosity] {
+                let Some(line) = matrix.get_mut(row) else { continue };
+                for (entry, &q) in line.iter_mut().zip(&powers) {
+                    let scale = self.length_power(p + q);
+                    *entry = self.graph.multiply(scale, *entry);
+                }
+            }
+        }
     }
 
     #[allow(clippy::type_complexity)]
@@ -250,7 +287,6 @@ impl Builder<'_> {
             Quantity::Energy | Quantity::Reference => (vec![("*energy".to_string(), state.energy)], None, None),
             Quantity::Force => {
                 let force = response.force(&mut self.graph);
-                let force = self.scale_by_order(force);
                 let mut outputs = Vec::new();
                 for (place, &field) in used.iter().enumerate() {
                     for (c, &value) in force[field].iter().enumerate() {
@@ -261,7 +297,7 @@ impl Builder<'_> {
             }
             Quantity::Tangent => {
                 let symmetric = state.viscosity.is_empty();
-                let (stiffness, viscosity) = response.tangent(&mut self.graph);
+                let (stiffness, viscosity) = response.combined_tangent(&mut self.graph);
                 let (mut outputs, stiffness) = self.blocks(&stiffness, "stiffness", symmetric, used, groups);
                 let damping = viscosity.map(|viscosity| {
                     let (more, damping) = self.blocks(&viscosity, "damping_matrix", true, used, groups);
@@ -294,11 +330,8 @@ impl Builder<'_> {
                     if block.iter().flatten().all(|&entry| self.graph.is_zero(entry)) {
                         continue;
                     }
-                    let power = length_power(self.declared[used[i]]) + length_power(self.declared[used[j]]);
-                    let scale = self.length_power(power);
                     for (place, &entry) in block.iter().flatten().enumerate() {
-                        let value = self.graph.multiply(scale, entry);
-                        outputs.push((format!("{name}[{}][{place}]", list.pairs.len()), value));
+                        outputs.push((format!("{name}[{}][{place}]", list.pairs.len()), entry));
                     }
                     list.pairs.push((i, j));
                 }
@@ -315,7 +348,11 @@ impl FieldKernels {
     /// Pairs of groups of a symmetric tangent, or of any.
     pub fn tiles(&self, symmetric: bool) -> usize {
         let count = self.groups.of.len();
-        if symmetric { count * (count + 1) / 2 } else { count * count }
+        if symmetric {
+            count * (count + 1) / 2
+        } else {
+            count * count
+        }
     }
 
     /// Counted operations of a quantity, the way to the fields and back included.
@@ -333,7 +370,11 @@ impl FieldKernels {
                 Quantity::Tangent => &rule.kernels[1],
                 Quantity::Energy | Quantity::Reference => &rule.kernels[2],
             };
-            let states = if rule.damping.is_some() && quantity != Quantity::Energy { 2 } else { 1 };
+            let states = if rule.damping.is_some() && quantity != Quantity::Energy {
+                2
+            } else {
+                1
+            };
             let to = rule.fields.len() * size * dimension;
             let blocks = rule.stiffness.pairs.len() + rule.damping.as_ref().map_or(0, |blocks| blocks.pairs.len());
             let back = match quantity {

@@ -161,7 +161,7 @@ impl Builder<'_> {
     }
 
     /// Powers of the length that belong to the fields, applied to forces on them.
-    pub(super) fn scale_by_order(&mut self, force: Vec<Vector>) -> Vec<Vector> {
+    fn scale_by_order(&mut self, force: Vec<Vector>) -> Vec<Vector> {
         let mut scaled = Vec::new();
         for (field, force) in self.declared.clone().into_iter().zip(force) {
             let scale = self.length_power(length_power(field));
