@@ -37,7 +37,8 @@ pub const THICKNESS: &str = "the wall of a tube must be thinner than its radius:
 pub const ENERGY_WITHOUT_TIME: &str = "the energy of a material is a function of the strain alone: leave out motions";
 pub const CONDITION_OF_STRAIN: &str =
     "the energy of a material is one smooth function of the strain: its cases cannot depend on it, only on parameters";
-pub const WHOLE_STRAIN: &str = "`E` is the strain: take a component of it, `E.xx`, `E.yy`, `E.zz`, `E.xy`, `E.xz` or `E.yz`";
+pub const WHOLE_STRAIN: &str =
+    "`E` is the strain: take a component of it, `E.xx`, `E.yy`, `E.zz`, `E.xy`, `E.xz` or `E.yz`";
 pub const GAUSS_POINTS: &str = "`gauss` takes a literal number of points, from 1 to 20: `gauss(3)`";
 pub const POISSON: &str = "poisson must lie between -1 and 0.5";
 pub const JOINT_INSIDE: &str =

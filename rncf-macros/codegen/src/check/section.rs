@@ -257,7 +257,8 @@ fn of_shape(shape: &SectionShape) -> Vec<(&'static str, Value)> {
             (area, [quarter.clone(), quarter], half)
         }
         SectionShape::Rectangle { sizes: [y, z] } => {
-            let cubed = |along: &Value, across: &Value| divide(product([across.clone(), power(along, 3.0)]), number(12.0));
+            let cubed =
+                |along: &Value, across: &Value| divide(product([across.clone(), power(along, 3.0)]), number(12.0));
             let area = product([y.clone(), z.clone()]);
             let torsion = Value::If(
                 Comparison::Less,
