@@ -2,9 +2,11 @@ mod free;
 mod joints;
 mod precedence;
 mod right;
+mod sections;
 mod start;
 mod tied;
 mod truncated;
+mod world;
 mod wrong;
 
 use crate::check::check;
@@ -47,11 +49,16 @@ pub model SpinUp {
 }
 "#;
 
+/// The elements of the language, and one with cross-sections.
+fn library() -> Library {
+    Library::standard().with(sections::BEAM)
+}
+
 /// Parses and checks a text.
 fn run(text: &str) -> (Option<Model>, Vec<Mistake>) {
     let mut errors = Errors::new();
     let tree = parse(text.parse().expect("tokens"), &mut errors);
-    let model = tree.and_then(|tree| check(&tree, &Library::standard(), &mut errors));
+    let model = tree.and_then(|tree| check(&tree, &library(), &mut errors));
     (model, errors.finish())
 }
 
