@@ -2,7 +2,7 @@ mod free;
 mod joints;
 mod precedence;
 mod right;
-mod sections;
+mod section_joints;
 mod start;
 mod tied;
 mod truncated;
@@ -51,7 +51,7 @@ pub model SpinUp {
 
 /// The elements of the language, and one with cross-sections.
 fn library() -> Library {
-    Library::standard().with(sections::BEAM)
+    Library::standard().with(section_joints::BEAM)
 }
 
 /// Parses and checks a text.
