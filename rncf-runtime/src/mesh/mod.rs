@@ -20,12 +20,16 @@ mod linked;
 mod markers;
 mod mean_axes;
 mod modal;
+mod moments;
 mod outputs;
 mod parts;
 mod scene;
+mod section;
 mod states;
 mod steady;
+mod stress;
 mod system;
+mod undeformed;
 mod view;
 
 pub use checks::{array, array_mut, check_params, inertia, non_negative, poisson, positive};
@@ -36,10 +40,11 @@ pub use line::Line;
 pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
 pub use modal::build;
 pub use parts::{
-    BodySpec, Carried, CarriedTangent, Fidelity, JointData, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec,
-    Parts, Place, PointQuantity, Prescribed,
+    BodySpec, Carried, CarriedTangent, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec,
+    NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed, SectionQuantity, SectionShape, SectionSpec,
 };
 pub use scene::MeshScene;
+pub use section::SectionState;
 
 #[cfg(test)]
 mod tests;

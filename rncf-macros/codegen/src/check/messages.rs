@@ -28,7 +28,16 @@ pub const AXIS_ZERO: &str = "this axis has no direction";
 pub const ZERO_LENGTH: &str = "this line has no length: its start and end are the same point";
 pub const ZERO_ANGLE: &str = "this arc has no length: its angle is zero";
 pub const ZERO_DIRECTION: &str = "this vector has no direction";
-pub const ARC_IN_SPACE: &str = "an arc lies in the plane of a planar body: write `planar xy;` (or `yz`, `zx`)";
+pub const MISSING_NORMAL: &str =
+    "an arc in space needs the normal of its plane: `arc from [..] m direction [..] normal [0, 0, 1] radius ..`";
+pub const NORMAL_ALONG: &str = "this is along the direction of the arc: the normal stands across the arc's plane";
+pub const SECTION_Y_ALONG: &str =
+    "this is along the axis at its start: the section's y axis is a direction across the axis";
+pub const THICKNESS: &str = "the wall of a tube must be thinner than its radius: a full one is a `circle`";
+pub const ENERGY_WITHOUT_TIME: &str = "the energy of a material is a function of the strain alone: leave out motions";
+pub const CONDITION_OF_STRAIN: &str =
+    "the energy of a material is one smooth function of the strain: its cases cannot depend on it, only on parameters";
+pub const WHOLE_STRAIN: &str = "`E` is the strain: take a component of it, `E.xx`, `E.yy`, `E.zz`, `E.xy`, `E.xz` or `E.yz`";
 pub const GAUSS_POINTS: &str = "`gauss` takes a literal number of points, from 1 to 20: `gauss(3)`";
 pub const POISSON: &str = "poisson must lie between -1 and 0.5";
 pub const JOINT_INSIDE: &str =
@@ -132,6 +141,23 @@ messages! {
     missing_statement(body, what) = "body `{body}` lacks {what}";
     choices(option, values) = "`{option}` is {values}";
     too_few_points(points, least) = "{points} Gauss point(s) leave deformations without energy (a spurious zero mode): use at least `gauss({least})`";
+    missing_of_section(name, list, element, them) = "section `{name}` lacks {list}, which `{element}` needs: add {them}, or let a shape give everything, e.g. `section {name} = circle(radius = 5 mm);` (or `tube`, `rectangle`)";
+    sets_both(name, other) = "`{name}` gives `{other}`, too: leave out one of them";
+    unequal_moments(name, element) = "in space `{element}` bends alike in all directions, but section `{name}` has two different second moments: use `beam`, a round or square section, or a planar body";
+    beside_energy(word) = "`energy` stands instead of `young` and `poisson`: leave out `{word}` or `energy`";
+    energy_not_finite(name) = "the energy of `{name}` or its first two derivatives are not finite where there is no strain: make it smooth there";
+    energy_at_rest(name, value) = "the energy of `{name}` is {value} J/m^3 where there is no strain: it must vanish there, subtract this constant";
+    stress_at_rest(name, strain, value) = "the energy of `{name}` grows linearly with `{strain}`: without strain there must be no stress, but its derivative is {value} Pa";
+    energy_is_loose(name, strain) = "the energy of `{name}` does not resist `{strain}`, which the body has: it must grow with the square of each strain";
+    no_strain(name) = "`{name}` is no strain: there are `E.xx`, `E.yy`, `E.zz`, `E.xy`, `E.xz` and `E.yz`";
+    symmetric_strain(name, strain) = "`{name}` is the same as `{strain}`: write this one";
+    energy_of_line(material, element) = "material `{material}` is known by its energy, which needs an element with cross-section: use `beam`, or give `young` for `{element}`";
+    energy_of_block(section, material) = "the energy of `{material}` is integrated over the section, but only properties of `{section}` are known: declare it as `circle(..)`, `tube(..)` or `rectangle(..)`";
+    option_beside_energy(option, material) = "`{option}` has no meaning here, for `{material}` is known by its energy: leave it out";
+    no_section_axes(element, word) = "`{element}` has no section axes, which `{word}` turns: leave it out, or use `beam`";
+    section_in_plane(word) = "in a plane the section's y axis lies in the plane, to the left of the axis: leave out `{word}`, or make the body `spatial`";
+    normal_in_plane(plane, axis) = "the arc of a body in the {plane} plane has the normal {axis}: leave out `normal`";
+    own_rule(element) = "`{element}` has its own rule of integration: leave out `quadrature`";
     missing_property(kind, name, property, element, need) = "{kind} `{name}` has no `{property}`, which `{element}` needs ({need})";
     plane_axis(plane, axis) = "what moves in the {plane} plane turns about {axis}: leave out `axis`";
     leaves_own_plane(what, plane, axis) = "{what} leaves the {plane} plane: its {axis} component must be 0";

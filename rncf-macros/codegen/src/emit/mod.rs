@@ -8,6 +8,7 @@ pub mod kernel;
 mod moving;
 pub mod number;
 pub mod parts;
+mod section;
 
 use crate::elements::Library;
 use crate::model::Model;

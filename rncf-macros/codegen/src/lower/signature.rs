@@ -22,8 +22,8 @@ impl Signature<'_> {
         if coefficients {
             fields.extend(
                 element
-                    .coefficients
-                    .iter()
+                    .coefficients_in(self.variant.dimension, &self.variant.options)
+                    .into_iter()
                     .map(|c| c.name)
                     .filter(|&name| element.inertia.iter().all(|inertia| inertia.coefficient != name)),
             );
@@ -31,7 +31,12 @@ impl Signature<'_> {
                 fields.push("damping");
             }
         } else {
-            fields.extend(element.inertia.iter().map(|inertia| inertia.coefficient));
+            let vectors = self.variant.vectors(self.library);
+            let used = element
+                .inertia
+                .iter()
+                .filter(|inertia| vectors.iter().any(|vector| vector.of == inertia.of));
+            fields.extend(used.map(|inertia| inertia.coefficient));
         }
         let mut bindings = vec![format!("let {} {{ {}, .. }} = *row;", self.row(), fields.join(", "))];
         for (argument, prefix) in states {
@@ -122,15 +127,12 @@ impl Signature<'_> {
     /// Wraps the expressions of an inertia kernel.
     pub fn inertia(&self, suffix: &str, doc: Vec<String>, graph: Graph, outputs: Vec<(String, Id)>) -> Kernel {
         let size = self.variant.size(self.library);
-        let element = self.variant.declaration(self.library);
         let mut arguments = vec![format!("row: &{}", self.row())];
         let mut bindings = self.bindings(false, &[]);
         let assign = suffix == "mass";
         if assign {
-            arguments.push(format!(
-                "mass: &mut [f64; {}]",
-                element.vectors.len() * element.vectors.len()
-            ));
+            let count = self.variant.vectors(self.library).len();
+            arguments.push(format!("mass: &mut [f64; {}]", count * count));
         } else {
             arguments.push("frame: &::rncf::mesh::FrameAction".to_string());
             bindings.extend(frame_bindings(self.variant.dimension, suffix));

@@ -7,4 +7,4 @@ mod levels;
 mod model;
 mod random;
 mod refusals;
-mod scenery;
+pub(super) mod scenery;

@@ -37,7 +37,7 @@ pub const JOINTS: &str = "
 model Linkage {
     const L = 2 m;
     motion phi(t) = 2 [rad/s] * t;
-    material steel { density = 7850 kg/m^3; young = 210 GPa; }
+    material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
     section thin { area = 1 mm^2; second_moment = 1 mm^4; }
     frame hub = rotating(axis = z, angle = phi(t));
     rigid arm { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
@@ -59,8 +59,9 @@ model Linkage {
     spring bend = torsional_law(axle, moment = 2 [N*m] * sin(angle));
     load jet = follower(flat.end, [3 N, 1 N]);
     load drag = force(arm, -2 [kg/s] * arm.velocity);
-    body shaft { spatial; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * beam(thin, steel); }
-    body strip { planar xy; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * beam(thin, steel); }
+    section block { area = 1 mm^2; second_moment = 1 mm^4; torsion_constant = 1 mm^4; shear_factor = 0.8; }
+    body shaft { spatial; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * beam(block, steel); }
+    body strip { planar xy; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * beam(block, steel); }
     joint seat = clamp(shaft.start, hub);
     joint wall = clamp(strip.start, inertial);
     output tip = beam.end.in(arm).velocity;

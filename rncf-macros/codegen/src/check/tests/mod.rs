@@ -3,6 +3,7 @@ mod joints;
 mod precedence;
 mod right;
 mod section_joints;
+mod sections;
 mod start;
 mod tied;
 mod truncated;
@@ -49,16 +50,11 @@ pub model SpinUp {
 }
 "#;
 
-/// The elements of the language, and one with cross-sections.
-fn library() -> Library {
-    Library::standard().with(section_joints::BEAM)
-}
-
 /// Parses and checks a text.
 fn run(text: &str) -> (Option<Model>, Vec<Mistake>) {
     let mut errors = Errors::new();
     let tree = parse(text.parse().expect("tokens"), &mut errors);
-    let model = tree.and_then(|tree| check(&tree, &library(), &mut errors));
+    let model = tree.and_then(|tree| check(&tree, &Library::standard(), &mut errors));
     (model, errors.finish())
 }
 

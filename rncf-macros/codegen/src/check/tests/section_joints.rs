@@ -6,46 +6,15 @@ use super::world::{
     still, times, transposed, with,
 };
 use crate::check::eigen::symmetric;
-use crate::elements::{CABLE, Element, Interpolant, NodalVector, Node};
 use crate::model::{
     Constraint, Expr, Force, Held, JointKind, LoadKind, Location, Marker, Model, Observable, PointQuantity,
     SectionQuantity,
 };
-use crate::tensors::Polynomial;
-
-const fn director(name: &'static str, node: Node, of: Interpolant) -> NodalVector {
-    NodalVector {
-        name,
-        meaning: "section's axis",
-        node,
-        of,
-        order: 0,
-        shape: || Polynomial::whole(&[1, -1]),
-    }
-}
-
-const VECTORS: &[NodalVector] = &[
-    CABLE.vectors[0],
-    CABLE.vectors[1],
-    director("y0", Node::Start, Interpolant::SectionY),
-    director("z0", Node::Start, Interpolant::SectionZ),
-    CABLE.vectors[2],
-    CABLE.vectors[3],
-    director("y1", Node::End, Interpolant::SectionY),
-    director("z1", Node::End, Interpolant::SectionZ),
-];
-
-/// An element whose nodes carry directions of the section.
-pub const BEAM: Element = Element {
-    names: &["beam"],
-    vectors: VECTORS,
-    ..CABLE
-};
 
 /// Two bodies with sections, one of them in a moving frame, and two rigid ones.
 const SCENE: &str = "
-    material steel { density = 7850 kg/m^3; young = 210 GPa; }
-    section thin { area = 1 mm^2; second_moment = 1 mm^4; }
+    material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+    section thin = circle(radius = 1 mm);
     motion phi(t) = 2 [rad/s] * t;
     frame hub = rotating(axis = z, angle = phi(t));
     rigid a { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
@@ -60,8 +29,8 @@ const SCENE: &str = "
 ";
 
 const PLANAR: &str = "
-    material steel { density = 7850 kg/m^3; young = 210 GPa; }
-    section thin { area = 1 mm^2; second_moment = 1 mm^4; }
+    material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+    section thin = circle(radius = 1 mm);
     frame hub = rotating(axis = z, angle = 3 [rad/s] * t);
     rigid a { plane xy; mass = 1 kg; inertia = 1 kg*m^2; }
     rigid b { plane xy; mass = 1 kg; inertia = 1 kg*m^2; }

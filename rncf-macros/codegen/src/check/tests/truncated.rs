@@ -44,7 +44,9 @@ fn count(stream: TokenStream) -> usize {
 fn survives(tokens: TokenStream) -> bool {
     let mut errors = Errors::new();
     let tree = parse(tokens, &mut errors);
-    let model = tree.as_ref().and_then(|tree| check(tree, &library(), &mut errors));
+    let model = tree
+        .as_ref()
+        .and_then(|tree| check(tree, &Library::standard(), &mut errors));
     assert_eq!(model.is_none(), !errors.is_empty(), "a model, or mistakes");
     if let Some(tree) = &tree {
         syn::parse2::<syn::File>(stub(tree)).expect("the stub is Rust");
