@@ -135,7 +135,9 @@ impl<'a> Check<'a> {
             match party {
                 Party::Frame { frame, .. } => frames.push(*frame),
                 Party::Place { section: Some(_), .. } => {}
-                Party::Place { .. } => {
+                Party::Place { body, .. } => {
+                    // Of a body with mistakes nothing is known about its sections.
+                    self.body_of(*body)?;
                     self.errors.at(field.span, say::ANGLE_OF_END);
                     return None;
                 }

@@ -90,7 +90,9 @@ impl<'a> Check<'a> {
         known: &mut Known,
         held: &mut Vec<Held>,
     ) -> Option<()> {
-        let Place { body, at, has_section } = place.clone();
+        let Place {
+            body, at, has_section, ..
+        } = place.clone();
         (known.kind, known.body, known.frame) = (Some(kind), Some(body), Some(frame));
         if let Location::At(_) = at {
             self.errors.at(area[0], say::JOINT_INSIDE);

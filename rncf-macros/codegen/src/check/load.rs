@@ -100,7 +100,7 @@ impl<'a> Check<'a> {
         let vector = self.vector(components, Scope::Prescribed, if is_moment { MOMENT } else { FORCE });
         let frame_argument = arguments.named.get("in").copied();
         let frame = frame_argument.map_or(Some(INERTIAL), |frame| self.frame_argument(frame));
-        let (Place { body, at, has_section }, vector, frame) = (place?, vector?, frame?);
+        let (Place { body, at, is_line, .. }, vector, frame) = (place?, vector?, frame?);
         if let Some(space) = body.space {
             let area = frame_argument.map_or(components.area, |frame| frame.area);
             let keeps = normal(space).is_none_or(|normal| self.keeps_plane(frame, normal, area));
@@ -108,7 +108,7 @@ impl<'a> Check<'a> {
                 (false, _) => {}
                 (true, false) => self.in_plane(&vector, space, "the force", false),
                 (true, true) => {
-                    let tangent = body.tangent.filter(|_| !has_section);
+                    let tangent = body.tangent.filter(|_| is_line);
                     self.moment_direction(&vector, space, tangent, body.frame, frame);
                 }
             }

@@ -26,8 +26,9 @@ const POINT: Wanted = Wanted {
 pub struct Place {
     pub body: body::Known,
     pub at: Location,
-    /// Whether the body has cross-sections there, not a centre line alone.
+    /// Whether the body has cross-sections, or a centre line alone; neither where it has mistakes.
     pub has_section: bool,
+    pub is_line: bool,
 }
 
 impl Place {
@@ -73,7 +74,7 @@ impl Hold {
 
     /// Whether it is a place on a centre line, which has a tangent and no orientation.
     pub fn is_line(&self) -> bool {
-        matches!(&self.spot, Spot::Flexible(place) if !place.has_section)
+        matches!(&self.spot, Spot::Flexible(place) if place.is_line)
     }
 
     /// Whether it is a section of a flexible body.
@@ -259,7 +260,12 @@ impl<'a> Check<'a> {
             }
         };
         let has_section = self.has_section(body.id);
-        Some(Place { body, at, has_section })
+        Some(Place {
+            body,
+            at,
+            has_section: has_section == Some(true),
+            is_line: has_section == Some(false),
+        })
     }
 
     /// A body of the model; `None` where something of it has been reported.
@@ -269,9 +275,9 @@ impl<'a> Check<'a> {
     }
 
     /// Whether a body's element has cross-sections.
-    pub(super) fn has_section(&self, id: BodyId) -> bool {
-        let body = self.body_of(id);
-        body.is_some_and(|body| self.library.elements[body.element.0].has_section())
+    fn has_section(&self, id: BodyId) -> Option<bool> {
+        let body = self.body_of(id)?;
+        Some(self.library.elements[body.element.0].has_section())
     }
 
     fn on_axis(&mut self, expr: &Expr, at: Option<f64>, length: Option<f64>) {
