@@ -9,4 +9,5 @@ mod modes;
 mod random;
 mod refusals;
 pub(super) mod scenery;
+mod sections;
 mod uniform;
