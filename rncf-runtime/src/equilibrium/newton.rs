@@ -46,7 +46,9 @@ impl Failure {
                 None,
             ),
             Failure::Slow(row) => (
-                format!("Newton's iteration does not converge {where_}: the bodies may buckle or have no equilibrium there"),
+                format!(
+                    "Newton's iteration does not converge {where_}: the bodies may buckle or have no equilibrium there"
+                ),
                 Some(row),
             ),
             Failure::Unbalanced(row) => (

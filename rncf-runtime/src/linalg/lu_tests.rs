@@ -174,7 +174,9 @@ fn determinant(size: usize, columns: &[f64]) -> f64 {
     }
     let minor = |row: usize| -> Vec<f64> {
         let rest = columns[size..].iter().enumerate();
-        rest.filter(|(place, _)| place % size != row).map(|(_, &value)| value).collect()
+        rest.filter(|(place, _)| place % size != row)
+            .map(|(_, &value)| value)
+            .collect()
     };
     let sign = |row: usize| if row % 2 == 0 { 1.0 } else { -1.0 };
     let term = |row: usize| sign(row) * columns[row] * determinant(size - 1, &minor(row));

@@ -103,7 +103,10 @@ impl Sparse<f64> {
         let upper = self.factors.u_factor_unsorted();
         let pivot = |k: usize| {
             let entries = upper.row_idx_of_col(k).zip(upper.val_of_col(k));
-            entries.filter(|&(row, _)| row == k).map(|(_, value)| *value).sum::<f64>()
+            entries
+                .filter(|&(row, _)| row == k)
+                .map(|(_, value)| *value)
+                .sum::<f64>()
         };
         let negative = (0..self.columns.len()).filter(|&k| pivot(k) < 0.0).count();
         (negative % 2 == 1) ^ is_odd(&self.rows) ^ is_odd(&self.columns)

@@ -105,6 +105,7 @@ impl<'a> Check<'a> {
             markers,
             components,
             energy,
+            is_load: item.keyword == Keyword::Load,
         });
     }
 
