@@ -1297,6 +1297,9 @@ pub mod andrews_squeezer_equations {
                 },
             ])
         }
+        fn is_load(&self, force: usize) -> bool {
+            matches!(force, 1)
+        }
         fn marker_force(
             &self,
             force: usize,

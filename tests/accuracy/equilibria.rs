@@ -185,7 +185,11 @@ fn pendulum_on_a_carousel() {
             let at = Uniform::steady(t);
             let found = steady(scene.as_mut(), t).unwrap();
             let row = outputs(scene.as_mut(), &at, found.state().unwrap());
-            println!("{omega} rad/s, t = {t} s: phi - exact {:.1e}, {row:?}, {} steps", row[0] - exact, found.path.len());
+            println!(
+                "{omega} rad/s, t = {t} s: phi - exact {:.1e}, {row:?}, {} steps",
+                row[0] - exact,
+                found.path.len()
+            );
             assert!((row[0] - exact).abs() < 1e-12 && row[1].abs() < 1e-12);
             let centrifugal = 2.0 * omega * omega * (1.0 + 0.5 * exact.sin());
             let hold = row[2].hypot(row[3]);
@@ -215,14 +219,27 @@ fn motion_from_an_equilibrium_stays_in_it() {
             let mut moved: f64 = 0.0;
             for state in &states {
                 scene.outputs(state, &mut row);
-                moved = row.iter().zip(expected).fold(moved, |moved, (a, b)| moved.max((a - b).abs()));
+                moved = row
+                    .iter()
+                    .zip(expected)
+                    .fold(moved, |moved, (a, b)| moved.max((a - b).abs()));
             }
             println!("{formulation:?} {joints:?}: moves by {moved:.1e}");
             assert!(moved < allowed, "{moved}");
         };
         let model = Carousel::default();
-        stays(&|| model.build(formulation, joints).unwrap(), &frame, &[exact, 0.0], 1e-6);
-        stays(&|| whirl.build(formulation, joints).unwrap(), &blades, &[tip, 20.0], 1e-5);
+        stays(
+            &|| model.build(formulation, joints).unwrap(),
+            &frame,
+            &[exact, 0.0],
+            1e-6,
+        );
+        stays(
+            &|| whirl.build(formulation, joints).unwrap(),
+            &blades,
+            &[tip, 20.0],
+            1e-5,
+        );
     }
 }
 
@@ -257,7 +274,11 @@ fn governor(omega: f64) -> [f64; 2] {
             let length = (0.5 * alpha.cos()).hypot(dz);
             stiffness * (length - 0.5) * dz / length - 0.5 * slider * G
         };
-        root((0.5_f64.powi(2) - (0.5 * alpha.cos()).powi(2)).sqrt() * 0.99, 0.6, tension)
+        root(
+            (0.5_f64.powi(2) - (0.5 * alpha.cos()).powi(2)).sqrt() * 0.99,
+            0.6,
+            tension,
+        )
     };
     let moment = |alpha: f64| {
         let dz = below(alpha);
@@ -287,7 +308,11 @@ fn flyball_governor() {
             Some(guess) => continue_from(scene.as_mut(), &at, guess).unwrap().state,
         };
         let row = outputs(scene.as_mut(), &at, &state);
-        println!("{omega} rad/s: {row:?}, errors {:.1e}, {:.1e}", row[0] - alpha, row[1] - height);
+        println!(
+            "{omega} rad/s: {row:?}, errors {:.1e}, {:.1e}",
+            row[0] - alpha,
+            row[1] - height
+        );
         assert!((row[0] - alpha).abs() < 1e-9 && (row[1] - height).abs() < 1e-9);
         assert!((row[2] - omega).abs() < 1e-12);
         guess = Some(state);
@@ -347,7 +372,10 @@ fn cable_under_its_weight_and_an_end_force() {
     // Along the path the parts of the load are those asked for.
     let mut scene = referenced(&Hung::default());
     let mut scales = Vec::new();
-    follow(scene.as_mut(), &Uniform::at_rest(0.0), 0.25, |_, step| scales.push(step.scale)).unwrap();
+    follow(scene.as_mut(), &Uniform::at_rest(0.0), 0.25, |_, step| {
+        scales.push(step.scale)
+    })
+    .unwrap();
     assert_eq!(scales, [0.25, 0.5, 0.75, 1.0]);
 }
 
@@ -361,7 +389,10 @@ fn column_buckles_at_eulers_load() {
         };
         let mut scene = referenced(&model);
         let found = critical_factor(scene.as_mut(), 0.0).unwrap();
-        println!("{load_at_top} N: {:?} of Euler's {euler:.6} N", found.as_ref().map(|c| c.factor * load_at_top));
+        println!(
+            "{load_at_top} N: {:?} of Euler's {euler:.6} N",
+            found.as_ref().map(|c| c.factor * load_at_top)
+        );
         if load_at_top < euler {
             assert!(found.is_none());
             continue;
@@ -384,14 +415,19 @@ fn truss_snaps_through_at_its_limit_point() {
     let mut scene = referenced(&Truss::default());
     let found = critical_factor(scene.as_mut(), 0.0).unwrap().unwrap();
     println!("limit {:.9} N of {limit:.9} N", 40.0 * found.factor);
-    assert!(found.is_limit && (40.0 * found.factor / limit - 1.0).abs() < 1e-5, "{found:?}");
+    assert!(
+        found.is_limit && (40.0 * found.factor / limit - 1.0).abs() < 1e-5,
+        "{found:?}"
+    );
     let error = text(static_load(scene.as_mut(), 0.0));
     assert!(error.contains("of the load") && error.contains("tip"), "{error}");
     let half = Truss { press: 0.5 * limit };
     let mut scene = referenced(&half);
     let found = static_load(scene.as_mut(), 0.0).unwrap();
     let row = outputs(scene.as_mut(), &Uniform::at_rest(0.0), found.state().unwrap());
-    let exact = root(height, 0.3, |h| 2000.0 * (free / (1.0 + h * h).sqrt() - 1.0) * h - 0.5 * limit);
+    let exact = root(height, 0.3, |h| {
+        2000.0 * (free / (1.0 + h * h).sqrt() - 1.0) * h - 0.5 * limit
+    });
     assert!((row[0] - exact).abs() < 1e-12, "{row:?} {exact}");
     assert!(critical_factor(scene.as_mut(), 0.0).unwrap().is_none());
 }

@@ -106,6 +106,7 @@ impl<'a> Check<'a> {
             markers,
             components,
             energy,
+            is_load: item.keyword == Keyword::Load,
         });
     }
 
