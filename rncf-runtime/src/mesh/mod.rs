@@ -24,6 +24,7 @@ mod moments;
 mod neutral;
 mod outputs;
 mod parts;
+mod points;
 mod scene;
 mod section;
 mod section_spec;
@@ -48,6 +49,7 @@ pub use parts::{
     BodySpec, Carried, CarriedTangent, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec,
     NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed,
 };
+pub use points::{Blocks, Relative, Rule, Tile, Vectors};
 pub use scene::MeshScene;
 pub use section::SectionState;
 pub use section_spec::{SectionQuantity, SectionShape, SectionSpec};

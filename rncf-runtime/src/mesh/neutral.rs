@@ -30,12 +30,13 @@ fn unit(axis: usize) -> Vector {
 }
 
 impl Screw {
-    fn displacements(self, moved: &[bool], size: f64) -> Vec<Displacement> {
+    fn displacements(self, moved: &[bool], is_own: bool, size: f64) -> Vec<Displacement> {
         let still = Displacement {
             moved: moved.to_vec(),
             turn: [0.0; 3],
             point: [0.0; 3],
             shift: [0.0; 3],
+            is_own,
             later: None,
         };
         match self {
@@ -98,7 +99,7 @@ impl<P: Parts> MeshScene<P> {
             return;
         }
         let size = self.sizes.iter().fold(0.0, |size: f64, other| size.max(*other));
-        for displacement in screw.displacements(moved, size) {
+        for displacement in screw.displacements(moved, is_own, size) {
             let is_free = self.follows(&displacement)
                 && (is_own || !self.is_pulled(at, &displacement))
                 && self.changed_by(at.t, &displacement).is_none();

@@ -579,6 +579,10 @@ pub trait Parts: Clone + Send + Sync + 'static {
     ) {
     }
 
+    /// Whether a force on markers was declared as a load, which equilibria apply in parts.
+    fn is_load(&self, _force: usize) -> bool {
+        false
+    }
     /// Forces on the markers of a force: 3 k numbers, inertial axes; positive ones act along z.
     fn marker_force(&self, _force: usize, _t: f64, _z: &[Vector], _velocity: &[Vector], _out: &mut [f64]) {}
     /// Their derivatives with respect to z and z': 3 k x 3 k each.

@@ -27,6 +27,9 @@ pub(super) struct Displacement {
     pub point: Vector,
     /// d, m.
     pub shift: Vector,
+    /// Whether it is the own turning of one symmetric rigid body about an axis of its own: forces on points
+    /// of the axis do not turn then, and moments about it are told from the body.
+    pub is_own: bool,
     /// Time that passes meanwhile, s: `Some` looks at what depends on time only, or, where it is zero, at
     /// all else only.
     pub later: Option<f64>,
@@ -241,13 +244,20 @@ impl<P: Parts> MeshScene<P> {
             for frame in self.free.iter().filter(|frame| by.moved[frame.spec.frame]) {
                 let first = border + frame.first;
                 let own = &mut row[first..first + frame.count()];
-                let parts = frame.directions.iter().zip(own.iter());
-                let along = parts.fold([0.0; 3], |sum, (direction, value)| {
-                    add(sum, scale(*value, direction.shift))
-                });
-                let along = apply(&back, along);
-                for (value, direction) in own.iter_mut().zip(&frame.directions).take(frame.shifts()) {
-                    *value = dot(direction.shift, along);
+                let (mut along, mut about) = ([0.0; 3], [0.0; 3]);
+                for (direction, value) in frame.directions.iter().zip(own.iter()) {
+                    along = add(along, scale(*value, direction.shift));
+                    about = add(about, scale(*value, direction.turn));
+                }
+                if by.is_own {
+                    let motion = &self.buffers.frames[frame.spec.frame];
+                    let within = motion.direction_to_frame(by.turn);
+                    about = apply(&Rotation::exp(within).matrix(), about);
+                } else {
+                    along = apply(&back, along);
+                }
+                for (value, direction) in own.iter_mut().zip(&frame.directions) {
+                    *value = dot(direction.shift, along) + dot(direction.turn, about);
                 }
             }
             let mut row = sized(&row);
@@ -271,36 +281,44 @@ impl<P: Parts> MeshScene<P> {
             .collect();
         let turned = |place: usize, vector: Vector| {
             let marker = markers[place];
-            let is_turned = by.moved[self.marker_frame(marker)] && !matches!(marker, Marker::Angle { .. });
+            let is_turned =
+                by.moved[self.marker_frame(marker)] && !by.is_own && !matches!(marker, Marker::Angle { .. });
             if is_turned { apply(&matrix, vector) } else { vector }
         };
         let count = markers.len();
-        let size = largest(&before.values);
+        // What is 0 at the state, as of a spring without force, is round-off of its derivatives.
+        let frames = self.buffers.frames.iter();
+        let rate = frames.fold(1.0, |rate: f64, frame| rate.max(norm(frame.spin)));
+        let length = self.sizes.iter().fold(0.0, |length: f64, size| length.max(*size));
+        let stiffness = before
+            .derivatives
+            .iter()
+            .zip([1.0, rate])
+            .map(|(values, rate)| rate * largest(values));
+        let stiffness = stiffness.fold(0.0, f64::max);
+        let size = largest(&before.values).max(stiffness * length);
         for place in (0..count).filter(|&place| movable[place]) {
             let at = |values: &[f64]| -> Vector { std::array::from_fn(|i| values[3 * place + i]) };
             if differ(&turned(place, at(&before.values)), &at(&after.values), size) {
                 return true;
             }
         }
-        before
-            .derivatives
-            .iter()
-            .zip(&after.derivatives)
-            .any(|(before, after)| {
-                let size = largest(before);
-                let pairs = (0..count * count).map(|pair| (pair / count, pair % count));
-                let mut pairs = pairs.filter(|&(m, n)| movable[m] && movable[n]);
-                pairs.any(|(m, n)| {
-                    let block = |values: &[f64]| -> [Vector; 3] {
-                        std::array::from_fn(|i| std::array::from_fn(|j| values[(3 * m + i) * 3 * count + 3 * n + j]))
-                    };
-                    // Rows turn with marker n, then columns with marker m.
-                    let rows = block(before).map(|row| turned(n, row));
-                    let columns = crate::vector::transpose(&rows).map(|column| turned(m, column));
-                    let after = crate::vector::transpose(&block(after));
-                    (0..3).any(|j| differ(&columns[j], &after[j], size))
-                })
+        let derivatives = before.derivatives.iter().zip(&after.derivatives);
+        derivatives.zip([1.0, rate]).any(|((before, after), rate)| {
+            let size = stiffness / rate;
+            let pairs = (0..count * count).map(|pair| (pair / count, pair % count));
+            let mut pairs = pairs.filter(|&(m, n)| movable[m] && movable[n]);
+            pairs.any(|(m, n)| {
+                let block = |values: &[f64]| -> [Vector; 3] {
+                    std::array::from_fn(|i| std::array::from_fn(|j| values[(3 * m + i) * 3 * count + 3 * n + j]))
+                };
+                // Rows turn with marker n, then columns with marker m.
+                let rows = block(before).map(|row| turned(n, row));
+                let columns = crate::vector::transpose(&rows).map(|column| turned(m, column));
+                let after = crate::vector::transpose(&block(after));
+                (0..3).any(|j| differ(&columns[j], &after[j], size))
             })
+        })
     }
 }
 

@@ -16,7 +16,7 @@ use crate::linalg::{Lu, c64, general_eigen};
 /// Residual of an eigenpair of the inverse, relative to the eigenvalue, at which it is locked.
 const CONVERGED: f64 = 1e-10;
 /// Residual from which on an eigenvalue tells the order of frequencies.
-const ROUGH: f64 = 1e-3;
+const ROUGH: f64 = 1e-2;
 /// Images below this part of the first one are round-off: nothing is left.
 const EXHAUSTED: f64 = 1e-13;
 /// Eigenvalues below this part of the largest one stand for infinite frequencies.
@@ -30,8 +30,11 @@ const LONGER: f64 = 1.4;
 const MOST_VECTORS: usize = 300;
 /// Most starts, beside as many as eigenvalues are wanted.
 const MOST_STARTS: usize = 40;
-/// Most rounds in which the shift is chosen.
+/// Most rounds in which the shift is chosen, the vectors of each, and how many eigenvalues are looked at
+/// in any case.
 const ROUNDS: usize = 12;
+const LOOK_AROUND: usize = 40;
+const FIRST: usize = 4;
 
 /// The `count` lowest modes and what else was found, with the shift; conjugates both. `true` if these are
 /// all.
@@ -91,10 +94,14 @@ fn choose_shift(pencil: &Pencil) -> Result<Inverse<'_>, Failure> {
     for _ in 0..ROUNDS {
         let shift = inverse.shift;
         let mut iteration = Iteration::new(&mut inverse, &[], &nothing, 0)?;
-        iteration.extend(FIRST_LOOK);
+        iteration.extend(LOOK_AROUND);
         let ritz = iteration.ritz()?;
-        let seen = ritz.iter().filter(|ritz| ritz.residual <= ROUGH);
-        let pairs = seen.map(|ritz| Pair {
+        // The first ones tell the direction, whether they have converged or not.
+        let seen = ritz
+            .iter()
+            .enumerate()
+            .filter(|(place, ritz)| *place < FIRST || ritz.residual <= ROUGH);
+        let pairs = seen.map(|(_, ritz)| Pair {
             s: c64::new(shift, 0.0) + ritz.value.inv(),
             x: combination(&iteration.basis, &ritz.vector, pencil.unknowns()),
         });

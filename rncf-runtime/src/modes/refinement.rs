@@ -49,9 +49,9 @@ impl<'a> Refinement<'a> {
         }
         let mean = group.iter().map(|pair| pair.s).sum::<c64>() / size as f64;
         let refined: Option<Vec<Pair>> = group.into_iter().map(|pair| self.refined(pair)).collect();
-        let apart = refined.map(independent).filter(|pairs| pairs.len() == size);
-        if apart.is_some() {
-            return apart;
+        let apart = refined.map(independent).unwrap_or_default();
+        if apart.len() == size {
+            return Some(apart);
         }
         self.factor(mean, TOUCHING)?;
         let vectors = self.eigenspace(size, |pencil, x, image| {
@@ -60,9 +60,13 @@ impl<'a> Refinement<'a> {
                 *value = products.damping[place] + 2.0 * mean * products.mass[place];
             }
         })?;
-        let pairs = independent(vectors.into_iter().map(|x| Pair { s: mean, x }).collect());
+        let mut pairs = independent(vectors.into_iter().map(|x| Pair { s: mean, x }).collect());
         if pairs.len() == size {
             return pairs.into_iter().map(|pair| self.refined(pair)).collect();
+        }
+        if pairs.len() < apart.len() {
+            // Inverse iteration prefers what drifts to what does not.
+            pairs = apart.into_iter().map(|Pair { x, .. }| Pair { s: mean, x }).collect();
         }
         let exact = |pair: &Pair| {
             let lambda = self.multipliers(pair);

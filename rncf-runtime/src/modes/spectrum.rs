@@ -64,6 +64,9 @@ pub(super) fn lowest(pencil: &Pencil, count: usize) -> Result<Vec<Pair>, Failure
         let (mut modes, is_checked) = distinct(pencil, shift, pairs, asked)?;
         // Of a motion that drifts two eigenvalues make one mode.
         if modes.len() < count && !(is_all && is_checked) {
+            if asked >= 2 * n {
+                return Err(Failure::Slow(modes.len()));
+            }
             asked *= 2;
             continue;
         }

@@ -79,6 +79,11 @@ impl Invariant {
         }
     }
 
+    /// Value for unit vectors that are the same or, where `same` is false, turned by a right angle.
+    pub fn orthonormal(self, same: bool) -> f64 {
+        f64::from(u8::from(same == (self.product == Product::Dot)))
+    }
+
     /// Value.
     pub fn value(self, graph: &mut Graph, vectors: &[Vector]) -> Id {
         product(graph, self.product, &vectors[self.i], &vectors[self.j])
@@ -185,6 +190,31 @@ impl Response<'_> {
         let stiffness = add_blocks(graph, &stiffness, &material_rates);
         let along_viscosity = self.contract(graph, self.viscosity, &gradients);
         (stiffness, Some(self.outer(graph, &gradients, &along_viscosity, false)))
+    }
+
+    /// The same with fewer operations where every block is wanted: one outer product for the stiffness,
+    /// the upper half of the damping.
+    pub fn combined_tangent(&self, graph: &mut Graph) -> (Blocks, Option<Blocks>) {
+        if self.viscosity.is_empty() {
+            return self.tangent(graph);
+        }
+        let gradients = self.gradients(graph, self.vectors);
+        let rate_gradients = self.gradients(graph, self.rates);
+        let mut along = self.contract(graph, self.stiffness, &gradients);
+        let along_rates = self.contract(graph, self.viscosity, &rate_gradients);
+        for (sum, part) in along.iter_mut().flatten().zip(along_rates.iter().flatten()) {
+            *sum = graph.add_vectors(sum, part);
+        }
+        let mut stiffness = self.outer(graph, &gradients, &along, false);
+        self.add_geometric(graph, &mut stiffness);
+        let along = self.contract(graph, self.viscosity, &gradients);
+        let count = self.invariants.len();
+        let symmetric = (0..count).all(|a| (0..a).all(|b| self.viscosity[a][b] == self.viscosity[b][a]));
+        let mut viscosity = self.outer(graph, &gradients, &along, symmetric);
+        if symmetric {
+            mirror(&mut viscosity);
+        }
+        (stiffness, Some(viscosity))
     }
 
     /// `[A][j]`: gradient of invariant A with respect to vector j.

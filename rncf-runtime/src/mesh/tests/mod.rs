@@ -5,6 +5,7 @@ mod differences;
 mod inertia;
 mod levels;
 mod model;
+mod modes;
 mod random;
 mod refusals;
 pub(super) mod scenery;

@@ -2,7 +2,6 @@
 
 mod closed;
 mod large;
-mod scenes;
 
 use super::pencil::Pencil;
 use crate::linalg::Pattern;

@@ -7,9 +7,9 @@ use crate::lower::carried::{CarriedKernels, element_kernels, fixture_kernels, ri
 use crate::lower::inertia::inertia_kernels;
 use crate::model::{ElementId, Evaluation, Quadrature};
 
-fn variant(dimension: usize) -> Variant {
+fn variant(element: &str, dimension: usize) -> Variant {
     Variant {
-        element: ElementId(0),
+        element: ElementId(Library::standard().find(element).unwrap()),
         dimension,
         options: vec![0],
         quadrature: Quadrature::Exact,
@@ -30,11 +30,11 @@ fn frame_names(dimension: usize) -> [Vec<String>; 3] {
 }
 
 /// `F = sum over positions of R_a`, `T = sum q_a x R_a` from the nodal forces.
-fn summed(dimension: usize, orders: &[usize], q: &[f64], residual: &[f64]) -> Vec<f64> {
+fn summed(dimension: usize, positions: &[usize], q: &[f64], residual: &[f64]) -> Vec<f64> {
     let mut sums = vec![0.0; if dimension == 2 { 3 } else { 6 }];
-    for (a, &order) in orders.iter().enumerate() {
+    for a in 0..q.len() / dimension {
         let (p, f) = (&q[a * dimension..], &residual[a * dimension..]);
-        if order == 0 {
+        if positions.contains(&a) {
             (0..dimension).for_each(|c| sums[c] += f[c]);
         }
         if dimension == 2 {
@@ -56,7 +56,7 @@ fn check(
     kernels: &CarriedKernels,
     residual: &crate::lower::Kernel,
     dimension: usize,
-    orders: &[usize],
+    positions: &[usize],
     states: [Vec<String>; 3],
     inputs: &Inputs,
 ) {
@@ -64,7 +64,7 @@ fn check(
     let values: Vec<f64> = q.iter().map(|name| inputs[name]).collect();
     let nodal = in_order(&evaluate(residual, inputs), "force");
     let found = in_order(&evaluate(&kernels.force, inputs), "out");
-    for (found, sum) in found.iter().zip(summed(dimension, orders, &values, &nodal)) {
+    for (found, sum) in found.iter().zip(summed(dimension, positions, &values, &nodal)) {
         assert!(
             (found - sum).abs() <= 1e-13 * (1.0 + sum.abs()),
             "{found} instead of {sum}"
@@ -82,48 +82,43 @@ fn check(
 #[test]
 fn elements() {
     let library = Library::standard();
-    for dimension in [2, 3] {
-        let variant = variant(dimension);
+    for (element, dimension, positions) in [
+        ("cable", 2, [0, 2]),
+        ("cable", 3, [0, 2]),
+        ("beam", 2, [0, 4]),
+        ("beam", 3, [0, 6]),
+    ] {
+        let variant = variant(element, dimension);
         let kernels = element_kernels(&variant, &library);
-        let residual = inertia_kernels(&variant, &library).referenced;
+        let inertia = inertia_kernels(&variant, &library);
+        let residual = inertia.referenced;
         let mut inputs = Inputs::from([("length".to_string(), 0.7), ("rhoA".to_string(), 1.3)]);
         fill(&residual, &mut inputs, &mut Random(5));
         let states = ["", "v_", "a_"].map(|prefix| variant.component_names(&library, prefix).concat());
-        check(&kernels, &residual, dimension, &[0, 1, 0, 1], states, &inputs);
+        let tangent = &inertia.referenced_tangent;
+        assert_tangent(tangent, "stiffness", &residual, "force", &states[0], &inputs);
+        assert_tangent(tangent, "damping_matrix", &residual, "force", &states[1], &inputs);
+        check(&kernels, &residual, dimension, &positions, states, &inputs);
     }
 }
 
 #[test]
 fn fixtures() {
-    for dimension in [2, 3] {
-        let kernels = fixture_kernels(dimension);
+    for (dimension, vectors) in [(2, 2), (3, 2), (2, 3), (3, 4)] {
+        let kernels = fixture_kernels(dimension, vectors);
         let mut inputs = Inputs::new();
         fill(&kernels.referenced, &mut inputs, &mut Random(6));
         let states = ["", "v_", "a_"].map(|prefix| {
-            let names = ["r", "s"].iter();
+            let names = ["r", "s", "y", "z"][..vectors].iter();
             let names = names.flat_map(|word| ["x", "y", "z"][..dimension].iter().map(move |axis| (word, axis)));
             names
                 .map(|(word, axis)| format!("{prefix}{word}_{axis}"))
                 .collect::<Vec<_>>()
         });
-        let tangent = &kernels.referenced_tangent;
-        assert_tangent(tangent, "stiffness", &kernels.referenced, "force", &states[0], &inputs);
-        assert_tangent(
-            tangent,
-            "damping_matrix",
-            &kernels.referenced,
-            "force",
-            &states[1],
-            &inputs,
-        );
-        check(
-            &kernels.carried,
-            &kernels.referenced,
-            dimension,
-            &[0, 1],
-            states,
-            &inputs,
-        );
+        let (tangent, residual) = (&kernels.referenced_tangent, &kernels.referenced);
+        assert_tangent(tangent, "stiffness", residual, "force", &states[0], &inputs);
+        assert_tangent(tangent, "damping_matrix", residual, "force", &states[1], &inputs);
+        check(&kernels.carried, residual, dimension, &[0], states, &inputs);
         // At rest the moving frame is the inertial one.
         let [_, w, dw] = frame_names(dimension);
         inputs.extend(w.into_iter().chain(dw).map(|name| (name, 0.0)));
@@ -132,6 +127,48 @@ fn fixtures() {
             evaluate(&kernels.absolute, &inputs),
         );
         assert_eq!(moving, inertial);
+    }
+}
+
+/// Particles of a fixture at `r + X r_x + Y r_y + Z r_z`: their forces add up to those on the vectors.
+#[test]
+fn fixtures_are_sums_over_particles() {
+    let residual = fixture_kernels(3, 4).absolute;
+    let mut random = Random(11);
+    let names = ["r", "s", "y", "z"];
+    let axes = ["x", "y", "z"];
+    let constants = ["m", "m_x", "m_y", "m_z", "p_xx", "p_yy", "p_zz", "p_xy", "p_xz", "p_yz"];
+    let places = [[0, 1, 2, 3], [1, 4, 7, 8], [2, 7, 5, 9], [3, 8, 9, 6]];
+    let mut inputs = Inputs::from(constants.map(|name| (name.to_string(), 0.0)));
+    let accelerations: [[f64; 3]; 4] = std::array::from_fn(|_| std::array::from_fn(|_| random.next()));
+    let origin: [f64; 3] = std::array::from_fn(|_| random.next());
+    for (name, vector) in names.iter().zip(accelerations) {
+        inputs.extend(
+            axes.iter()
+                .zip(vector)
+                .map(|(axis, value)| (format!("a_{name}_{axis}"), value)),
+        );
+    }
+    inputs.extend(
+        axes.iter()
+            .zip(origin)
+            .map(|(axis, value)| (format!("e_{axis}"), value)),
+    );
+    let mut wanted = [0.0; 12];
+    for mass in [1.0, 2.0, 0.5] {
+        let weights = [1.0, random.next(), random.next(), random.next()];
+        for a in 0..4 {
+            for b in a..4 {
+                *inputs.get_mut(constants[places[a][b]]).unwrap() += mass * weights[a] * weights[b];
+            }
+            for c in 0..3 {
+                let particle: f64 = (0..4).map(|b| weights[b] * accelerations[b][c]).sum();
+                wanted[3 * a + c] += mass * weights[a] * (particle + origin[c]);
+            }
+        }
+    }
+    for (found, wanted) in in_order(&evaluate(&residual, &inputs), "force").iter().zip(wanted) {
+        assert!((found - wanted).abs() < 1e-13, "{found} instead of {wanted}");
     }
 }
 
