@@ -20,11 +20,11 @@ pub enum Angle {
     /// About an axis, from 0 at t = 0, in (-pi, pi].
     Between {
         /// The axis, fixed in the first party; in a plane along its normal.
-        axis: Vector,
+        axis: Box<Vector>,
         /// Directions fixed in the first party that are a right-handed triad with the axis.
         first: Box<[Fixed; 2]>,
         /// Fixed in the second party, the first of them at t = 0.
-        second: Fixed,
+        second: Box<Fixed>,
         /// Turning of both; none of a section.
         turns: [Option<MarkerId>; 2],
         /// Normal of the plane that both are in.
@@ -107,7 +107,7 @@ impl Angle {
             let frame = joint.frame(party)?;
             Some(joint.marker(party, Marker::Turn { frame }))
         });
-        let first = Box::new(first);
+        let (axis, first, second) = (Box::new(axis), Box::new(first), Box::new(second));
         Angle::Between {
             axis,
             first,
