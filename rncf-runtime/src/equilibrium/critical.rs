@@ -2,13 +2,11 @@
 
 use super::newton::Newton;
 use super::uniform::Uniform;
-use super::{Continued, check, follow};
+use super::{Continued, LOAD_STEP, SMALLEST, check, follow};
 use crate::error::SolveError;
 use crate::model::Scene;
 use crate::system::State;
 
-/// Increment of the load along the way.
-const LARGEST: f64 = 1.0 / 32.0;
 /// Relative width to which the load is bracketed.
 const WIDTH: f64 = 1e-6;
 
@@ -31,7 +29,7 @@ pub struct Critical {
 pub fn critical_factor<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Option<Critical>, SolveError> {
     let at = Uniform::at_rest(t);
     let mut path: Vec<Continued> = Vec::new();
-    let outcome = follow(scene, &at, LARGEST, |_, step| path.push(step.clone()));
+    let outcome = follow(scene, &at, LOAD_STEP, |_, step| path.push(step.clone()));
     let Some(first) = path.first() else {
         return outcome.map(|_| None);
     };
@@ -39,7 +37,12 @@ pub fn critical_factor<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Optio
     let (before, beyond) = match (changed, outcome) {
         (Some(place), _) => (path[place - 1].clone(), path[place].scale),
         (None, Ok(_)) => return Ok(None),
-        (None, Err(_)) => (path[path.len() - 1].clone(), 1.0),
+        // The way ends where its smallest increment leads nowhere: farther on is another branch.
+        (None, Err(_)) => {
+            let last = path[path.len() - 1].clone();
+            let beyond = (last.scale + 2.0 * SMALLEST).min(1.0);
+            (last, beyond)
+        }
     };
     Ok(Some(bracket(scene, &at, before, beyond, changed.is_none())?))
 }

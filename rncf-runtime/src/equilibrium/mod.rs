@@ -17,6 +17,9 @@ use newton::{Failure, Newton};
 /// Smallest increment of the scale.
 const SMALLEST: f64 = 1.0 / 65536.0;
 
+/// Increment of the loads at which Newton's iteration seldom leaps over a limit point.
+const LOAD_STEP: f64 = 1.0 / 32.0;
+
 /// An equilibrium and the way to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium {
@@ -67,7 +70,7 @@ pub fn steady<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Equilibrium, S
 /// # Errors
 /// As [`follow`].
 pub fn static_load<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Equilibrium, SolveError> {
-    follow(scene, &Uniform::at_rest(t), 1.0, |_, _| ())
+    follow(scene, &Uniform::at_rest(t), LOAD_STEP, |_, _| ())
 }
 
 /// The equilibria from the start of `scene` up to `at` with growing [`Uniform::scale`], in increments of
