@@ -80,6 +80,8 @@ pub enum SolveErrorKind {
     Untied(String),
     /// An equilibrium does not exist or was not found; the text says why.
     NoEquilibrium(String),
+    /// Modes of small motions were not found; the text says why.
+    NoModes(String),
 }
 
 impl fmt::Display for SolveError {
@@ -120,6 +122,7 @@ impl fmt::Display for SolveError {
             SolveErrorKind::Redundant(text) | SolveErrorKind::Undefined(text) | SolveErrorKind::Untied(text) => {
                 write!(f, "at t = {t} s {text}")?
             }
+            SolveErrorKind::NoModes(text) => write!(f, "no modes at t = {t} s: {text}")?,
             SolveErrorKind::NoEquilibrium(text) => write!(f, "no relative equilibrium at t = {t} s: {text}")?,
         }
         match &self.worst {

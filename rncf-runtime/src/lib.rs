@@ -10,6 +10,7 @@ pub mod integrate;
 pub mod linalg;
 pub mod mesh;
 pub mod model;
+pub mod modes;
 pub mod rotation;
 pub mod system;
 pub mod vector;

@@ -1,8 +1,9 @@
 //! What a generated model says of itself: parameters, outputs, and how it becomes a scene.
 
+use crate::equilibrium::Uniform;
 use crate::error::ModelError;
 use crate::rotation::Rotation;
-use crate::system::{State, System};
+use crate::system::{State, System, Tangent};
 use crate::vector::Vector;
 
 /// How the bodies are described.
@@ -178,21 +179,50 @@ pub trait Scene: System + Send {
     /// an equilibrium of `x`.
     fn is_referenced(&self) -> bool;
 
-    /// Residual of a relative equilibrium at constant spin (THEORY 8.1): frames turn with `scale`
-    /// times their angular velocity at `t` and do not accelerate; loads are multiplied by
-    /// `scale^2` as the centrifugal forces are; x' = x'' = 0.
-    fn steady_residual(&mut self, t: f64, scale: f64, x: &[f64], out: &mut [f64]);
+    /// A state from which an equilibrium may be looked for: as [`Scene::rest`] at the time of `at`, what
+    /// moves freely turned on with the prescribed frames since t = 0.
+    fn uniform_guess(&self, at: &Uniform) -> State {
+        self.rest(at.t)
+    }
 
-    /// Stiffness d(steady_residual)/dx on [`System::pattern`].
-    fn steady_tangent(&mut self, t: f64, scale: f64, x: &[f64], values: &mut [f64]);
+    /// Sets velocities and accelerations of the uniform motion (THEORY 8.1) from positions and
+    /// orientations: about the axis through c with the angular velocity W (inertial axes)
+    /// `r' = W x (r - c)`, `r'' = W x r'`, `w = A^T W`, `w' = 0`; nodal vectors rest in their frames.
+    fn uniform_state(&mut self, at: &Uniform, state: &mut State);
 
-    /// Values of all outputs in a relative equilibrium: frames and loads as in
-    /// [`Scene::steady_residual`].
-    fn steady_outputs(&mut self, t: f64, scale: f64, x: &[f64], out: &mut [f64]);
+    /// `M a + f`, without constraint forces, in the uniform motion; prescribed frames and loads are
+    /// those of `at`, velocities and accelerations those of [`Scene::uniform_state`].
+    fn uniform_residual(&mut self, at: &Uniform, state: &State, out: &mut [f64]);
 
-    /// Why no relative equilibrium exists at `t`, naming the frame or load that is not invariant
-    /// under the rotation, if so.
-    fn steady_obstacle(&self, t: f64) -> Option<String>;
+    /// Mass, damping and stiffness of small motions about the uniform one (THEORY 8.2), multipliers'
+    /// stiffness included, on [`System::pattern`]. Perturbations y are co-rotating: dr = y in axes that
+    /// turn with W, dpi = y in body axes, hence `dr' = y' + W x y`, `dr'' = y'' + 2 W x y' + W x (W x y)`,
+    /// `dw = y' + w x y`, `dw' = y'' + w x y'`. The stiffness is the derivative of
+    /// [`Scene::uniform_residual`] and of the constraint forces, velocities following positions.
+    fn small_motions(&mut self, at: &Uniform, state: &State, out: &mut Tangent);
+
+    /// Values of all outputs in the uniform motion, SI.
+    fn uniform_outputs(&mut self, at: &Uniform, state: &State, out: &mut [f64]);
+
+    /// Why no equilibrium with this rotation exists near the state, naming the frame, load, joint, force
+    /// or constraint that is not invariant under it (THEORY 8.1), and what to do.
+    fn uniform_obstacle(&mut self, at: &Uniform, state: &State) -> Option<String>;
+
+    /// Motions of the whole system, or of parts that move independently, that change nothing: unit
+    /// directions of the unknowns (right increments) at the state, one after the other. The scene is
+    /// invariant along each.
+    fn neutral_motions(&mut self, _at: &Uniform, _state: &State) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
+
+    /// Sense in which the points of the bodies circulate about the axis of the rotation in a mode with
+    /// complex increments `shape` of the unknowns that grow as exp(i |im| t), seen in co-rotating axes: 1
+    /// where all go round with the spin on circles, -1 against it, 0 on straight lines or without a common
+    /// sense; weighted by the squares of their displacements across the axis. `None` where nothing
+    /// spins or moves across the axis, or where the scene does not know its points.
+    fn circulation(&mut self, _at: &Uniform, _state: &State, _shape: &[[f64; 2]]) -> Option<f64> {
+        None
+    }
 
     /// Largest angular velocity of a body's frame at `t`, rad/s.
     fn spin(&self, t: f64) -> f64;

@@ -4,7 +4,7 @@
 use super::clock::{Clock, Seconds};
 use super::history::History;
 use super::run::{RunError, RunSettings};
-use crate::equilibrium::{self, follow};
+use crate::equilibrium::{self, Uniform, follow};
 use crate::error::SolveErrorKind;
 use crate::model::FrameState;
 use crate::{Formulation, Joints, Model, Scene, SolveError, State};
@@ -51,19 +51,21 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
     }
     let mut scene = referenced(model)?;
     let spin = scene.spin(t);
+    let at = Uniform::steady(t);
     let mut history = History::new::<M>("spin", "rad/s");
     let mut row = vec![0.0; scene.output_columns()];
     let mut spoiled = None;
     let mut newton_iterations = 0;
     let mut record = |scene: &mut dyn Scene, scale: f64, state: &State| {
         if spoiled.is_none() {
-            scene.steady_outputs(t, scale, &state.x, &mut row);
+            scene.uniform_outputs(&at.scaled(scale), state, &mut row);
             spoiled = history.push(scale * spin, &row).err();
         }
     };
-    let rest = scene.rest(t);
+    let mut rest = scene.uniform_guess(&at);
+    scene.uniform_state(&at.scaled(0.0), &mut rest);
     record(scene.as_mut(), 0.0, &rest);
-    let outcome = follow(scene.as_mut(), t, LARGEST_STEP, |scene, step| {
+    let outcome = follow(scene.as_mut(), &at, LARGEST_STEP, |scene, step| {
         newton_iterations += u64::from(step.iterations);
         record(scene, step.scale, &step.state);
     });

@@ -3,6 +3,7 @@
 
 use std::path::PathBuf;
 
+use crate::equilibrium::Uniform;
 use crate::linalg::Pattern;
 use crate::model::{FrameState, Output, Param, ParamKind, RunDefaults};
 use crate::system::{ConstraintLevel, Tangent};
@@ -317,25 +318,34 @@ impl Scene for RotorScene {
         !self.absolute
     }
 
-    fn steady_residual(&mut self, _: f64, scale: f64, x: &[f64], out: &mut [f64]) {
-        let w = scale * self.omega;
-        let force = self.force([x[0], x[1]], [0.0; 2]);
+    fn uniform_state(&mut self, at: &Uniform, state: &mut State) {
+        state.t = at.t;
+        state.v.fill(0.0);
+        state.a.fill(0.0);
+    }
+
+    fn uniform_residual(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
+        let (w, x) = (at.speed() * self.omega, [state.x[0], state.x[1]]);
+        let force = self.force(x, [0.0; 2]);
         out.copy_from_slice(&[force[0] - w * w * x[0], force[1] - w * w * x[1]]);
     }
 
-    fn steady_tangent(&mut self, _: f64, scale: f64, _: &[f64], values: &mut [f64]) {
-        let w = scale * self.omega;
+    fn small_motions(&mut self, at: &Uniform, state: &State, out: &mut Tangent) {
+        let w = at.speed() * self.omega;
         let k = self.stiffness - w * w;
-        values.copy_from_slice(&[k, 0.0, 0.0, k]);
+        out.mass.resize(4, 0.0);
+        self.mass(state, &mut out.mass);
+        out.stiffness.clear();
+        out.damping.clear();
+        out.stiffness.extend([k, 0.0, 0.0, k]);
+        out.damping.extend([self.damping, 2.0 * w, -2.0 * w, self.damping]);
     }
 
-    fn steady_outputs(&mut self, t: f64, _: f64, x: &[f64], out: &mut [f64]) {
-        let mut state = State::zeros(t, x.len(), 0);
-        state.x.copy_from_slice(x);
-        self.outputs(&state, out);
+    fn uniform_outputs(&mut self, _: &Uniform, state: &State, out: &mut [f64]) {
+        self.outputs(state, out);
     }
 
-    fn steady_obstacle(&self, _: f64) -> Option<String> {
+    fn uniform_obstacle(&mut self, _: &Uniform, _: &State) -> Option<String> {
         None
     }
 

@@ -1,7 +1,10 @@
 //! Dense symmetric problems of moderate size: Cholesky factors, eigenvalues, and the lowest natural
 //! modes of a stiffness and a mass matrix. All matrices are square, rows first.
 
+use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
+
+use super::c64;
 
 /// Eigenvalues that differ relatively by less than this belong to one subspace of modes.
 const EQUAL: f64 = 1e-6;
@@ -86,6 +89,71 @@ pub fn symmetric_eigen(size: usize, matrix: &[f64]) -> Result<(Vec<f64>, Vec<Vec
         .map(|column| (0..size).map(|row| eigen.U()[(row, column)]).collect())
         .collect();
     Ok((values, vectors))
+}
+
+/// Eigenvalues of a real matrix in no order, conjugate ones both, and their vectors of length 1.
+///
+/// # Errors
+/// Not found, as for entries that are not finite.
+pub fn general_eigen(size: usize, matrix: &[f64]) -> Result<(Vec<c64>, Vec<Vec<c64>>), Indefinite> {
+    if size == 0 {
+        return Ok((Vec::new(), Vec::new()));
+    }
+    if !matrix.iter().all(|value| value.is_finite()) {
+        return Err(Indefinite);
+    }
+    let dense = Mat::from_fn(size, size, |i, j| matrix[i * size + j]);
+    let eigen = dense.eigen().map_err(|_| Indefinite)?;
+    let values = (0..size).map(|i| eigen.S()[i]).collect();
+    let vectors = (0..size)
+        .map(|column| (0..size).map(|row| eigen.U()[(row, column)]).collect())
+        .collect();
+    Ok((values, vectors))
+}
+
+/// `A^-1 B` of two full B, or `None` where A is singular or not finite.
+pub fn solve_full(size: usize, matrix: &[f64], right: [&[f64]; 2]) -> Option<[Vec<f64>; 2]> {
+    let factor = Mat::from_fn(size, size, |i, j| matrix[i * size + j]).partial_piv_lu();
+    let solutions = right.map(|right| {
+        let solution = factor.solve(Mat::from_fn(size, size, |i, j| right[i * size + j]));
+        let place = |place: usize| solution[(place / size, place % size)];
+        (0..size * size).map(place).collect::<Vec<f64>>()
+    });
+    let finite = solutions.iter().flatten().all(|value| value.is_finite());
+    finite.then_some(solutions)
+}
+
+/// Number of negative eigenvalues of a symmetric matrix that need not be definite, of which the lower
+/// triangle is read: its signature by pivots of one or two rows (Bunch and Kaufman).
+///
+/// # Errors
+/// Entries are not finite.
+pub fn negative_eigenvalues(size: usize, matrix: &[f64]) -> Result<usize, Indefinite> {
+    if !matrix.iter().all(|value| value.is_finite()) {
+        return Err(Indefinite);
+    }
+    if size == 0 {
+        return Ok(0);
+    }
+    let factor = Mat::from_fn(size, size, |i, j| matrix[i * size + j]).lblt(Side::Lower);
+    let (diagonal, beside) = (factor.B_diag(), factor.B_subdiag());
+    let (mut negative, mut place) = (0, 0);
+    while place < size {
+        if place + 1 < size && beside[place] != 0.0 {
+            // Of a pivot of two rows one eigenvalue is negative, or both have the sign of the trace.
+            let (a, b, c) = (diagonal[place], beside[place], diagonal[place + 1]);
+            negative += match a * c - b * b {
+                product if product < 0.0 => 1,
+                _ if a + c < 0.0 => 2,
+                _ => 0,
+            };
+            place += 2;
+        } else {
+            negative += usize::from(diagonal[place] < 0.0);
+            place += 1;
+        }
+    }
+    Ok(negative)
 }
 
 /// Solutions of `K x = omega^2 M x`.
@@ -254,6 +322,32 @@ mod tests {
         let small = |vector: &[f64], first: usize| (first..2 * n).step_by(2).all(|i| vector[i].abs() < 1e-14);
         assert!(small(&modes.vectors[0], 1) && small(&modes.vectors[1], 0), "{modes:?}");
         assert!(modes.vectors[0][2] > 0.0 && modes.vectors[1][3] > 0.0);
+    }
+
+    #[test]
+    fn a_rotation_has_imaginary_eigenvalues() {
+        let (values, vectors) = general_eigen(2, &[0.5, -2.0, 2.0, 0.5]).unwrap();
+        for (value, vector) in values.iter().zip(&vectors) {
+            assert!((value.re - 0.5).abs() < 1e-14 && (value.im.abs() - 2.0).abs() < 1e-14);
+            let rest = vector[0] * (c64::new(0.5, 0.0) - value) - vector[1] * 2.0;
+            assert!(rest.norm() < 1e-14);
+        }
+        assert!(values[0].im * values[1].im < 0.0);
+        assert!(general_eigen(1, &[f64::NAN]).is_err());
+    }
+
+    #[test]
+    fn signs_of_eigenvalues_are_counted() {
+        // Eigenvalues of the chain without walls, shifted: 2 - 2 cos(k pi / n) - shift.
+        let n = 9;
+        let (mut k, _) = chain(n);
+        (k[0], k[n * n - 1]) = (1.0, 1.0);
+        for (shift, negative) in [(-0.1, 0), (0.1, 1), (0.3, 2), (3.5, 7), (5.0, 9)] {
+            let mut shifted = k.clone();
+            (0..n).for_each(|i| shifted[i * n + i] -= shift);
+            assert_eq!(negative_eigenvalues(n, &shifted), Ok(negative), "{shift}");
+        }
+        assert_eq!(negative_eigenvalues(2, &[0.0, 1.0, 1.0, 0.0]), Ok(1));
     }
 
     #[test]

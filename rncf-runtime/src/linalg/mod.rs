@@ -11,7 +11,10 @@ mod scalar;
 mod sparse;
 
 pub use dense::Dense;
-pub use eigen::{Cholesky, Indefinite, NaturalModes, natural_modes, product, symmetric_eigen, times};
+pub use eigen::{
+    Cholesky, Indefinite, NaturalModes, general_eigen, natural_modes, negative_eigenvalues, product, solve_full,
+    symmetric_eigen, times,
+};
 pub use lu::Lu;
 pub use pattern::Pattern;
 pub use saddle::{Saddle, Singular};

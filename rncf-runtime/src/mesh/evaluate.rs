@@ -27,6 +27,11 @@ impl<P: Parts> MeshScene<P> {
     pub(super) fn load(&mut self, t: f64, turns: &[Rotation], [x, v, a]: [&[f64]; 3], regime: Regime) {
         let buffers = &mut self.buffers;
         self.parts.frames(t, &mut buffers.frames);
+        if let Regime::Uniform(scale) = regime {
+            for frame in &mut buffers.frames {
+                *frame = frame.steady(scale);
+            }
+        }
         self.layout.expand(x, &mut buffers.q);
         self.layout.expand(v, &mut buffers.v);
         self.layout.expand(a, &mut buffers.a);
@@ -41,12 +46,7 @@ impl<P: Parts> MeshScene<P> {
         for frame in &self.fixed {
             buffers.frames[frame.spec.frame] = frame.fixed();
         }
-        if let Regime::Steady(scale) = regime {
-            for frame in &mut buffers.frames {
-                *frame = frame.steady(scale);
-            }
-        }
-        self.set_prescribed(t);
+        self.set_prescribed(t, regime);
     }
 
     /// Fills the full state of a system's state as it moves.
@@ -61,7 +61,7 @@ impl<P: Parts> MeshScene<P> {
     }
 
     /// Fills in what the eliminated conditions prescribe.
-    fn set_prescribed(&mut self, t: f64) {
+    fn set_prescribed(&mut self, t: f64, regime: Regime) {
         let buffers = &mut self.buffers;
         for condition in &self.conditions {
             let dimension = self.bodies[self.joints[condition.joint].body].spec.dimension();
@@ -72,6 +72,11 @@ impl<P: Parts> MeshScene<P> {
             let mut prescribed = Prescribed::default();
             self.parts
                 .prescribed(condition.joint, condition.absolute, t, &condition.data, &mut prescribed);
+            if regime != Regime::Moving {
+                for values in [&mut prescribed.position, &mut prescribed.slope] {
+                    values[1..].fill([0.0; 3]);
+                }
+            }
             let mut set = |vector: usize, values: [[f64; 3]; 4]| {
                 let place = self.layout.offset(vector);
                 let full = [&mut buffers.q, &mut buffers.v, &mut buffers.a, &mut buffers.jerks];

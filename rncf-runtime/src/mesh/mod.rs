@@ -20,13 +20,17 @@ mod linked;
 mod markers;
 mod mean_axes;
 mod modal;
+mod neutral;
 mod outputs;
 mod parts;
 mod scene;
 mod states;
 mod steady;
+mod symmetry;
 mod system;
+mod uniform;
 mod view;
+mod whirl;
 
 pub use checks::{array, array_mut, check_params, inertia, non_negative, poisson, positive};
 pub use frame::{FrameAction, FrameMotion};

@@ -87,8 +87,9 @@ impl Buffers {
 pub(super) enum Regime {
     /// As the motions say.
     Moving,
-    /// In uniform rotation with this multiple of the spin.
-    Steady(f64),
+    /// In uniform rotation with this multiple of the spin: prescribed frames turn on so, and what
+    /// they prescribe rests in its frame. Free frames move as the state says.
+    Uniform(f64),
 }
 
 /// The scene of a model with emitted parts `P`.

@@ -3,10 +3,12 @@
 
 use super::conditions::Condition;
 use super::frame::FrameMotion;
-use super::linked::Marker;
 use super::parts::{JointKind, LoadKind, Parts};
 use super::scene::MeshScene;
-use crate::vector::{add, cross, norm, subtract};
+use super::symmetry::Displacement;
+use crate::equilibrium::{Kind, Spin, Uniform};
+use crate::system::State;
+use crate::vector::{add, cross, dot, norm, scale, subtract};
 
 /// Relative size below which a change of a motion, or a load's component across the spin, counts as
 /// zero.
@@ -32,56 +34,195 @@ fn carried(frame: &FrameMotion, point: [f64; 3]) -> [f64; 3] {
 }
 
 impl<P: Parts> MeshScene<P> {
-    /// What stands against a relative equilibrium at `t`, by name.
-    pub(super) fn obstacle(&self, t: f64) -> Option<String> {
-        if let Some(frame) = self.free.first() {
-            let name = self.parts.frame_name(frame.spec.frame);
-            return Some(format!(
-                "frame `{name}` moves freely: a relative equilibrium needs bodies in frames whose motion is prescribed"
-            ));
+    /// The rotation of what moves freely, at scale 1; rest where nothing turns.
+    ///
+    /// # Errors
+    /// Frames that do not turn together, by name.
+    pub(super) fn rotation(&self, at: &Uniform) -> Result<Spin, String> {
+        if at.kind == Kind::Static {
+            return Ok(Spin::default());
         }
-        if let Some(obstacle) = self.linked_obstacle() {
-            return Some(obstacle);
+        let frames = self.motions(at.t);
+        let is_free = |&frame: &usize| self.free_of[frame].is_some();
+        let prescribed = (0..frames.len()).filter(|frame| !is_free(frame));
+        if let Some(spin) = self.common(prescribed, &frames, at.spin)? {
+            return Ok(at.spin.unwrap_or(spin));
         }
-        let (frames, later) = (self.motions(t), self.motions(t + A_WHILE));
-        let load = (0..self.loads.len()).find(|&index| self.parts.load_varies(index));
-        if let Some(index) = load {
-            return Some(format!("load `{}` varies with time", self.loads[index].name));
+        if let Some(spin) = at.spin {
+            return Ok(spin);
         }
-        for body in &self.bodies {
-            let (frame, next) = (&frames[body.spec.frame], &later[body.spec.frame]);
-            let pull = |frame: &FrameMotion| frame.direction_to_frame(frame.acceleration);
-            if differs(frame.spin, next.spin) || differs(pull(frame), pull(next)) {
-                let name = self.parts.frame_name(body.spec.frame);
-                return Some(format!(
-                    "frame `{name}` does not move uniformly: its spin or acceleration changes"
+        let free = (0..frames.len()).filter(is_free);
+        let spin = self.common(free, &frames, None)?;
+        Ok(spin.unwrap_or_default())
+    }
+
+    /// The rotation of all those frames that turn.
+    fn common(
+        &self,
+        candidates: impl Iterator<Item = usize>,
+        frames: &[FrameMotion],
+        wanted: Option<Spin>,
+    ) -> Result<Option<Spin>, String> {
+        let mut found = wanted;
+        let mut any = None;
+        for index in candidates {
+            let (frame, name) = (&frames[index], self.parts.frame_name(index));
+            let velocity = turning(frame);
+            let square = dot(velocity, velocity);
+            if square == 0.0 {
+                continue;
+            }
+            let along = dot(velocity, frame.velocity);
+            if along.abs() > NEGLIGIBLE * norm(velocity) * norm(frame.velocity) {
+                return Err(format!(
+                    "frame `{name}` moves along the axis that it turns about: let it turn only"
+                ));
+            }
+            let point = add(frame.position, scale(1.0 / square, cross(velocity, frame.velocity)));
+            let spin = Spin { velocity, point };
+            let other = *found.get_or_insert(spin);
+            any.get_or_insert(spin);
+            let expected = cross(other.velocity, subtract(frame.position, other.point));
+            if differs(velocity, other.velocity) || differs(frame.velocity, expected) {
+                return Err(format!(
+                    "frame `{name}` does not turn with the others: what moves freely needs one angular velocity and one axis in common; give the rotation, or frames that turn alike"
                 ));
             }
         }
-        let loads = (0..self.loads.len()).find_map(|index| self.load_obstacle(index, t, &frames));
-        loads.or_else(|| {
-            let conditions = self.conditions.iter();
-            conditions
-                .map(|condition| self.joint_obstacle(condition, &frames))
-                .find_map(|found| found)
-        })
+        Ok(any)
     }
 
-    /// A constraint or force between things in different frames.
-    fn linked_obstacle(&self) -> Option<String> {
-        let users = self
-            .constraints
-            .iter()
-            .map(|linked| (linked.spec.name, linked.spec.markers));
-        let mut users = users.chain(self.forces.iter().map(|force| (force.name, force.markers)));
-        let frame = |marker: usize| match &self.markers[marker] {
-            Marker::Body { point, .. } => self.bodies[point.body].spec.frame,
-            marker => self.marker_frame(marker),
+    /// What stands against an equilibrium, by name.
+    pub(super) fn obstacle(&mut self, at: &Uniform, state: &State) -> Option<String> {
+        if at.kind == Kind::Static {
+            return None;
+        }
+        let load = (0..self.loads.len()).find(|&index| self.parts.load_varies(index));
+        if let Some(index) = load {
+            return Some(format!(
+                "load `{}` varies with time: give it a constant value",
+                self.loads[index].name
+            ));
+        }
+        let whole = Uniform { scale: 1.0, ..*at };
+        let spin = match self.rotation(&whole) {
+            Ok(spin) => spin,
+            Err(text) if self.is_coupled() => return Some(text),
+            Err(_) => Spin::default(),
         };
-        let (name, _) = users.find(|(_, markers)| markers.iter().any(|&marker| frame(marker) != frame(markers[0])))?;
-        Some(format!(
-            "`{name}` acts between different frames: a relative equilibrium needs both ends in the same one"
-        ))
+        let mut turning = state.clone();
+        self.set_uniform(&whole, &mut turning);
+        self.load_uniform(&whole, &turning);
+        let mut frames = self.buffers.frames.clone();
+        let later = self.motions(at.t + A_WHILE);
+        for (index, motion) in self.motions(at.t).into_iter().enumerate() {
+            if self.free_of[index].is_none() {
+                frames[index] = motion;
+            }
+        }
+        let obstacle = self.unsteady(&frames, &later).or_else(|| self.unable(&spin, &frames));
+        if obstacle.is_some() {
+            return obstacle;
+        }
+        // What only shifts is carried about the axis, too.
+        for frame in &self.free {
+            let motion = &mut frames[frame.spec.frame];
+            motion.spin = motion.direction_to_frame(spin.velocity);
+        }
+        let variant = self.variant(&spin, at.t);
+        (0..self.loads.len())
+            .find_map(|index| self.load_obstacle(index, at.t, &frames))
+            .or_else(|| {
+                let conditions = self.conditions.iter();
+                conditions
+                    .map(|condition| self.joint_obstacle(condition, &frames))
+                    .find_map(|found| found)
+            })
+            .or(variant)
+    }
+
+    /// A constraint or force on markers that changes when all that turns is turned on, what stands staying;
+    /// at the loaded state.
+    fn variant(&mut self, spin: &Spin, t: f64) -> Option<String> {
+        let speed = norm(spin.velocity);
+        if speed == 0.0 || !self.is_coupled() {
+            return None;
+        }
+        let turns = |index: usize| self.free_of[index].is_some() || self.buffers.frames[index].spin != [0.0; 3];
+        let moved: Vec<bool> = (0..self.buffers.frames.len()).map(turns).collect();
+        // Of drives the rate must be that of the rotation, of all else nothing may change at any angle.
+        let angles = [0.7, 2.1, 4.4].map(|angle| (angle, 0.0));
+        let rates = [A_WHILE, -0.5 * A_WHILE].map(|later| (speed * later, later));
+        for (angle, later) in angles.into_iter().chain(rates) {
+            let displacement = Displacement {
+                moved: moved.clone(),
+                turn: scale(angle / speed, spin.velocity),
+                point: spin.point,
+                shift: [0.0; 3],
+                later: Some(later),
+            };
+            if let Some(name) = self.changed_by(t, &displacement) {
+                return Some(format!(
+                    "{name} does not stay the same while the system turns: let it act alike in all directions across the axis, on the axis, or between things that turn"
+                ));
+            }
+        }
+        None
+    }
+
+    /// Whether things in different frames act on each other, or frames move freely: all must turn alike.
+    fn is_coupled(&self) -> bool {
+        let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
+        let mut users = constraints.chain(self.forces.iter().map(|force| force.markers));
+        let frame = |marker: usize| self.marker_frame(&self.markers[marker]);
+        !self.free.is_empty() || users.any(|markers| markers.iter().any(|&marker| frame(marker) != frame(markers[0])))
+    }
+
+    /// A prescribed frame whose motion is not uniform.
+    fn unsteady(&self, frames: &[FrameMotion], later: &[FrameMotion]) -> Option<String> {
+        let coupled = self.is_coupled();
+        let marked = |index: usize| self.markers.iter().any(|marker| self.marker_frame(marker) == index);
+        let used = |index: usize| self.bodies.iter().any(|body| body.spec.frame == index) || coupled && marked(index);
+        let pull = |frame: &FrameMotion| frame.direction_to_frame(frame.acceleration);
+        let prescribed = (0..frames.len()).filter(|&index| self.free_of[index].is_none() && used(index));
+        for index in prescribed {
+            let (frame, next) = (&frames[index], &later[index]);
+            if coupled && frame.spin == [0.0; 3] && frame.velocity != [0.0; 3] {
+                let name = self.parts.frame_name(index);
+                return Some(format!(
+                    "frame `{name}` shifts without turning: let it stand still or turn about the axis of the rotation"
+                ));
+            }
+            if differs(frame.spin, next.spin) || differs(pull(frame), pull(next)) {
+                let name = self.parts.frame_name(index);
+                return Some(format!(
+                    "frame `{name}` does not move uniformly: its spin or acceleration changes; take a time when it does"
+                ));
+            }
+        }
+        None
+    }
+
+    /// A free frame that cannot turn with the system.
+    fn unable(&self, spin: &Spin, frames: &[FrameMotion]) -> Option<String> {
+        for frame in &self.free {
+            let (motion, name) = (&frames[frame.spec.frame], self.parts.frame_name(frame.spec.frame));
+            let needed = cross(spin.velocity, subtract(motion.position, spin.point));
+            if differs(needed, motion.velocity) {
+                return Some(format!(
+                    "frame `{name}` cannot be carried about the axis of the rotation: free it along more axes, or put its origin on the axis"
+                ));
+            }
+            let carries = self.bodies.iter().any(|body| body.spec.frame == frame.spec.frame)
+                || frame.spec.rigid.moment != [0.0; 3];
+            let turns = frame.count() > frame.shifts();
+            if (turns || carries) && differs(turning(motion), spin.velocity) {
+                return Some(format!(
+                    "frame `{name}` cannot turn about the axis of the rotation: free it to turn about that axis"
+                ));
+            }
+        }
+        None
     }
 
     /// A load that keeps its direction in a frame which turns relative to a body that it acts on.
@@ -92,13 +233,23 @@ impl<P: Parts> MeshScene<P> {
             LoadKind::Gravity => true,
             LoadKind::Force { body: other, .. } | LoadKind::Moment { body: other, .. } => body == other,
         };
-        let turned = |&body: &usize| turns(&frames[load.frame], &frames[self.bodies[body].spec.frame], value);
-        let body = (0..self.bodies.len()).filter(|&body| acts_on(body)).find(turned)?;
-        let spec = &self.bodies[body].spec;
-        let name = self.parts.frame_name(spec.frame);
+        let turned = |frame: usize| turns(&frames[load.frame], &frames[frame], value);
+        let body = (0..self.bodies.len()).find(|&body| acts_on(body) && turned(self.bodies[body].spec.frame));
+        let remedy = "let it act along the axis, or in the axes of that frame";
+        if let Some(body) = body {
+            let spec = &self.bodies[body].spec;
+            let name = self.parts.frame_name(spec.frame);
+            return Some(format!(
+                "load `{}` keeps its direction while body `{}` turns with frame `{name}`: {remedy}",
+                load.name, spec.name
+            ));
+        }
+        let mut pulled = self.free.iter().filter(|_| load.kind == LoadKind::Gravity);
+        let frame = pulled.find(|frame| frame.has_rigid_parts() && turned(frame.spec.frame))?;
+        let name = self.parts.frame_name(frame.spec.frame);
         Some(format!(
-            "load `{}` keeps its direction while body `{}` turns with frame `{name}`",
-            load.name, spec.name
+            "load `{}` keeps its direction while `{name}` turns: {remedy}",
+            load.name
         ))
     }
 

@@ -1,10 +1,10 @@
 //! A scene as the application sees it.
 
 use super::parts::{ObservedSpec, Parts};
-use super::scene::{MeshScene, Regime};
-use crate::linalg::{Lu, Pattern};
+use super::scene::MeshScene;
+use crate::equilibrium::Uniform;
 use crate::model::{FrameState, Scene};
-use crate::system::{State, System};
+use crate::system::{State, Tangent};
 use crate::vector::norm;
 
 impl<P: Parts> Scene for MeshScene<P> {
@@ -51,73 +51,54 @@ impl<P: Parts> Scene for MeshScene<P> {
         self.formulation == crate::model::Formulation::Rncf
     }
 
-    fn steady_residual(&mut self, t: f64, scale: f64, x: &[f64], out: &mut [f64]) {
-        let zeros = vec![0.0; x.len()];
-        self.load(t, &[], [x, &zeros, &zeros], Regime::Steady(scale));
-        self.full_force(t, scale * scale);
+    fn uniform_guess(&self, at: &Uniform) -> State {
+        self.guess(at)
+    }
+
+    fn uniform_state(&mut self, at: &Uniform, state: &mut State) {
+        self.set_uniform(at, state);
+    }
+
+    fn uniform_residual(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
+        self.load_uniform(at, state);
+        self.full_force(at.t, at.load());
         self.layout.project(&self.buffers.force, out);
     }
 
-    fn steady_tangent(&mut self, t: f64, scale: f64, x: &[f64], values: &mut [f64]) {
-        let zeros = vec![0.0; x.len()];
-        self.load(t, &[], [x, &zeros, &zeros], Regime::Steady(scale));
-        let mut damping = vec![0.0; values.len()];
-        self.full_tangent(t, scale * scale, values, &mut damping);
+    fn small_motions(&mut self, at: &Uniform, state: &State, out: &mut Tangent) {
+        self.load_uniform(at, state);
+        self.uniform_tangent(at, state, out);
+        for corotation in self.corotations(at) {
+            corotation.apply(&self.pattern, out);
+        }
     }
 
-    fn steady_outputs(&mut self, t: f64, scale: f64, x: &[f64], out: &mut [f64]) {
-        let zeros = vec![0.0; x.len()];
-        let lambda = self.steady_multipliers(t, scale, x);
-        self.load(t, &[], [x, &zeros, &zeros], Regime::Steady(scale));
-        self.evaluate_outputs(t, scale * scale, &lambda, out);
+    fn uniform_outputs(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
+        self.load_uniform(at, state);
+        self.evaluate_outputs(at.t, at.load(), &state.lambda, out);
     }
 
-    fn steady_obstacle(&self, t: f64) -> Option<String> {
-        self.obstacle(t)
+    fn circulation(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
+        self.circulation_of(at, state, shape)
+    }
+
+    fn uniform_obstacle(&mut self, at: &Uniform, state: &State) -> Option<String> {
+        self.obstacle(at, state)
+    }
+
+    fn neutral_motions(&mut self, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
+        self.neutral(at, state)
     }
 
     fn spin(&self, t: f64) -> f64 {
         let frames = self.motions(t);
-        self.bodies
-            .iter()
-            .map(|body| norm(frames[body.spec.frame].spin))
+        let prescribed = self.bodies.iter().map(|body| body.spec.frame);
+        let prescribed = prescribed.filter(|&frame| self.free_of[frame].is_none());
+        let free = self.free.iter().map(|_| self.rotation(&Uniform::steady(t)));
+        let free = free.map(|spin| norm(spin.unwrap_or_default().velocity));
+        prescribed
+            .map(|frame| norm(frames[frame].spin))
+            .chain(free.take(1))
             .fold(0.0, f64::max)
-    }
-}
-
-impl<P: Parts> MeshScene<P> {
-    /// Multipliers of a relative equilibrium: `f + C_x^T lambda = 0` in the sense of least squares,
-    /// exact where `x` is one.
-    fn steady_multipliers(&mut self, t: f64, scale: f64, x: &[f64]) -> Vec<f64> {
-        let m = self.constraints();
-        let mut lambda = vec![0.0; m];
-        if self.constraints.is_empty() {
-            return lambda;
-        }
-        let mut forces = vec![0.0; x.len()];
-        self.steady_residual(t, scale, x, &mut forces);
-        let state = State {
-            x: x.to_vec(),
-            ..State::of(self, t)
-        };
-        let mut jacobian = vec![0.0; self.constraint_pattern.entries()];
-        self.constraint_jacobian(&state, &mut jacobian);
-        let pattern = &self.constraint_pattern;
-        pattern.transpose_multiply_add(-1.0, &jacobian, &forces, &mut lambda);
-        let whole = Pattern::new(m, m, (0..m * m).map(|place| (place % m, place / m)));
-        let mut normal = vec![0.0; m * m];
-        for (column, values) in normal.chunks_exact_mut(m).enumerate() {
-            let mut unit = vec![0.0; m];
-            unit[column] = 1.0;
-            let mut along = vec![0.0; x.len()];
-            pattern.multiply_add(1.0, &jacobian, &unit, &mut along);
-            pattern.transpose_multiply_add(1.0, &jacobian, &along, values);
-        }
-        let mut lu = Lu::new(&whole);
-        // Constraints that depend on each other have no equilibrium to begin with.
-        if lu.factor(&normal).is_ok() {
-            lu.solve(&mut lambda);
-        }
-        lambda
     }
 }

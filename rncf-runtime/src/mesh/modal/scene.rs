@@ -5,12 +5,13 @@
 use super::reduction::{Block, Reduction};
 use super::sources::Kernels;
 use super::{Elements, ModalBody};
+use crate::equilibrium::Uniform;
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::mesh::carried::Beside;
 use crate::mesh::frame::FrameAction;
 use crate::mesh::parts::{Fidelity, Parts};
-use crate::mesh::scene::{MeshScene, Regime};
+use crate::mesh::scene::MeshScene;
 use crate::model::{Formulation, FrameState, Joints, Scene};
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
@@ -183,8 +184,8 @@ impl<P: Parts> ModalScene<P> {
 
     /// Adds to the tangent of the nodal vectors what modal bodies make among the unknowns of free
     /// frames, and returns what they make beside them, block by block.
-    fn beside(&mut self, state: &State) -> Vec<Option<Beside>> {
-        let gravity = self.gravity(state.t, 1.0);
+    fn beside(&mut self, t: f64, load_scale: f64, state: &State) -> Vec<Option<Beside>> {
+        let gravity = self.gravity(t, load_scale);
         let pairs = self.reduction.blocks().iter().zip(&self.bodies);
         pairs
             .map(|(block, &body)| {
@@ -242,6 +243,37 @@ impl<P: Parts> ModalScene<P> {
         }
     }
 
+    /// Reduces the tangent of the nodal vectors at the loaded state and adds what the modes make.
+    fn reduce_tangent(&mut self, t: f64, load_scale: f64, state: &State, out: &mut Tangent) {
+        let beside = self.beside(t, load_scale, state);
+        let entries = self.pattern.entries();
+        for values in [&mut out.mass, &mut out.stiffness, &mut out.damping] {
+            values.resize(entries, 0.0);
+        }
+        self.reduce_mass(&beside, &mut out.mass);
+        let (from, to) = (self.scene.pattern(), &self.pattern);
+        let Tangent { stiffness, damping, .. } = &self.tangent;
+        self.reduction.reduce_square(from, stiffness, to, &mut out.stiffness);
+        self.reduction.reduce_square(from, damping, to, &mut out.damping);
+        self.each_body(self.gravity(t, load_scale), |block, _, modes, elements, action| {
+            let own = block.coordinate..block.coordinate + block.count;
+            let square = block.count * block.count;
+            let (mut k, mut c) = (vec![0.0; square], vec![0.0; square]);
+            let at = [&state.x[own.clone()], &state.v[own]];
+            modes.tangent(elements, action, at, &mut k, &mut c);
+            self.add_modal(block, &k, &mut out.stiffness);
+            self.add_modal(block, &c, &mut out.damping);
+        });
+        for (block, beside) in self.reduction.blocks().iter().zip(&beside) {
+            if let Some(beside) = beside {
+                let [lower, upper] = &beside.stiffness;
+                self.add_beside(block, beside, lower, upper, &mut out.stiffness);
+                let [lower, upper] = &beside.damping;
+                self.add_beside(block, beside, lower, upper, &mut out.damping);
+            }
+        }
+    }
+
     /// Calls with the scene in which modal bodies are made of elements, for what is read off it.
     fn in_elements<T>(&mut self, call: impl FnOnce(&mut MeshScene<P>, &State) -> T) -> T {
         self.scene.in_modes = false;
@@ -290,7 +322,7 @@ impl<P: Parts> System for ModalScene<P> {
         self.expand(state);
         self.scene.load_state(&self.full);
         self.scene.mass(&self.full, &mut self.tangent.mass);
-        let beside = self.beside(state);
+        let beside = self.beside(state.t, 1.0, state);
         self.reduce_mass(&beside, values);
     }
 
@@ -304,33 +336,7 @@ impl<P: Parts> System for ModalScene<P> {
         self.expand(state);
         self.scene.tangent(&self.full, &mut self.tangent);
         self.scene.load_state(&self.full);
-        let beside = self.beside(state);
-        let entries = self.pattern.entries();
-        for values in [&mut out.mass, &mut out.stiffness, &mut out.damping] {
-            values.resize(entries, 0.0);
-        }
-        self.reduce_mass(&beside, &mut out.mass);
-        let (from, to) = (self.scene.pattern(), &self.pattern);
-        let Tangent { stiffness, damping, .. } = &self.tangent;
-        self.reduction.reduce_square(from, stiffness, to, &mut out.stiffness);
-        self.reduction.reduce_square(from, damping, to, &mut out.damping);
-        self.each_body(self.gravity(state.t, 1.0), |block, _, modes, elements, action| {
-            let own = block.coordinate..block.coordinate + block.count;
-            let square = block.count * block.count;
-            let (mut k, mut c) = (vec![0.0; square], vec![0.0; square]);
-            let at = [&state.x[own.clone()], &state.v[own]];
-            modes.tangent(elements, action, at, &mut k, &mut c);
-            self.add_modal(block, &k, &mut out.stiffness);
-            self.add_modal(block, &c, &mut out.damping);
-        });
-        for (block, beside) in self.reduction.blocks().iter().zip(&beside) {
-            if let Some(beside) = beside {
-                let [lower, upper] = &beside.stiffness;
-                self.add_beside(block, beside, lower, upper, &mut out.stiffness);
-                let [lower, upper] = &beside.damping;
-                self.add_beside(block, beside, lower, upper, &mut out.damping);
-            }
-        }
+        self.reduce_tangent(state.t, 1.0, state, out);
     }
 
     fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]) {
@@ -430,36 +436,65 @@ impl<P: Parts> Scene for ModalScene<P> {
         self.scene.is_referenced()
     }
 
-    fn steady_residual(&mut self, t: f64, scale: f64, x: &[f64], out: &mut [f64]) {
-        self.load_steady(t, scale, x);
-        let zeros = vec![0.0; x.len()];
-        self.residual_of(t, scale * scale, [x, &zeros, &zeros], out);
+    fn uniform_guess(&self, at: &Uniform) -> State {
+        self.restricted(&self.scene.uniform_guess(at))
     }
 
-    fn steady_tangent(&mut self, t: f64, scale: f64, x: &[f64], values: &mut [f64]) {
-        self.load_steady(t, scale, x);
-        let full = self.full.x.clone();
-        self.scene.steady_tangent(t, scale, &full, &mut self.tangent.stiffness);
-        let from = self.scene.pattern();
-        self.reduction
-            .reduce_square(from, &self.tangent.stiffness, &self.pattern, values);
-        let gravity = self.gravity(t, scale * scale);
-        self.each_body(gravity, |block, _, modes, elements, action| {
-            let square = block.count * block.count;
-            let (mut k, mut c) = (vec![0.0; square], vec![0.0; square]);
-            let at = [&x[block.coordinate..][..block.count], &vec![0.0; block.count]];
-            modes.tangent(elements, action, at, &mut k, &mut c);
-            self.add_modal(block, &k, values);
+    fn uniform_state(&mut self, at: &Uniform, state: &mut State) {
+        self.expand(state);
+        self.scene.set_uniform(at, &mut self.full);
+        state.t = at.t;
+        state.v = self.reduction.restrict(&self.full.v, false);
+        state.a = self.reduction.restrict(&self.full.a, false);
+    }
+
+    fn uniform_residual(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
+        self.expand(state);
+        self.scene.load_uniform(at, &self.full);
+        self.residual_of(at.t, at.load(), [&state.x, &state.v, &state.a], out);
+    }
+
+    fn small_motions(&mut self, at: &Uniform, state: &State, out: &mut Tangent) {
+        self.expand(state);
+        self.scene.load_uniform(at, &self.full);
+        self.scene.uniform_tangent(at, &self.full, &mut self.tangent);
+        self.reduce_tangent(at.t, at.load(), state, out);
+        for mut corotation in self.scene.corotations(at) {
+            if let Some(first) = self.reduction.same(corotation.first) {
+                corotation.first = first;
+                corotation.apply(&self.pattern, out);
+            }
+        }
+    }
+
+    fn uniform_outputs(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.uniform_outputs(at, full, out));
+    }
+
+    fn circulation(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
+        self.expand(state);
+        let [real, imaginary] = [0, 1].map(|part| {
+            let unknowns: Vec<f64> = shape.iter().map(|value| value[part]).collect();
+            let mut full = Vec::new();
+            self.reduction.expand(&unknowns, false, &mut full);
+            full
         });
+        let full: Vec<[f64; 2]> = real.into_iter().zip(imaginary).map(|(re, im)| [re, im]).collect();
+        self.scene.circulation_of(at, &self.full, &full)
     }
 
-    fn steady_outputs(&mut self, t: f64, scale: f64, x: &[f64], out: &mut [f64]) {
-        self.load_steady(t, scale, x);
-        self.in_elements(|scene, full| scene.steady_outputs(t, scale, &full.x, out));
+    fn uniform_obstacle(&mut self, at: &Uniform, state: &State) -> Option<String> {
+        self.expand(state);
+        self.scene.uniform_obstacle(at, &self.full)
     }
 
-    fn steady_obstacle(&self, t: f64) -> Option<String> {
-        self.scene.steady_obstacle(t)
+    fn neutral_motions(&mut self, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
+        self.expand(state);
+        let motions = self.scene.neutral_motions(at, &self.full);
+        // Only poses of free frames move.
+        let restricted = motions.iter().map(|motion| self.reduction.restrict(motion, false));
+        restricted.collect()
     }
 
     fn spin(&self, t: f64) -> f64 {
@@ -478,15 +513,5 @@ impl<P: Parts> Scene for ModalScene<P> {
             warnings.extend(locking.map(|locking| locking.to_string()));
         });
         warnings
-    }
-}
-
-impl<P: Parts> ModalScene<P> {
-    /// Loads a relative equilibrium.
-    fn load_steady(&mut self, t: f64, scale: f64, x: &[f64]) {
-        self.reduction.expand(x, true, &mut self.full.x);
-        let zeros = vec![0.0; self.full.x.len()];
-        self.scene
-            .load(t, &[], [&self.full.x, &zeros, &zeros], Regime::Steady(scale));
     }
 }

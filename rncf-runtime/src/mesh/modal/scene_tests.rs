@@ -1,6 +1,7 @@
 use super::arm::{Arm, COUNT};
 use super::scene::{ModalScene, build};
 use super::tests::{close, numbers};
+use crate::equilibrium::Uniform;
 use crate::linalg::{Cholesky, Pattern};
 use crate::mesh::{Fidelity, MeshScene};
 use crate::model::{Formulation, Joints, Scene};
@@ -80,18 +81,25 @@ fn the_scene_is_the_projection_of_that_with_nodal_vectors() {
                 reduction.reduce_square(full.pattern(), of, modal.pattern(), &mut expected);
                 close(found, &expected, 1e-9);
             }
-            if full.turns().is_empty() && full.border() == 0 {
-                modal.steady_residual(0.1, 0.7, &state.x, &mut force);
-                full.steady_residual(0.1, 0.7, &big.x, &mut nodal);
-                modal.reduction().project(&nodal, &mut expected);
-                close(&force, &expected, 1e-10);
-                let mut found = vec![0.0; modal.pattern().entries()];
-                let [mut expected, mut of] = [found.clone(), vec![0.0; full.pattern().entries()]];
-                modal.steady_tangent(0.1, 0.7, &state.x, &mut found);
-                full.steady_tangent(0.1, 0.7, &big.x, &mut of);
+            let at = Uniform::steady(0.1).scaled(0.7);
+            let (mut state, mut big) = (state, big);
+            modal.uniform_state(&at, &mut state);
+            full.uniform_state(&at, &mut big);
+            modal.uniform_residual(&at, &state, &mut force);
+            full.uniform_residual(&at, &big, &mut nodal);
+            modal.reduction().project(&nodal, &mut expected);
+            close(&force, &expected, 1e-10);
+            modal.small_motions(&at, &state, &mut tangent);
+            full.small_motions(&at, &big, &mut whole);
+            for (found, of) in [
+                (&tangent.mass, &whole.mass),
+                (&tangent.stiffness, &whole.stiffness),
+                (&tangent.damping, &whole.damping),
+            ] {
+                let mut expected = vec![0.0; found.len()];
                 let reduction = modal.reduction();
-                reduction.reduce_square(full.pattern(), &of, modal.pattern(), &mut expected);
-                close(&found, &expected, 1e-9);
+                reduction.reduce_square(full.pattern(), of, modal.pattern(), &mut expected);
+                close(found, &expected, 1e-9);
             }
             let mut rows = [[0.0], [0.0]];
             modal.constraint(ConstraintLevel::Position, &state, &mut rows[0]);

@@ -394,60 +394,6 @@ fn reactions_do_not_depend_on_the_formulation() {
     }
 }
 
-/// Two blades' worth of constraints in a turning frame: the multipliers that outputs read balance
-/// the forces along the constraints.
-#[test]
-fn outputs_of_relative_equilibria_find_their_multipliers() {
-    let mut hand = everything();
-    hand.free.clear();
-    hand.bodies = vec![hand.bodies[2].clone()];
-    hand.joints.clear();
-    hand.loads.clear();
-    hand.fixtures.clear();
-    hand.forces.clear();
-    hand.markers = vec![
-        MarkerSpec::BodyPoint {
-            body: 0,
-            at: Place::Start,
-        },
-        MarkerSpec::Point { frame: 2, at: [0.0; 3] },
-    ];
-    let unit = |axis: usize| std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 });
-    let row = |axis| Quadratic {
-        linear: vec![(0, unit(axis)), (1, scale(-1.0, unit(axis)))],
-        ..Quadratic::default()
-    };
-    hand.constraints.truncate(1);
-    hand.constraints[0].0.markers = &[0, 1];
-    hand.constraints[0].1 = vec![row(0), row(1), row(2)];
-    hand.observed = (0..3)
-        .map(|row| ObservedSpec::Multiplier { constraint: 0, row })
-        .collect();
-    let mut scene = hand.scene(Formulation::Rncf);
-    assert_eq!(
-        scene.steady_obstacle(0.0).map(|text| text.contains("uniformly")),
-        Some(true)
-    );
-    let mut state = scene.rest(0.4);
-    Random(3).shake(&scene, &mut state, 0.1);
-    let mut out = vec![0.0; 3];
-    scene.steady_outputs(0.4, 0.8, &state.x, &mut out);
-    let mut forces = vec![0.0; state.x.len()];
-    scene.steady_residual(0.4, 0.8, &state.x, &mut forces);
-    // The constraints are on the first node's position: its forces must vanish.
-    let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
-    scene.constraint_jacobian(&state, &mut jacobian);
-    scene
-        .constraint_pattern()
-        .multiply_add(1.0, &jacobian, &out, &mut forces);
-    assert!(norm([forces[0], forces[1], forces[2]]) < 1e-12 && norm([out[0], out[1], out[2]]) > 0.1);
-    assert!(refused_steady(&everything().scene(Formulation::Rncf)).contains("`ship` moves freely"));
-}
-
-fn refused_steady(scene: &MeshScene<Hand>) -> String {
-    scene.steady_obstacle(0.0).unwrap_or_default()
-}
-
 #[test]
 fn states_pass_between_the_formulations() {
     let mut referenced = everything().scene(Formulation::Rncf);

@@ -8,3 +8,4 @@ mod model;
 mod random;
 mod refusals;
 mod scenery;
+mod uniform;

@@ -1,6 +1,7 @@
 use super::*;
+use crate::linalg::Pattern;
 use crate::model::FrameState;
-use crate::system::System;
+use crate::system::{ConstraintLevel, System, Tangent};
 
 /// A mass of 1 kg in a plane that turns with `spin`, on a spring along the arm (stiffness N/m, cubic
 /// part N/m^3, length 1 m) and one sideways (N/m), pushed sideways (N), perhaps on a rod to the hub (m).
@@ -56,19 +57,13 @@ impl System for Arm {
         values.copy_from_slice(&[1.0, 0.0, 0.0, 1.0]);
     }
     fn residual(&mut self, state: &State, out: &mut [f64]) {
-        let (t, x, v, a) = (state.t, &state.x[..], &state.v[..], &state.a[..]);
-        self.steady_residual(t, 1.0, x, out);
+        let (v, a) = (&state.v[..], &state.a[..]);
+        self.uniform_residual(&Uniform::steady(state.t), state, out);
         out[0] += a[0] - 2.0 * self.spin * v[1];
         out[1] += a[1] + 2.0 * self.spin * v[0];
     }
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
-        self.mass(state, &mut out.mass);
-        self.steady_tangent(state.t, 1.0, &state.x, &mut out.stiffness);
-        let lambda = state.lambda.first().copied().unwrap_or(0.0);
-        out.stiffness[0] += lambda;
-        out.stiffness[3] += lambda;
-        out.damping
-            .copy_from_slice(&[0.0, 2.0 * self.spin, -2.0 * self.spin, 0.0]);
+        self.small_motions(&Uniform::steady(state.t), state, out);
     }
     fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]) {
         let dot = |a: &[f64], b: &[f64]| a[0] * b[0] + a[1] * b[1];
@@ -136,20 +131,28 @@ impl Scene for Arm {
     fn is_referenced(&self) -> bool {
         self.referenced
     }
-    fn steady_residual(&mut self, _t: f64, scale: f64, x: &[f64], out: &mut [f64]) {
-        let (square, long) = ((scale * self.spin).powi(2), x[0] - 1.0);
+    fn uniform_state(&mut self, at: &Uniform, state: &mut State) {
+        state.t = at.t;
+        state.v.fill(0.0);
+        state.a.fill(0.0);
+    }
+    fn uniform_residual(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
+        let (x, square) = (&state.x, (at.speed() * self.spin).powi(2));
+        let long = x[0] - 1.0;
         out[0] = self.stiffness * long + self.cubic * long.powi(3) - square * x[0];
-        out[1] = self.sideways * x[1] - square * x[1] - scale * scale * self.push;
+        out[1] = self.sideways * x[1] - square * x[1] - at.load() * self.push;
     }
-    fn steady_tangent(&mut self, _t: f64, scale: f64, x: &[f64], values: &mut [f64]) {
-        let square = (scale * self.spin).powi(2);
-        values[0] = self.stiffness + 3.0 * self.cubic * (x[0] - 1.0).powi(2) - square;
-        values[1] = 0.0;
-        values[2] = 0.0;
-        values[3] = self.sideways - square;
+    fn small_motions(&mut self, at: &Uniform, state: &State, out: &mut Tangent) {
+        let w = at.speed() * self.spin;
+        let lambda = state.lambda.first().copied().unwrap_or(0.0);
+        let along = self.stiffness + 3.0 * self.cubic * (state.x[0] - 1.0).powi(2);
+        self.mass(state, &mut out.mass);
+        out.stiffness
+            .copy_from_slice(&[along - w * w + lambda, 0.0, 0.0, self.sideways - w * w + lambda]);
+        out.damping.copy_from_slice(&[0.0, 2.0 * w, -2.0 * w, 0.0]);
     }
-    fn steady_outputs(&mut self, _t: f64, _scale: f64, _x: &[f64], _out: &mut [f64]) {}
-    fn steady_obstacle(&self, _t: f64) -> Option<String> {
+    fn uniform_outputs(&mut self, _at: &Uniform, _state: &State, _out: &mut [f64]) {}
+    fn uniform_obstacle(&mut self, _at: &Uniform, _state: &State) -> Option<String> {
         self.obstacle.clone()
     }
     fn spin(&self, _t: f64) -> f64 {

@@ -1,0 +1,181 @@
+//! Equilibria in uniform rotation or at rest (THEORY 8.1): `M a + f + C_x^T lambda = 0, C(x) = 0` with
+//! the velocities and accelerations of the uniform motion, by continuation from the start or from a
+//! guess.
+
+mod newton;
+mod uniform;
+
+pub use uniform::{Kind, Spin, Uniform};
+
+use crate::error::{SolveError, SolveErrorKind};
+use crate::model::Scene;
+use crate::system::State;
+use newton::{Failure, Newton};
+
+/// Smallest increment of the scale.
+const SMALLEST: f64 = 1.0 / 65536.0;
+
+/// An equilibrium and the way to it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibrium {
+    /// The continuation steps in their order, the last one at scale 1.
+    pub path: Vec<Continued>,
+    /// Newton iterations of attempts that failed and were repeated with a smaller increment.
+    pub wasted_iterations: u32,
+}
+
+/// One continuation step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Continued {
+    /// Part of the angular velocity, or of the loads of a static equilibrium, 0 to 1.
+    pub scale: f64,
+    /// Equilibrium at that scale: positions and orientations, velocities and accelerations of the uniform
+    /// motion, multipliers.
+    pub state: State,
+    /// Newton iterations that it took.
+    pub iterations: u32,
+}
+
+impl Equilibrium {
+    /// The equilibrium at the full angular velocity or load.
+    pub fn state(&self) -> Option<&State> {
+        self.path.last().map(|step| &step.state)
+    }
+
+    /// Newton iterations of all attempts.
+    pub fn iterations(&self) -> u32 {
+        self.wasted_iterations + self.path.iter().map(|step| step.iterations).sum::<u32>()
+    }
+}
+
+/// Relative equilibrium of `scene` with the spin, loads and constraints of time `t` (s).
+///
+/// # Errors
+/// As [`follow`].
+pub fn steady<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Equilibrium, SolveError> {
+    follow(scene, &Uniform::steady(t), 1.0, |_, _| ())
+}
+
+/// Equilibrium at rest of `scene` under the loads of time `t` (s), which are stepped from zero.
+///
+/// # Errors
+/// As [`follow`].
+pub fn static_load<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Equilibrium, SolveError> {
+    follow(scene, &Uniform::at_rest(t), 1.0, |_, _| ())
+}
+
+/// The equilibria from the start of `scene` up to `at` with growing [`Uniform::scale`], in increments of
+/// at most `largest`; `visit` sees every step when it is found, so that the way is known up to where it
+/// ends.
+///
+/// # Errors
+/// [`SolveErrorKind::NoEquilibrium`] if the unknowns are not those of the turning frames, if a frame,
+/// load, joint, force or constraint is not invariant under the rotation (by name), or if no equilibrium
+/// continues those before.
+pub fn follow<S: Scene + ?Sized>(
+    scene: &mut S,
+    at: &Uniform,
+    largest: f64,
+    mut visit: impl FnMut(&mut S, &Continued),
+) -> Result<Equilibrium, SolveError> {
+    let mut last = scene.uniform_guess(at);
+    check(scene, at, &last)?;
+    let mut newton = Newton::new(scene);
+    let largest = largest.clamp(SMALLEST, 1.0);
+    let (mut scale, mut increment) = (0.0, largest);
+    let mut found = Equilibrium {
+        path: vec![],
+        wasted_iterations: 0,
+    };
+    while scale < at.scale {
+        let target = (scale + increment).min(at.scale);
+        let mut state = last.clone();
+        let (result, iterations) = newton.solve(scene, &at.scaled(target), &mut state);
+        match result {
+            Ok(()) => {
+                scale = target;
+                increment = (2.0 * increment).min(largest);
+                last.clone_from(&state);
+                let step = Continued {
+                    scale,
+                    state,
+                    iterations,
+                };
+                visit(scene, &step);
+                found.path.push(step);
+            }
+            Err(failure) => {
+                found.wasted_iterations += iterations;
+                increment = 0.5 * (target - scale);
+                if increment < SMALLEST {
+                    return Err(failed(scene, at, &failure, scale));
+                }
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The equilibrium near a guess, e.g. that of nearby parameters: positions, orientations and
+/// multipliers are read.
+///
+/// # Errors
+/// As [`follow`].
+pub fn continue_from<S: Scene + ?Sized>(scene: &mut S, at: &Uniform, guess: &State) -> Result<Continued, SolveError> {
+    check(scene, at, guess)?;
+    let mut state = guess.clone();
+    state.t = at.t;
+    let (result, iterations) = Newton::new(scene).solve(scene, at, &mut state);
+    match result {
+        Ok(()) => Ok(Continued {
+            scale: at.scale,
+            state,
+            iterations,
+        }),
+        Err(failure) => Err(failed(scene, at, &failure, at.scale)),
+    }
+}
+
+fn error(at: &Uniform, text: String, worst: Option<String>) -> SolveError {
+    SolveError {
+        kind: SolveErrorKind::NoEquilibrium(text),
+        t: at.t,
+        h: 0.0,
+        worst,
+    }
+}
+
+/// Whether an equilibrium may exist.
+fn check<S: Scene + ?Sized>(scene: &mut S, at: &Uniform, guess: &State) -> Result<(), SolveError> {
+    if !scene.is_referenced() {
+        let text = "the unknowns do not turn with the bodies; take the formulation rncf";
+        return Err(error(at, text.into(), None));
+    }
+    match scene.uniform_obstacle(at, guess) {
+        Some(obstacle) => Err(error(at, obstacle, None)),
+        None => Ok(()),
+    }
+}
+
+fn failed<S: Scene + ?Sized>(scene: &S, at: &Uniform, failure: &Failure, scale: f64) -> SolveError {
+    let of = match at.kind {
+        Kind::Steady => "the angular velocity",
+        Kind::Static => "the load",
+    };
+    let (text, row) = failure.explain(&format!("beyond {scale} of {of}"));
+    error(at, text, row.map(|row| describe(scene, row)))
+}
+
+fn describe<S: Scene + ?Sized>(scene: &S, row: usize) -> String {
+    let n = scene.unknowns();
+    if row < n {
+        scene.describe_unknown(row)
+    } else if row < n + scene.constraints() {
+        scene.describe_constraint(row - n)
+    } else {
+        "a motion that nothing ties".into()
+    }
+}
+
+#[cfg(test)]
+mod tests;

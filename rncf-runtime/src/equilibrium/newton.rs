@@ -1,0 +1,293 @@
+//! Newton's iteration for equilibria with the whole matrix `[[K, C_x^T, p], [C_x, 0, 0], [p^T, 0, 0]]`:
+//! K alone may be singular, and phase conditions p hold what is neutral.
+
+use super::uniform::Uniform;
+use crate::linalg::{Lu, Pattern};
+use crate::model::Scene;
+use crate::system::{ConstraintLevel, State, Tangent};
+
+/// Most iterations.
+const ITERATIONS: u32 = 30;
+/// Increments below this, relative to the sizes of the unknowns, are round-off.
+const ROUND_OFF: f64 = 1e-14;
+/// Increments below this that shrink no more are the noise of the residual.
+const NOISE: f64 = 1e-7;
+/// Shrinkage that noise does not reach.
+const STAGNANT: f64 = 0.25;
+/// Increments above this, relative to the sizes of the unknowns, lead astray.
+const ASTRAY: f64 = 10.0;
+/// Part of the acting forces that a phase condition may carry.
+const UNBALANCED: f64 = 1e-6;
+/// Part of the stiffness times the sizes that forces are resolved to.
+const RESOLVED: f64 = 1e-11;
+
+/// Why no equilibrium was found; rows count unknowns first, then constraints.
+pub(super) enum Failure {
+    Singular(usize),
+    NotFinite,
+    Slow(usize),
+    Unbalanced(usize),
+}
+
+impl Failure {
+    /// What happened, and the row that it happened at; `where_` says at which part of the load.
+    pub fn explain(&self, where_: &str) -> (String, Option<usize>) {
+        match *self {
+            Failure::Singular(row) => (
+                format!("the stiffness is singular {where_}: a motion is neither tied nor stiff, or the bodies buckle"),
+                Some(row),
+            ),
+            Failure::NotFinite => (
+                format!("a force is not finite {where_}: a parameter is unphysical"),
+                None,
+            ),
+            Failure::Slow(row) => (
+                format!("Newton's iteration does not converge {where_}: the bodies may have no equilibrium there"),
+                Some(row),
+            ),
+            Failure::Unbalanced(row) => (
+                format!(
+                    "a force or moment along a motion that nothing ties is not balanced {where_}: tie that motion, or leave the force away"
+                ),
+                Some(row),
+            ),
+        }
+    }
+}
+
+/// The iteration and its memory.
+pub(super) struct Newton {
+    lu: Lu<f64>,
+    /// Places in the whole matrix of the entries of K, of `C_x^T` and of `C_x`.
+    block: Vec<usize>,
+    border: Vec<[usize; 2]>,
+    /// Row and column of the entries of K.
+    columns: Vec<(usize, usize)>,
+    /// Phase conditions, and the places in the whole matrix of their columns and rows by unknown.
+    phases: Vec<Vec<f64>>,
+    phase_places: Vec<Vec<(usize, [usize; 2])>>,
+    constraint_pattern: Pattern,
+    values: Vec<f64>,
+    jacobian: Vec<f64>,
+    tangent: Tangent,
+    increments: Vec<f64>,
+    inverse_sizes: Vec<f64>,
+    /// Multipliers of the phase conditions.
+    held: Vec<f64>,
+    /// Largest energy of a force over the size of its unknown, J.
+    acting: f64,
+}
+
+impl Newton {
+    pub fn new<S: Scene + ?Sized>(scene: &S) -> Self {
+        Self::with_phases(scene, Vec::new())
+    }
+
+    fn with_phases<S: Scene + ?Sized>(scene: &S, phases: Vec<Vec<f64>>) -> Self {
+        let (pattern, constraint_pattern) = (scene.pattern(), scene.constraint_pattern());
+        let (n, m) = (pattern.rows(), constraint_pattern.columns());
+        let (block, border) = (entries(pattern), entries(constraint_pattern));
+        let support = |phase: &Vec<f64>| -> Vec<usize> { (0..n).filter(|&row| phase[row] != 0.0).collect() };
+        let supports: Vec<Vec<usize>> = phases.iter().map(support).collect();
+        let sides = border.iter().map(|&(row, j)| (row, n + j));
+        let of_phases = supports
+            .iter()
+            .enumerate()
+            .flat_map(|(j, rows)| rows.iter().map(move |&row| (row, n + m + j)));
+        let sides: Vec<(usize, usize)> = sides.chain(of_phases).collect();
+        let size = n + m + phases.len();
+        let mirrored = sides.iter().flat_map(|&(row, column)| [(row, column), (column, row)]);
+        let whole = Pattern::new(size, size, block.iter().copied().chain(mirrored));
+        let place = |row, column| whole.find(row, column).expect("the whole pattern holds its parts");
+        let both = |row, column| [place(row, column), place(column, row)];
+        let phase_places = supports.iter().enumerate().map(|(j, rows)| {
+            let places = rows.iter().map(|&row| (row, both(row, n + m + j)));
+            places.collect()
+        });
+        let zeros = || vec![0.0; block.len()];
+        Self {
+            phase_places: phase_places.collect(),
+            block: block.iter().map(|&(row, column)| place(row, column)).collect(),
+            border: border.iter().map(|&(row, j)| both(row, n + j)).collect(),
+            constraint_pattern: constraint_pattern.clone(),
+            values: vec![0.0; whole.entries()],
+            jacobian: vec![0.0; border.len()],
+            tangent: Tangent {
+                mass: zeros(),
+                stiffness: zeros(),
+                damping: zeros(),
+            },
+            increments: vec![0.0; size],
+            columns: block,
+            inverse_sizes: scene.sizes().iter().map(|size| 1.0 / size).collect(),
+            held: vec![0.0; phases.len()],
+            phases,
+            acting: 0.0,
+            lu: Lu::new(&whole),
+        }
+    }
+
+    /// Holds what is neutral at the state.
+    fn hold<S: Scene + ?Sized>(&mut self, scene: &mut S, at: &Uniform, state: &State) {
+        let mut phases = scene.neutral_motions(at, state);
+        for phase in &mut phases {
+            // In the metric of the sizes, so that a phase condition depends on no unit.
+            for (value, factor) in phase.iter_mut().zip(&self.inverse_sizes) {
+                *value *= factor * factor;
+            }
+            let largest = phase.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+            phase.iter_mut().for_each(|value| *value /= largest);
+        }
+        let is_zero = |phase: &Vec<f64>| -> Vec<bool> { phase.iter().map(|&value| value == 0.0).collect() };
+        if phases.iter().map(is_zero).eq(self.phases.iter().map(is_zero)) {
+            self.phases = phases;
+        } else {
+            *self = Self::with_phases(scene, phases);
+        }
+        self.held.fill(0.0);
+    }
+
+    /// Converges `state` down to round-off; also the number of iterations. Velocities and accelerations are
+    /// those of the uniform motion.
+    pub fn solve<S: Scene + ?Sized>(
+        &mut self,
+        scene: &mut S,
+        at: &Uniform,
+        state: &mut State,
+    ) -> (Result<(), Failure>, u32) {
+        state.rebase(scene.turns());
+        self.hold(scene, at, state);
+        let (result, iterations) = self.iterate(scene, at, state);
+        scene.uniform_state(at, state);
+        (result.and_then(|()| self.check_phases()), iterations)
+    }
+
+    fn iterate<S: Scene + ?Sized>(
+        &mut self,
+        scene: &mut S,
+        at: &Uniform,
+        state: &mut State,
+    ) -> (Result<(), Failure>, u32) {
+        let n = state.x.len();
+        let mut last = f64::INFINITY;
+        let mut taken = 0;
+        for iteration in 1..=ITERATIONS {
+            taken = iteration;
+            self.linearize(scene, at, state);
+            let all = self.increments.iter().chain(&self.values);
+            if !all.copied().all(f64::is_finite) {
+                return (Err(Failure::NotFinite), iteration);
+            }
+            if let Err(row) = self.lu.factor(&self.values) {
+                return (Err(Failure::Singular(row)), iteration);
+            }
+            self.lu.solve(&mut self.increments);
+            let size = self.size();
+            if !size.is_finite() {
+                return (Err(Failure::NotFinite), iteration);
+            }
+            let unknowns = state.x.iter_mut().chain(&mut state.lambda).chain(&mut self.held);
+            for (value, change) in unknowns.zip(&self.increments) {
+                *value += change;
+            }
+            state.rebase(scene.turns());
+            if size <= ROUND_OFF || size <= NOISE && size > STAGNANT * last {
+                return (Ok(()), iteration);
+            }
+            // An iteration that wanders may end on another branch.
+            if size > ASTRAY || iteration > 2 && size > last {
+                break;
+            }
+            last = size;
+        }
+        let weighted = |i: usize| (self.increments[i] * self.inverse_sizes[i]).abs();
+        let worst = (0..n).max_by(|&i, &j| weighted(i).total_cmp(&weighted(j))).unwrap_or(0);
+        (Err(Failure::Slow(worst)), taken)
+    }
+
+    /// Matrix and right side (the negative residual, in `increments`) at `state`.
+    fn linearize<S: Scene + ?Sized>(&mut self, scene: &mut S, at: &Uniform, state: &mut State) {
+        let (n, m) = (state.x.len(), state.lambda.len());
+        scene.uniform_state(at, state);
+        let (forces, others) = self.increments.split_at_mut(n);
+        let violations = &mut others[..m];
+        scene.uniform_residual(at, state, forces);
+        scene.small_motions(at, state, &mut self.tangent);
+        let sizes = || self.inverse_sizes.iter().map(|inverse| 1.0 / inverse);
+        let largest = |forces: &[f64]| {
+            forces
+                .iter()
+                .zip(sizes())
+                .fold(0.0, |sum: f64, (f, size)| sum.max((f * size).abs()))
+        };
+        self.acting = largest(forces);
+        if m > 0 {
+            scene.constraint(ConstraintLevel::Position, state, violations);
+            scene.constraint_jacobian(state, &mut self.jacobian);
+            self.constraint_pattern
+                .multiply_add(1.0, &self.jacobian, &state.lambda, forces);
+        }
+        others[m..].fill(0.0);
+        self.values.fill(0.0);
+        for (&place, &value) in self.block.iter().zip(&self.tangent.stiffness) {
+            self.values[place] = value;
+        }
+        for (&[upper, lower], &value) in self.border.iter().zip(&self.jacobian) {
+            self.values[upper] = value;
+            self.values[lower] = value;
+        }
+        for ((phase, places), held) in self.phases.iter().zip(&self.phase_places).zip(&self.held) {
+            for &(row, [upper, lower]) in places {
+                self.values[upper] = phase[row];
+                self.values[lower] = phase[row];
+                self.increments[row] += phase[row] * held;
+            }
+        }
+        self.increments.iter_mut().for_each(|value| *value = -*value);
+    }
+
+    /// Along a neutral motion nothing may act.
+    fn check_phases(&self) -> Result<(), Failure> {
+        for (phase, held) in self.phases.iter().zip(&self.held) {
+            let energy = |row: usize| (held * phase[row] / self.inverse_sizes[row]).abs();
+            let rows = 0..phase.len();
+            let worst = rows.max_by(|&i, &j| energy(i).total_cmp(&energy(j))).unwrap_or(0);
+            if energy(worst) > UNBALANCED * self.acting + RESOLVED * self.stiffest(phase) {
+                return Err(Failure::Unbalanced(worst));
+            }
+        }
+        Ok(())
+    }
+
+    /// Largest energy of a stiffness over the sizes of its unknowns, J, in the rows of a phase condition:
+    /// forces that are in balance by themselves leave round-off of this.
+    fn stiffest(&self, phase: &[f64]) -> f64 {
+        let columns = self.columns.iter().enumerate();
+        let mut largest: f64 = 0.0;
+        for (entry, &(row, column)) in columns {
+            if phase[row] != 0.0 {
+                let sizes = self.inverse_sizes[row] * self.inverse_sizes[column];
+                largest = largest.max((self.tangent.stiffness[entry] / sizes).abs());
+            }
+        }
+        largest
+    }
+
+    /// Root mean square of the increments of `x`, relative to the sizes of the unknowns.
+    fn size(&self) -> f64 {
+        let parts = self.increments.iter().zip(&self.inverse_sizes);
+        let sum: f64 = parts.map(|(change, factor)| (change * factor).powi(2)).sum();
+        (sum / self.inverse_sizes.len().max(1) as f64).sqrt()
+    }
+}
+
+/// Row and column of every entry, in the order of the values.
+fn entries(pattern: &Pattern) -> Vec<(usize, usize)> {
+    (0..pattern.columns())
+        .flat_map(|column| {
+            pattern.indices()[pattern.starts()[column]..pattern.starts()[column + 1]]
+                .iter()
+                .map(move |&row| (row, column))
+        })
+        .collect()
+}

@@ -1,0 +1,135 @@
+//! Small systems: all modes from full matrices on the null space of the constraints.
+
+use super::pencil::Pencil;
+use super::spectrum::{Failure, Pair};
+use crate::linalg::{c64, general_eigen, negative_eigenvalues, solve_full, symmetric_eigen, times};
+
+/// Constraints whose part that others do not fix is smaller than this depend on those.
+const DEPENDENT: f64 = 1e-10;
+/// Eigenvalues of the inverse below this part of the largest one stand for infinite frequencies.
+const INFINITE: f64 = 1e-13;
+/// Shifts that are tried, in parts of the guessed lowest frequency.
+const SHIFTS: [f64; 4] = [0.5, 0.7, 1.3, 0.1];
+
+/// All finite eigenvalues with the unknowns' vectors, pairs of conjugates both.
+pub(super) fn spectrum(pencil: &Pencil) -> Result<(f64, Vec<Pair>), Failure> {
+    let basis = null_space(pencil)?;
+    let k = basis.len();
+    if k == 0 {
+        return Ok((1.0, Vec::new()));
+    }
+    let [mass, damping, stiffness] = pencil.dense().map(|full| reduced(pencil.unknowns(), &full, &basis));
+    let guess = pencil.guess();
+    for part in SHIFTS {
+        let shift = part * guess;
+        let sum = |place: usize| stiffness[place] + shift * (damping[place] + shift * mass[place]);
+        let dynamic: Vec<f64> = (0..k * k).map(sum).collect();
+        // Right sides of what x' takes from x and from y = s x / shift.
+        let from_x: Vec<f64> = (0..k * k).map(|place| -(damping[place] + shift * mass[place])).collect();
+        let from_y: Vec<f64> = mass.iter().map(|value| -shift * value).collect();
+        let Some([from_x, from_y]) = solve_full(k, &dynamic, [&from_x, &from_y]) else {
+            continue;
+        };
+        let mut inverse = vec![0.0; 4 * k * k];
+        for i in 0..k {
+            for j in 0..k {
+                for (column, value) in [(j, from_x[i * k + j]), (k + j, from_y[i * k + j])] {
+                    inverse[i * 2 * k + column] = value;
+                    inverse[(k + i) * 2 * k + column] = value;
+                }
+            }
+            inverse[(k + i) * 2 * k + i] += 1.0 / shift;
+        }
+        let (values, vectors) = general_eigen(2 * k, &inverse).map_err(|_| Failure::NotFound)?;
+        let largest = values.iter().map(|value| value.norm()).fold(0.0, f64::max);
+        let finite = values.into_iter().zip(vectors).filter(|(value, _)| value.norm() > INFINITE * largest);
+        let pairs = finite.map(|(value, vector)| Pair {
+            s: c64::new(shift, 0.0) + c64::new(1.0, 0.0) / value,
+            x: expanded(&basis, &vector[..k]),
+        });
+        return Ok((shift, pairs.collect()));
+    }
+    Err(Failure::Singular(None))
+}
+
+/// Number of negative eigenvalues of the symmetric part of K on the null space of the constraints, from
+/// the signature of the bordered matrix.
+pub(super) fn negative_stiffness(pencil: &Pencil) -> Result<usize, Failure> {
+    let (n, m) = (pencil.unknowns(), pencil.constraints());
+    let size = n + m;
+    let [_, _, stiffness] = pencil.dense();
+    let mut whole = vec![0.0; size * size];
+    for i in 0..n {
+        for j in 0..n {
+            whole[i * size + j] = 0.5 * (stiffness[i * n + j] + stiffness[j * n + i]);
+        }
+    }
+    // Constraints as large as the stiffness: the signature is the same, the pivots are better.
+    let largest = whole.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
+    let weight = if largest > 0.0 { largest } else { 1.0 };
+    for (constraint, row) in pencil.constraint_rows().iter().enumerate() {
+        for (unknown, value) in row.iter().enumerate() {
+            whole[(n + constraint) * size + unknown] = weight * value;
+            whole[unknown * size + n + constraint] = weight * value;
+        }
+    }
+    let negative = negative_eigenvalues(size, &whole).map_err(|_| Failure::NotFound)?;
+    Ok(negative.saturating_sub(m))
+}
+
+/// Orthonormal basis of the null space of the constraints.
+fn null_space(pencil: &Pencil) -> Result<Vec<Vec<f64>>, Failure> {
+    let n = pencil.unknowns();
+    let mut projector = vec![0.0; n * n];
+    let mut rows: Vec<Vec<f64>> = Vec::new();
+    for (constraint, mut row) in pencil.constraint_rows().into_iter().enumerate() {
+        let before = norm(&row);
+        for other in rows.iter().chain(&rows) {
+            let part: f64 = other.iter().zip(&row).map(|(a, b)| a * b).sum();
+            row.iter_mut().zip(other).for_each(|(value, of)| *value -= part * of);
+        }
+        let after = norm(&row);
+        if after.is_nan() || after <= DEPENDENT * before {
+            return Err(Failure::Singular(Some(n + constraint)));
+        }
+        row.iter_mut().for_each(|value| *value /= after);
+        rows.push(row);
+    }
+    for row in &rows {
+        for i in 0..n {
+            for j in 0..n {
+                projector[i * n + j] += row[i] * row[j];
+            }
+        }
+    }
+    if rows.is_empty() {
+        let unit = |i: usize| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect();
+        return Ok((0..n).map(unit).collect());
+    }
+    let (_, mut vectors) = symmetric_eigen(n, &projector).map_err(|_| Failure::NotFound)?;
+    vectors.truncate(n - rows.len());
+    Ok(vectors)
+}
+
+fn norm(vector: &[f64]) -> f64 {
+    vector.iter().map(|value| value * value).sum::<f64>().sqrt()
+}
+
+/// `N^T A N`
+fn reduced(n: usize, full: &[f64], basis: &[Vec<f64>]) -> Vec<f64> {
+    let images: Vec<Vec<f64>> = basis.iter().map(|vector| times(n, full, vector)).collect();
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let row = |of: &Vec<f64>| images.iter().map(|image| dot(of, image)).collect::<Vec<f64>>();
+    basis.iter().flat_map(row).collect()
+}
+
+/// `N z`
+fn expanded(basis: &[Vec<f64>], coordinates: &[c64]) -> Vec<c64> {
+    let mut x = vec![c64::default(); basis[0].len()];
+    for (vector, coordinate) in basis.iter().zip(coordinates) {
+        for (sum, value) in x.iter_mut().zip(vector) {
+            *sum += coordinate * value;
+        }
+    }
+    x
+}

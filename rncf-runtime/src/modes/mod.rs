@@ -1,0 +1,134 @@
+//! Small motions about a relative equilibrium (THEORY 8.2): eigenvalues, modes, their stability and whirl,
+//! and which mode is which when a parameter changes.
+//!
+//! `(K + s C + s^2 M) x + C_x^T lambda = 0, C_x x = 0` with the co-rotating matrices of
+//! [`Scene::small_motions`]: time enters as exp(s t), s = re + i im, and frequencies are those seen by an
+//! observer that turns with the system.
+
+mod arnoldi;
+mod critical;
+mod dense;
+mod pencil;
+mod spectrum;
+mod tracking;
+mod whirl;
+
+pub use critical::{Critical, critical};
+pub use pencil::Pencil;
+pub use tracking::{assurance, matched};
+pub use whirl::Whirl;
+pub(crate) use whirl::circulation;
+
+use crate::equilibrium::Uniform;
+use crate::error::{SolveError, SolveErrorKind};
+use crate::model::Scene;
+use crate::system::{State, Tangent};
+use spectrum::{Failure, Pair};
+
+/// A mode of small motions: `x(t) = Re(shape exp((re + i im) t))`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// Rate of growth, 1/s: positive where the equilibrium is unstable.
+    pub re: f64,
+    /// Angular frequency in the co-rotating axes, rad/s, not negative: one mode stands for two conjugate
+    /// ones. 0 where the mode does not oscillate.
+    pub im: f64,
+    /// Real and imaginary parts of the unknowns (increments of orientations, co-rotating). The first of the
+    /// entries that are largest relative to [`sizes`](crate::system::System::sizes) is its size times 1.
+    pub shape: Vec<[f64; 2]>,
+}
+
+/// Which modes are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wanted {
+    /// Number of modes, those of the lowest |s|; a system with fewer has all of its modes returned.
+    pub count: usize,
+}
+
+/// Modes of small motions about the equilibrium `state` of the uniform motion `at`, ascending frequencies,
+/// those of equal frequency by their growth. A motion that drifts (a free body's) is one mode though its
+/// eigenvalue is a double one.
+///
+/// # Errors
+/// [`SolveErrorKind::NoModes`]: the matrices are singular (naming the unknown or constraint), a value is
+/// not finite, or a mode was not found to the accuracy of the matrices.
+pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted) -> Result<Vec<Mode>, SolveError> {
+    let pencil = pencil(scene, at, state);
+    let sizes = scene.sizes().to_vec();
+    let pairs = spectrum::lowest(&pencil, wanted.count).map_err(|failure| error(scene, at, &failure))?;
+    Ok(pairs.into_iter().map(|pair| mode(&pencil, &sizes, pair)).collect())
+}
+
+/// Number of directions in which the co-rotating stiffness (its symmetric part: what dissipates in axes
+/// that stand still is left out) is negative at a state, constraints kept. Where it changes with a
+/// parameter, a frequency is zero: a critical speed or a buckling load. Full matrices: time grows with the
+/// cube of the unknowns.
+///
+/// # Errors
+/// [`SolveErrorKind::NoModes`] if a value is not finite.
+pub fn unstable_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Result<usize, SolveError> {
+    dense::negative_stiffness(&pencil(scene, at, state)).map_err(|failure| error(scene, at, &failure))
+}
+
+/// Stability margin: the largest rate of growth, 1/s. Negative: the equilibrium is asymptotically stable in
+/// these modes; 0 to round-off: neutral, as without damping; `None` without modes.
+pub fn stability_margin(modes: &[Mode]) -> Option<f64> {
+    modes.iter().map(|mode| mode.re).reduce(f64::max)
+}
+
+fn pencil(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Pencil {
+    let zeros = || vec![0.0; scene.pattern().entries()];
+    let mut tangent = Tangent {
+        mass: zeros(),
+        stiffness: zeros(),
+        damping: zeros(),
+    };
+    let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
+    scene.small_motions(at, state, &mut tangent);
+    scene.constraint_jacobian(state, &mut jacobian);
+    Pencil::new(scene.pattern(), &tangent, scene.constraint_pattern(), &jacobian, scene.sizes())
+}
+
+/// The mode in the unknowns and their true sizes.
+fn mode(pencil: &Pencil, sizes: &[f64], Pair { s, mut x }: Pair) -> Mode {
+    for (value, (scale, size)) in x.iter_mut().zip(pencil.scales().iter().zip(sizes)) {
+        *value *= scale / size;
+    }
+    spectrum::normalise(&mut x, &mut []);
+    let shape = x.iter().zip(sizes).map(|(value, size)| [value.re * size, value.im * size]);
+    Mode {
+        re: s.re,
+        im: s.im,
+        shape: shape.collect(),
+    }
+}
+
+fn error(scene: &dyn Scene, at: &Uniform, failure: &Failure) -> SolveError {
+    let n = scene.unknowns();
+    let (text, worst) = match *failure {
+        Failure::Singular(row) => {
+            let worst = row.map(|row| if row < n { scene.describe_unknown(row) } else { scene.describe_constraint(row - n) });
+            let text = "a motion has neither inertia nor stiffness, or constraints depend on each other";
+            (text.to_string(), worst)
+        }
+        Failure::NotFinite => ("a matrix of small motions is not finite: a parameter is unphysical".to_string(), None),
+        Failure::NotFound => ("the eigenvalues of a full matrix were not found: look for values out of the range of numbers".to_string(), None),
+        Failure::Slow(found) => (
+            format!("the search did not converge beyond {found} modes: ask for fewer, or for other numbers of elements"),
+            None,
+        ),
+        Failure::Inexact(index) => (
+            format!("mode {} does not satisfy its equations to round-off: ask for at most {index}", index + 1),
+            None,
+        ),
+    };
+    SolveError {
+        kind: SolveErrorKind::NoModes(text),
+        t: at.t,
+        h: 0.0,
+        worst,
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,263 @@
+//! The quadratic pencil of small motions with constraints (THEORY 8.2):
+//! `(K + s C + s^2 M) x + C_x^T lambda = 0, C_x x = 0`.
+
+use crate::linalg::{Lu, Pattern, Scalar, c64};
+use crate::system::Tangent;
+
+/// Matrices of small motions with constraints, in unknowns and multipliers relative to their sizes.
+///
+/// Sizes are rounded to powers of two, so that scaling does not round: the frequencies of what is soft
+/// beside something very stiff depend on the last digits of the stiffness.
+#[derive(Clone, Debug)]
+pub struct Pencil {
+    pattern: Pattern,
+    mass: Vec<f64>,
+    damping: Vec<f64>,
+    stiffness: Vec<f64>,
+    constraint_pattern: Pattern,
+    jacobian: Vec<f64>,
+    scales: Vec<f64>,
+    /// Pattern of `[[K, C_x^T], [C_x, 0]]`, and the places in it of the parts.
+    whole: Pattern,
+    block: Vec<usize>,
+    border: Vec<[usize; 2]>,
+}
+
+/// `K x + C_x^T lambda`, `C x` and `M x`, and `C_x x`, each summed with twice the digits.
+pub(super) struct Products {
+    pub stiffness: Vec<c64>,
+    pub damping: Vec<c64>,
+    pub mass: Vec<c64>,
+    pub constraints: Vec<c64>,
+}
+
+impl Pencil {
+    /// The pencil of mass, damping and stiffness on `pattern` (n x n) and of `C_x^T` on
+    /// `constraint_pattern` (n x m), for unknowns of the given sizes.
+    ///
+    /// # Panics
+    /// If the shapes do not fit: a defect of the caller.
+    pub fn new(
+        pattern: &Pattern,
+        tangent: &Tangent,
+        constraint_pattern: &Pattern,
+        jacobian: &[f64],
+        sizes: &[f64],
+    ) -> Self {
+        let (n, m) = (pattern.columns(), constraint_pattern.columns());
+        assert_eq!((pattern.rows(), constraint_pattern.rows(), sizes.len()), (n, n, n), "n");
+        let scales: Vec<f64> = sizes.iter().map(|&size| power_of_two(size)).collect();
+        let places: Vec<(usize, usize)> = entries(pattern).collect();
+        let scaled = |values: &[f64]| {
+            let parts = values.iter().zip(&places);
+            parts
+                .map(|(value, &(row, column))| value * scales[row] * scales[column])
+                .collect()
+        };
+        let border: Vec<(usize, usize)> = entries(constraint_pattern).collect();
+        let mut rows: Vec<f64> = jacobian.iter().zip(&border).map(|(value, &(row, _))| value * scales[row]).collect();
+        let mut largest = vec![0.0f64; m];
+        for (value, &(_, constraint)) in rows.iter().zip(&border) {
+            largest[constraint] = largest[constraint].max(value.abs());
+        }
+        for (value, &(_, constraint)) in rows.iter_mut().zip(&border) {
+            *value /= power_of_two(largest[constraint]);
+        }
+        let both = border.iter().flat_map(|&(row, j)| [(row, n + j), (n + j, row)]);
+        let whole = Pattern::new(n + m, n + m, places.iter().copied().chain(both));
+        let place = |row, column| whole.find(row, column).expect("the whole pattern holds its parts");
+        Self {
+            mass: scaled(&tangent.mass),
+            damping: scaled(&tangent.damping),
+            stiffness: scaled(&tangent.stiffness),
+            jacobian: rows,
+            block: places.iter().map(|&(row, column)| place(row, column)).collect(),
+            border: border.iter().map(|&(row, j)| [place(row, n + j), place(n + j, row)]).collect(),
+            pattern: pattern.clone(),
+            constraint_pattern: constraint_pattern.clone(),
+            scales,
+            whole,
+        }
+    }
+
+    /// Number of unknowns n.
+    pub fn unknowns(&self) -> usize {
+        self.pattern.columns()
+    }
+
+    /// Number of constraints m.
+    pub fn constraints(&self) -> usize {
+        self.constraint_pattern.columns()
+    }
+
+    /// Whether all entries are numbers.
+    pub(super) fn is_finite(&self) -> bool {
+        let all = [&self.mass, &self.damping, &self.stiffness, &self.jacobian];
+        all.into_iter().flatten().all(|value| value.is_finite())
+    }
+
+    /// Sizes of the unknowns as the pencil takes them: powers of two.
+    pub(super) fn scales(&self) -> &[f64] {
+        &self.scales
+    }
+
+    /// An analysed factorization of the whole matrix.
+    pub(super) fn lu<T: Scalar>(&self) -> Lu<T> {
+        Lu::new(&self.whole)
+    }
+
+    /// Values of `[[K + s C + s^2 M, C_x^T], [C_x, 0]]`.
+    pub(super) fn at<T: Scalar>(&self, s: T) -> Vec<T> {
+        let mut values = vec![T::default(); self.whole.entries()];
+        for (entry, &place) in self.block.iter().enumerate() {
+            let dynamic = s.times(self.damping[entry]) + (s * s).times(self.mass[entry]);
+            values[place] = T::real(self.stiffness[entry]) + dynamic;
+        }
+        for (&value, &[upper, lower]) in self.jacobian.iter().zip(&self.border) {
+            values[upper] = T::real(value);
+            values[lower] = T::real(value);
+        }
+        values
+    }
+
+    /// `out += alpha M x`
+    pub(super) fn add_mass(&self, alpha: f64, x: &[f64], out: &mut [f64]) {
+        self.pattern.multiply_add(alpha, &self.mass, x, out);
+    }
+
+    /// `out += C x`
+    pub(super) fn add_damping(&self, x: &[f64], out: &mut [f64]) {
+        self.pattern.multiply_add(1.0, &self.damping, x, out);
+    }
+
+    /// Full M, C and K, rows first.
+    pub(super) fn dense(&self) -> [Vec<f64>; 3] {
+        let n = self.unknowns();
+        [&self.mass, &self.damping, &self.stiffness].map(|values| {
+            let mut full = vec![0.0; n * n];
+            for ((row, column), value) in entries(&self.pattern).zip(values) {
+                full[row * n + column] = *value;
+            }
+            full
+        })
+    }
+
+    /// Columns of `C_x^T`.
+    pub(super) fn constraint_rows(&self) -> Vec<Vec<f64>> {
+        let mut rows = vec![vec![0.0; self.unknowns()]; self.constraints()];
+        for ((row, constraint), value) in entries(&self.constraint_pattern).zip(&self.jacobian) {
+            rows[constraint][row] = *value;
+        }
+        rows
+    }
+
+    /// Lowest quotient of diagonal entries of stiffness and mass, as a frequency: not below the lowest
+    /// one of a stiff system by orders, to begin with.
+    pub(super) fn guess(&self) -> f64 {
+        let diagonal = |values: &[f64], index: usize| self.pattern.find(index, index).map_or(0.0, |entry| values[entry]);
+        let quotient = |index: usize| {
+            let [k, c, m] = [&self.stiffness, &self.damping, &self.mass].map(|values| diagonal(values, index).abs());
+            let frequency = if k > 0.0 { (k / m).sqrt() } else { c / m };
+            (frequency > 0.0 && frequency.is_finite()).then_some(frequency)
+        };
+        let lowest = (0..self.unknowns()).filter_map(quotient).fold(f64::INFINITY, f64::min);
+        if lowest.is_finite() { lowest } else { 1.0 }
+    }
+
+    /// All products with a vector and multipliers.
+    pub(super) fn products(&self, x: &[c64], lambda: &[c64]) -> Products {
+        let n = self.unknowns();
+        let mut stiffness = Sums::new(n);
+        stiffness.add(&self.pattern, &self.stiffness, x);
+        stiffness.add(&self.constraint_pattern, &self.jacobian, lambda);
+        let of = |values: &[f64]| {
+            let mut sums = Sums::new(n);
+            sums.add(&self.pattern, values, x);
+            sums.rounded()
+        };
+        let mut constraints = vec![c64::default(); self.constraints()];
+        for ((row, constraint), &value) in entries(&self.constraint_pattern).zip(&self.jacobian) {
+            constraints[constraint] += x[row].times(value);
+        }
+        Products {
+            stiffness: stiffness.rounded(),
+            damping: of(&self.damping),
+            mass: of(&self.mass),
+            constraints,
+        }
+    }
+
+    /// Largest residual of `(K + s C + s^2 M) x + C_x^T lambda`, row by row relative to its terms with all
+    /// unknowns as large as the largest of `x`.
+    pub(super) fn backward_error(&self, s: c64, residual: &[c64], x: &[c64], lambda: &[c64]) -> f64 {
+        let speed = s.norm();
+        let largest = x.iter().map(|value| value.norm()).fold(0.0, f64::max);
+        let mut terms = vec![0.0; self.unknowns()];
+        for (entry, (row, _)) in entries(&self.pattern).enumerate() {
+            let dynamic = speed * (self.damping[entry].abs() + speed * self.mass[entry].abs());
+            terms[row] += largest * (self.stiffness[entry].abs() + dynamic);
+        }
+        for ((row, constraint), value) in entries(&self.constraint_pattern).zip(&self.jacobian) {
+            terms[row] += value.abs() * lambda[constraint].norm();
+        }
+        let relative = residual.iter().zip(&terms).map(|(rest, term)| rest.norm() / term);
+        relative.filter(|error| !error.is_nan()).fold(0.0, f64::max)
+    }
+}
+
+/// Row and column of every entry, in the order of the values.
+fn entries(pattern: &Pattern) -> impl Iterator<Item = (usize, usize)> {
+    (0..pattern.columns()).flat_map(move |column| {
+        let range = pattern.starts()[column]..pattern.starts()[column + 1];
+        pattern.indices()[range].iter().map(move |&row| (row, column))
+    })
+}
+
+/// The power of two next to a size; 1 for what is no size.
+fn power_of_two(size: f64) -> f64 {
+    if size > 0.0 && size.is_finite() {
+        size.log2().round().exp2()
+    } else {
+        1.0
+    }
+}
+
+/// Sums of products in twice the working precision: value and rest, real and imaginary parts.
+struct Sums {
+    re: Vec<[f64; 2]>,
+    im: Vec<[f64; 2]>,
+}
+
+impl Sums {
+    fn new(count: usize) -> Self {
+        Self {
+            re: vec![[0.0; 2]; count],
+            im: vec![[0.0; 2]; count],
+        }
+    }
+
+    /// Adds `A x`.
+    fn add(&mut self, pattern: &Pattern, values: &[f64], x: &[c64]) {
+        for ((row, column), &value) in entries(pattern).zip(values) {
+            if value != 0.0 {
+                accumulate(&mut self.re[row], value, x[column].re);
+                accumulate(&mut self.im[row], value, x[column].im);
+            }
+        }
+    }
+
+    fn rounded(self) -> Vec<c64> {
+        let parts = self.re.into_iter().zip(self.im);
+        parts.map(|(re, im)| c64::new(re[0] + re[1], im[0] + im[1])).collect()
+    }
+}
+
+/// `sum += a b` with the rounding errors of product and sum kept.
+fn accumulate(sum: &mut [f64; 2], a: f64, b: f64) {
+    let product = a * b;
+    let rest = a.mul_add(b, -product);
+    let total = sum[0] + product;
+    let back = total - sum[0];
+    let lost = (sum[0] - (total - back)) + (product - back);
+    *sum = [total, sum[1] + (lost + rest)];
+}
