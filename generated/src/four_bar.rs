@@ -543,7 +543,31 @@ pub mod four_bar_equations {
             let mut energy = 0.0;
             energy
         }
-        fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]) {}
+        fn shapes(
+            &self,
+            body: usize,
+            of: ::rncf::mesh::Interpolant,
+            order: usize,
+            xi: f64,
+            weights: &mut [f64],
+        ) {
+            weights.fill(0.0);
+        }
+        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+            let model = &self.model;
+            panic!("no body {body}")
+        }
+        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+            panic!("no body {body}")
+        }
+        fn field_forces(
+            &self,
+            body: usize,
+            stress_free: &[f64],
+            fields: &[f64],
+            rates: &[f64],
+            forces: &mut [f64],
+        ) {}
         fn moment(
             &self,
             dimension: usize,

@@ -2757,57 +2757,120 @@ pub mod slider_crank_equations {
         stiffness[70] = -(t329 + (t121 * t281 + (t330 + t122 * t273)));
         stiffness[71] = t121 * t284 - t122 * t276;
     }
-    /// Shape functions of the nodal vectors at xi in [0, 1], and their derivatives d/dx.
+    /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
     ///
-    /// Operations: 11 additions, 21 multiplications, 1 divisions.
-    pub fn cable_spatial_exact_damped_shapes(
+    /// Operations: 6 additions, 12 multiplications.
+    pub fn cable_spatial_exact_damped_shapes_position_0(
         length: f64,
         xi: f64,
-        values: &mut [f64; 4],
-        slopes: &mut [f64; 4],
+        weights: &mut [f64; 4],
+    ) {
+        weights[0] = 1.0 + xi * (xi * (-3.0 + xi * 2.0));
+        weights[1] = length * (xi * (1.0 + xi * (xi + (-2.0))));
+        weights[2] = xi * (xi * (3.0 + xi * (-2.0)));
+        weights[3] = length * (xi * (xi * (xi + (-1.0))));
+    }
+    /// Weights of the nodal vectors in d/dx of the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 5 additions, 9 multiplications, 1 divisions.
+    pub fn cable_spatial_exact_damped_shapes_position_1(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 4],
     ) {
         let t14 = 1.0 / length;
         let t15 = xi * 3.0;
-        values[0] = 1.0 + xi * (xi * (-3.0 + xi * 2.0));
-        values[1] = length * (xi * (1.0 + xi * (xi + (-2.0))));
-        values[2] = xi * (xi * (3.0 + xi * (-2.0)));
-        values[3] = length * (xi * (xi * (xi + (-1.0))));
-        slopes[0] = xi * (-6.0 + xi * 6.0) * t14;
-        slopes[1] = 1.0 + xi * (-4.0 + t15);
-        slopes[2] = t14 * (xi * (6.0 + xi * (-6.0)));
-        slopes[3] = xi * (-2.0 + t15);
+        weights[0] = xi * (-6.0 + xi * 6.0) * t14;
+        weights[1] = 1.0 + xi * (-4.0 + t15);
+        weights[2] = t14 * (xi * (6.0 + xi * (-6.0)));
+        weights[3] = xi * (t15 + (-2.0));
     }
-    /// Adds the inertia forces of a fixture on position r and slope s of its place (THEORY 5.4) in the inertial frame; e is minus gravity: (m, m1; m1, m2) times the accelerations plus (m, m1) e.
+    /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 4 additions, 8 multiplications, 2 divisions.
+    pub fn cable_spatial_exact_damped_shapes_position_2(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 4],
+    ) {
+        let t14 = 1.0 / (length * length);
+        let t15 = xi * 6.0;
+        let t16 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t14;
+        weights[1] = (-4.0 + t15) * t16;
+        weights[2] = t14 * (6.0 + xi * (-12.0));
+        weights[3] = t16 * (t15 + (-2.0));
+    }
+    /// Writes the forces on the fields a, b at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
+    ///
+    /// Operations: 27 additions, 76 multiplications, 4 divisions.
+    pub fn cable_spatial_exact_damped_field_forces(
+        row: &CableSpatialExactDamped,
+        stress_free: &[f64; 6],
+        fields: &[f64; 6],
+        rates: &[f64; 6],
+        forces: &mut [f64; 6],
+    ) {
+        let CableSpatialExactDamped { length, EA, EI, damping, .. } = *row;
+        let t27 = fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2];
+        let t28 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5];
+        let t29 = fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5];
+        let t30 = t27 * t29 - t28 * t28;
+        let t31 = t27 * t27;
+        let t32 = 1.0 / t31;
+        let t33 = 0.5 * (t27 - 1.0)
+            - 0.5
+                * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
+                    + stress_free[2] * stress_free[2] - 1.0);
+        let t34 = fields[0] * 2.0;
+        let t35 = fields[1] * 2.0;
+        let t36 = fields[2] * 2.0;
+        let t37 = EA
+            * (t33
+                + damping * (0.5 * (rates[0] * t34 + rates[1] * t35 + rates[2] * t36)));
+        let t38 = t28 * 2.0;
+        let t39 = t27 * 2.0;
+        let t40 = t32 * (t29 * t34 - fields[3] * t38) - t30 * (t32 * (t34 * t39) / t31);
+        let t41 = t32 * (t29 * t35 - fields[4] * t38) - t30 * (t32 * (t35 * t39) / t31);
+        let t42 = t32 * (t29 * t36 - fields[5] * t38) - t30 * (t32 * (t36 * t39) / t31);
+        forces[0] = t37 * (0.5 * t34) + EI * (0.5 * t40);
+        forces[1] = t37 * (0.5 * t35) + EI * (0.5 * t41);
+        forces[2] = t37 * (0.5 * t36) + EI * (0.5 * t42);
+        forces[3] = EI * (0.5 * (t32 * (t27 * (fields[3] * 2.0) - fields[0] * t38)));
+        forces[4] = EI * (0.5 * (t32 * (t27 * (fields[4] * 2.0) - fields[1] * t38)));
+        forces[5] = EI * (0.5 * (t32 * (t27 * (fields[5] * 2.0) - fields[2] * t38)));
+    }
+    /// Adds the inertia forces of a fixture on position r and slope s of its place (THEORY 5.4) in the inertial frame; e is minus gravity: mass, first moments and second moments (m, m_i; m_i, p_ij) times the accelerations plus (m, m_i) e.
     ///
     /// Operations: 18 additions, 18 multiplications.
     pub fn fixture_spatial_absolute_inertia_force(
-        constants: [f64; 3],
+        constants: [f64; 10],
         frame: &::rncf::mesh::FrameAction,
         a: &[f64; 6],
         force: &mut [f64; 6],
     ) {
-        let [m, m1, m2] = constants;
+        let [m, m_x, _, _, p_xx, _, _, _, _, _] = constants;
         let [e_x, e_y, e_z] = frame.acceleration;
         let [a_r_x, a_r_y, a_r_z, a_s_x, a_s_y, a_s_z] = *a;
-        force[0] += m * a_r_x + m1 * a_s_x + m * e_x;
-        force[1] += m * a_r_y + m1 * a_s_y + m * e_y;
-        force[2] += m * a_r_z + m1 * a_s_z + m * e_z;
-        force[3] += m1 * a_r_x + m2 * a_s_x + m1 * e_x;
-        force[4] += m1 * a_r_y + m2 * a_s_y + m1 * e_y;
-        force[5] += m1 * a_r_z + m2 * a_s_z + m1 * e_z;
+        force[0] += m * a_r_x + m_x * a_s_x + m * e_x;
+        force[1] += m * a_r_y + m_x * a_s_y + m * e_y;
+        force[2] += m * a_r_z + m_x * a_s_z + m * e_z;
+        force[3] += m_x * a_r_x + p_xx * a_s_x + m_x * e_x;
+        force[4] += m_x * a_r_y + p_xx * a_s_y + m_x * e_y;
+        force[5] += m_x * a_r_z + p_xx * a_s_z + m_x * e_z;
     }
-    /// Adds the inertia forces of a fixture on position r and slope s of its place (THEORY 5.4) in a moving frame: (m, m1; m1, m2) times the accelerations plus (m, m1) e.
+    /// Adds the inertia forces of a fixture on position r and slope s of its place (THEORY 5.4) in a moving frame: mass, first moments and second moments (m, m_i; m_i, p_ij) times the accelerations plus (m, m_i) e.
     ///
     /// Operations: 60 additions, 72 multiplications.
     pub fn fixture_spatial_inertia_force(
-        constants: [f64; 3],
+        constants: [f64; 10],
         frame: &::rncf::mesh::FrameAction,
         q: &[f64; 6],
         v: &[f64; 6],
         a: &[f64; 6],
         force: &mut [f64; 6],
     ) {
-        let [m, m1, m2] = constants;
+        let [m, m_x, _, _, p_xx, _, _, _, _, _] = constants;
         let [e_x, e_y, e_z] = frame.acceleration;
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
         let [r_x, r_y, r_z, s_x, s_y, s_z] = *q;
@@ -2831,23 +2894,23 @@ pub mod slider_crank_equations {
         let t57 = w_y * t53 - w_z * t52 + t54;
         let t58 = w_z * t51 - w_x * t53 + t55;
         let t59 = w_x * t52 - w_y * t51 + t56;
-        force[0] += m * t48 + m1 * t57 + m * e_x;
-        force[1] += m * t49 + m1 * t58 + m * e_y;
-        force[2] += m * t50 + m1 * t59 + m * e_z;
-        force[3] += m1 * t48 + m2 * t57 + m1 * e_x;
-        force[4] += m1 * t49 + m2 * t58 + m1 * e_y;
-        force[5] += m1 * t50 + m2 * t59 + m1 * e_z;
+        force[0] += m * t48 + m_x * t57 + m * e_x;
+        force[1] += m * t49 + m_x * t58 + m * e_y;
+        force[2] += m * t50 + m_x * t59 + m * e_z;
+        force[3] += m_x * t48 + p_xx * t57 + m_x * e_x;
+        force[4] += m_x * t49 + p_xx * t58 + m_x * e_y;
+        force[5] += m_x * t50 + p_xx * t59 + m_x * e_z;
     }
     /// Adds the derivatives of a fixture's inertia forces with respect to q (Euler and centrifugal) and q' (gyroscopic).
     ///
-    /// Operations: 69 additions, 45 multiplications.
+    /// Operations: 69 additions, 57 multiplications.
     pub fn fixture_spatial_inertia_tangent(
-        constants: [f64; 3],
+        constants: [f64; 10],
         frame: &::rncf::mesh::FrameAction,
         stiffness: &mut [f64; 36],
         damping_matrix: &mut [f64; 36],
     ) {
-        let [m, m1, m2] = constants;
+        let [m, m_x, _, _, p_xx, _, _, _, _, _] = constants;
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
         let t21 = w_y * w_y;
         let t22 = w_z * w_z;
@@ -2856,108 +2919,102 @@ pub mod slider_crank_equations {
         let t25 = t24 - dw_z;
         let t26 = w_x * w_z;
         let t27 = dw_y + t26;
-        let t28 = -m1 * t23;
-        let t29 = m1 * t25;
-        let t30 = m1 * t27;
-        let t31 = dw_z + t24;
-        let t32 = w_x * w_x;
-        let t33 = t22 + t32;
-        let t34 = w_y * w_z;
-        let t35 = t34 - dw_x;
-        let t36 = m1 * t31;
-        let t37 = -m1 * t33;
-        let t38 = m1 * t35;
-        let t39 = t26 - dw_y;
-        let t40 = dw_x + t34;
-        let t41 = t21 + t32;
-        let t42 = m1 * t39;
-        let t43 = m1 * t40;
-        let t44 = -m1 * t41;
-        let t45 = w_z * 2.0;
-        let t46 = m * t45;
-        let t47 = w_y * 2.0;
-        let t48 = m * t47;
-        let t49 = m1 * t45;
-        let t50 = m1 * t47;
-        let t51 = w_x * 2.0;
-        let t52 = m * t51;
-        let t53 = m1 * t51;
-        let t54 = m2 * t45;
-        let t55 = m2 * t47;
-        let t56 = m2 * t51;
+        let t28 = dw_z + t24;
+        let t29 = w_x * w_x;
+        let t30 = t22 + t29;
+        let t31 = w_y * w_z;
+        let t32 = t31 - dw_x;
+        let t33 = t26 - dw_y;
+        let t34 = dw_x + t31;
+        let t35 = t21 + t29;
+        let t36 = w_z * 2.0;
+        let t37 = m * t36;
+        let t38 = w_y * 2.0;
+        let t39 = m * t38;
+        let t40 = m_x * t36;
+        let t41 = m_x * t38;
+        let t42 = w_x * 2.0;
+        let t43 = m * t42;
+        let t44 = m_x * t42;
+        let t45 = m_x * t36;
+        let t46 = m_x * t38;
+        let t47 = p_xx * t36;
+        let t48 = p_xx * t38;
+        let t49 = m_x * t42;
+        let t50 = p_xx * t42;
         stiffness[0] += -m * t23;
         stiffness[1] += m * t25;
         stiffness[2] += m * t27;
-        stiffness[3] += t28;
-        stiffness[4] += t29;
-        stiffness[5] += t30;
-        stiffness[6] += m * t31;
-        stiffness[7] += -m * t33;
-        stiffness[8] += m * t35;
-        stiffness[9] += t36;
-        stiffness[10] += t37;
-        stiffness[11] += t38;
-        stiffness[12] += m * t39;
-        stiffness[13] += m * t40;
-        stiffness[14] += -m * t41;
-        stiffness[15] += t42;
-        stiffness[16] += t43;
-        stiffness[17] += t44;
-        stiffness[18] += t28;
-        stiffness[19] += t29;
-        stiffness[20] += t30;
-        stiffness[21] += -m2 * t23;
-        stiffness[22] += m2 * t25;
-        stiffness[23] += m2 * t27;
-        stiffness[24] += t36;
-        stiffness[25] += t37;
-        stiffness[26] += t38;
-        stiffness[27] += m2 * t31;
-        stiffness[28] += -m2 * t33;
-        stiffness[29] += m2 * t35;
-        stiffness[30] += t42;
-        stiffness[31] += t43;
-        stiffness[32] += t44;
-        stiffness[33] += m2 * t39;
-        stiffness[34] += m2 * t40;
-        stiffness[35] += -m2 * t41;
-        damping_matrix[1] -= t46;
-        damping_matrix[2] += t48;
-        damping_matrix[4] -= t49;
-        damping_matrix[5] += t50;
-        damping_matrix[6] += t46;
-        damping_matrix[8] -= t52;
-        damping_matrix[9] += t49;
-        damping_matrix[11] -= t53;
-        damping_matrix[12] -= t48;
-        damping_matrix[13] += t52;
-        damping_matrix[15] -= t50;
-        damping_matrix[16] += t53;
-        damping_matrix[19] -= t49;
-        damping_matrix[20] += t50;
-        damping_matrix[22] -= t54;
-        damping_matrix[23] += t55;
-        damping_matrix[24] += t49;
-        damping_matrix[26] -= t53;
-        damping_matrix[27] += t54;
-        damping_matrix[29] -= t56;
-        damping_matrix[30] -= t50;
-        damping_matrix[31] += t53;
-        damping_matrix[33] -= t55;
-        damping_matrix[34] += t56;
+        stiffness[3] += -m_x * t23;
+        stiffness[4] += m_x * t25;
+        stiffness[5] += m_x * t27;
+        stiffness[6] += m * t28;
+        stiffness[7] += -m * t30;
+        stiffness[8] += m * t32;
+        stiffness[9] += m_x * t28;
+        stiffness[10] += -m_x * t30;
+        stiffness[11] += m_x * t32;
+        stiffness[12] += m * t33;
+        stiffness[13] += m * t34;
+        stiffness[14] += -m * t35;
+        stiffness[15] += m_x * t33;
+        stiffness[16] += m_x * t34;
+        stiffness[17] += -m_x * t35;
+        stiffness[18] += -m_x * t23;
+        stiffness[19] += m_x * t25;
+        stiffness[20] += m_x * t27;
+        stiffness[21] += -p_xx * t23;
+        stiffness[22] += p_xx * t25;
+        stiffness[23] += p_xx * t27;
+        stiffness[24] += m_x * t28;
+        stiffness[25] += -m_x * t30;
+        stiffness[26] += m_x * t32;
+        stiffness[27] += p_xx * t28;
+        stiffness[28] += -p_xx * t30;
+        stiffness[29] += p_xx * t32;
+        stiffness[30] += m_x * t33;
+        stiffness[31] += m_x * t34;
+        stiffness[32] += -m_x * t35;
+        stiffness[33] += p_xx * t33;
+        stiffness[34] += p_xx * t34;
+        stiffness[35] += -p_xx * t35;
+        damping_matrix[1] -= t37;
+        damping_matrix[2] += t39;
+        damping_matrix[4] -= t40;
+        damping_matrix[5] += t41;
+        damping_matrix[6] += t37;
+        damping_matrix[8] -= t43;
+        damping_matrix[9] += t40;
+        damping_matrix[11] -= t44;
+        damping_matrix[12] -= t39;
+        damping_matrix[13] += t43;
+        damping_matrix[15] -= t41;
+        damping_matrix[16] += t44;
+        damping_matrix[19] -= t45;
+        damping_matrix[20] += t46;
+        damping_matrix[22] -= t47;
+        damping_matrix[23] += t48;
+        damping_matrix[24] += t45;
+        damping_matrix[26] -= t49;
+        damping_matrix[27] += t47;
+        damping_matrix[29] -= t50;
+        damping_matrix[30] -= t46;
+        damping_matrix[31] += t49;
+        damping_matrix[33] -= t48;
+        damping_matrix[34] += t50;
     }
     /// Adds force and moment about the origin that the inertia of what the frame carries needs, in frame axes (Eqs. 11, 12): F = m e + d_b a_b, T = (d_a q_a) x e + M_ab q_a x a_b, with the accelerations a = q'' + 2 w x q' + w' x q + w x (w x q) and that of the origin minus gravity, e.
     ///
-    /// Operations: 75 additions, 93 multiplications.
+    /// Operations: 78 additions, 96 multiplications.
     pub fn fixture_spatial_carried(
-        constants: [f64; 3],
+        constants: [f64; 10],
         frame: &::rncf::mesh::FrameAction,
         q: &[f64; 6],
         v: &[f64; 6],
         a: &[f64; 6],
         out: &mut [f64; 6],
     ) {
-        let [m, m1, m2] = constants;
+        let [m, m_x, _, _, p_xx, _, _, _, _, _] = constants;
         let [e_x, e_y, e_z] = frame.acceleration;
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
         let [r_x, r_y, r_z, s_x, s_y, s_z] = *q;
@@ -2981,30 +3038,36 @@ pub mod slider_crank_equations {
         let t57 = w_y * t53 - w_z * t52 + t54;
         let t58 = w_z * t51 - w_x * t53 + t55;
         let t59 = w_x * t52 - w_y * t51 + t56;
-        let t60 = m * r_x + m1 * s_x;
-        let t61 = m * r_y + m1 * s_y;
-        let t62 = m * r_z + m1 * s_z;
-        let t63 = m1 * r_x + m2 * s_x;
-        let t64 = m1 * r_y + m2 * s_y;
-        let t65 = m1 * r_z + m2 * s_z;
-        let t66 = e_z * t61 - e_y * t62 + (t50 * t61 - t49 * t62)
-            + (t59 * t64 - t58 * t65);
-        let t67 = e_x * t62 - e_z * t60 + (t48 * t62 - t50 * t60)
-            + (t57 * t65 - t59 * t63);
-        let t68 = e_y * t60 - e_x * t61 + (t49 * t60 - t48 * t61)
-            + (t58 * t63 - t57 * t64);
-        out[0] += m * t48 + m1 * t57 + m * e_x;
-        out[1] += m * t49 + m1 * t58 + m * e_y;
-        out[2] += m * t50 + m1 * t59 + m * e_z;
-        out[3] += t66;
-        out[4] += t67;
-        out[5] += t68;
+        let t60 = m * r_x;
+        let t61 = t60 + m_x * s_x;
+        let t62 = m * r_y;
+        let t63 = t62 + m_x * s_y;
+        let t64 = m * r_z;
+        let t65 = t64 + m_x * s_z;
+        let t66 = t60 + m_x * s_x;
+        let t67 = t62 + m_x * s_y;
+        let t68 = t64 + m_x * s_z;
+        let t69 = m_x * r_x + p_xx * s_x;
+        let t70 = m_x * r_y + p_xx * s_y;
+        let t71 = m_x * r_z + p_xx * s_z;
+        let t72 = e_z * t63 - e_y * t65 + (t50 * t67 - t49 * t68)
+            + (t59 * t70 - t58 * t71);
+        let t73 = e_x * t65 - e_z * t61 + (t48 * t68 - t50 * t66)
+            + (t57 * t71 - t59 * t69);
+        let t74 = e_y * t61 - e_x * t63 + (t49 * t66 - t48 * t67)
+            + (t58 * t69 - t57 * t70);
+        out[0] += m * t48 + m_x * t57 + m * e_x;
+        out[1] += m * t49 + m_x * t58 + m * e_y;
+        out[2] += m * t50 + m_x * t59 + m * e_z;
+        out[3] += t72;
+        out[4] += t73;
+        out[5] += t74;
     }
     /// Writes the derivatives of force F and moment T on the frame, rows first (THEORY 2.1): `mass` with respect to e, w', q''; `damping` to w, q'; `stiffness` to q; and of the nodal forces with respect to w, `spin`. Entries that are always zero are left alone.
     ///
-    /// Operations: 198 additions, 261 multiplications.
+    /// Operations: 204 additions, 267 multiplications.
     pub fn fixture_spatial_carried_tangent(
-        constants: [f64; 3],
+        constants: [f64; 10],
         frame: &::rncf::mesh::FrameAction,
         q: &[f64; 6],
         v: &[f64; 6],
@@ -3014,7 +3077,7 @@ pub mod slider_crank_equations {
         spin: &mut [f64; 18],
         stiffness: &mut [f64; 36],
     ) {
-        let [m, m1, m2] = constants;
+        let [m, m_x, _, _, p_xx, _, _, _, _, _] = constants;
         let [e_x, e_y, e_z] = frame.acceleration;
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
         let [r_x, r_y, r_z, s_x, s_y, s_z] = *q;
@@ -3039,254 +3102,266 @@ pub mod slider_crank_equations {
         let t58 = w_z * t51 - w_x * t53 + t55;
         let t59 = w_x * t52 - w_y * t51 + t56;
         let t60 = m * t48;
-        let t61 = m1 * t57;
+        let t61 = m_x * t57;
         let t62 = m * t49;
-        let t63 = m1 * t58;
+        let t63 = m_x * t58;
         let t64 = m * t50;
-        let t65 = m1 * t59;
+        let t65 = m_x * t59;
         let t66 = m * e_x;
         let t67 = m * e_y;
         let t68 = m * e_z;
-        let t69 = m * r_x + m1 * s_x;
-        let t70 = m * r_y + m1 * s_y;
-        let t71 = m * r_z + m1 * s_z;
-        let t72 = m1 * r_x + m2 * s_x;
-        let t73 = m1 * r_y + m2 * s_y;
-        let t74 = m1 * r_z + m2 * s_z;
-        let t75 = w_y * t71;
-        let t76 = w_z * t70;
-        let t77 = t75 - t76;
-        let t78 = w_z * t69;
-        let t79 = w_x * t71;
-        let t80 = t78 - t79;
-        let t81 = w_x * t70;
-        let t82 = w_y * t69;
-        let t83 = t81 - t82;
+        let t69 = m * r_x;
+        let t70 = t69 + m_x * s_x;
+        let t71 = m * r_y;
+        let t72 = t71 + m_x * s_y;
+        let t73 = m * r_z;
+        let t74 = t73 + m_x * s_z;
+        let t75 = t69 + m_x * s_x;
+        let t76 = t71 + m_x * s_y;
+        let t77 = t73 + m_x * s_z;
+        let t78 = p_xx * s_x;
+        let t79 = m_x * r_x + t78;
+        let t80 = p_xx * s_y;
+        let t81 = m_x * r_y + t80;
+        let t82 = p_xx * s_z;
+        let t83 = m_x * r_z + t82;
         let t84 = w_y * t74;
-        let t85 = w_z * t73;
+        let t85 = w_z * t72;
         let t86 = t84 - t85;
-        let t87 = w_z * t72;
+        let t87 = w_z * t70;
         let t88 = w_x * t74;
         let t89 = t87 - t88;
-        let t90 = w_x * t73;
-        let t91 = w_y * t72;
+        let t90 = w_x * t72;
+        let t91 = w_y * t70;
         let t92 = t90 - t91;
-        let t93 = r_y * t70;
-        let t94 = r_z * t71;
-        let t95 = s_y * t73;
-        let t96 = s_z * t74;
-        let t97 = r_x * t69;
-        let t98 = s_x * t72;
-        let t99 = w_y * t70;
-        let t100 = w_z * t71;
-        let t101 = t99 + t100;
-        let t102 = 2.0 * (m * v_r_z + m1 * v_s_z);
-        let t103 = t102 + (t83 - t82);
-        let t104 = 2.0 * (m * v_r_y + m1 * v_s_y);
-        let t105 = t104 + (t78 + t80);
-        let t106 = t102 + (t81 + t83);
-        let t107 = w_x * t69;
-        let t108 = t100 + t107;
-        let t109 = 2.0 * (m * v_r_x + m1 * v_s_x);
-        let t110 = t109 + (t77 - t76);
-        let t111 = t104 + (t80 - t79);
-        let t112 = t109 + (t75 + t77);
-        let t113 = t99 + t107;
-        let t114 = 2.0 * (m1 * v_r_z + m2 * v_s_z);
-        let t115 = 2.0 * (m1 * v_r_y + m2 * v_s_y);
-        let t116 = t114 + (t90 + t92);
-        let t117 = t115 + (t89 - t88);
-        let t118 = 2.0 * (m1 * v_r_x + m2 * v_s_x);
-        let t119 = w_z * t74;
-        let t120 = w_x * t72;
-        let t121 = t119 + t120;
-        let t122 = t118 + (t84 + t86);
-        let t123 = w_y * t73;
-        let t124 = t120 + t123;
-        let t125 = t118 + (t86 - t85);
-        let t126 = t119 + t123;
-        let t127 = t114 + (t92 - t91);
-        let t128 = t115 + (t87 + t89);
-        let t129 = w_z * 2.0;
-        let t130 = m * t129;
-        let t131 = w_y * 2.0;
-        let t132 = m * t131;
-        let t133 = m1 * t129;
-        let t134 = m1 * t131;
-        let t135 = w_x * 2.0;
-        let t136 = m * t135;
-        let t137 = m1 * t135;
-        let t138 = t70 * t131;
-        let t139 = t71 * t129;
-        let t140 = t73 * t131;
-        let t141 = t74 * t129;
-        let t142 = t69 * t135;
-        let t143 = t72 * t135;
-        let t144 = w_y * w_y;
-        let t145 = w_z * w_z;
-        let t146 = t144 + t145;
-        let t147 = w_x * w_y;
-        let t148 = t147 - dw_z;
-        let t149 = w_x * w_z;
-        let t150 = dw_y + t149;
-        let t151 = dw_z + t147;
-        let t152 = w_x * w_x;
-        let t153 = t145 + t152;
-        let t154 = w_y * w_z;
-        let t155 = t154 - dw_x;
-        let t156 = t149 - dw_y;
-        let t157 = dw_x + t154;
-        let t158 = t144 + t152;
-        let t159 = m1 * e_z + m1 * t50;
-        let t160 = m2 * t59;
-        let t161 = m1 * e_y + m1 * t49;
-        let t162 = m2 * t58;
-        let t163 = m1 * e_x + m1 * t48;
-        let t164 = m2 * t57;
+        let t93 = t78 + m_x * r_x;
+        let t94 = t80 + m_x * r_y;
+        let t95 = t82 + m_x * r_z;
+        let t96 = w_y * t95;
+        let t97 = w_z * t94;
+        let t98 = t96 - t97;
+        let t99 = w_z * t93;
+        let t100 = w_x * t95;
+        let t101 = t99 - t100;
+        let t102 = w_x * t94;
+        let t103 = w_y * t93;
+        let t104 = t102 - t103;
+        let t105 = r_y * t76;
+        let t106 = r_z * t77;
+        let t107 = s_y * t81;
+        let t108 = s_z * t83;
+        let t109 = r_x * t75;
+        let t110 = s_x * t79;
+        let t111 = w_y * t72;
+        let t112 = w_z * t74;
+        let t113 = t111 + t112;
+        let t114 = 2.0 * (m * v_r_z + m_x * v_s_z);
+        let t115 = t114 + (t92 - t91);
+        let t116 = 2.0 * (m * v_r_y + m_x * v_s_y);
+        let t117 = t116 + (t87 + t89);
+        let t118 = t114 + (t90 + t92);
+        let t119 = w_x * t70;
+        let t120 = t112 + t119;
+        let t121 = 2.0 * (m * v_r_x + m_x * v_s_x);
+        let t122 = t121 + (t86 - t85);
+        let t123 = t116 + (t89 - t88);
+        let t124 = t121 + (t84 + t86);
+        let t125 = t111 + t119;
+        let t126 = 2.0 * (m_x * v_r_z + p_xx * v_s_z);
+        let t127 = 2.0 * (m_x * v_r_y + p_xx * v_s_y);
+        let t128 = t126 + (t102 + t104);
+        let t129 = t127 + (t101 - t100);
+        let t130 = 2.0 * (m_x * v_r_x + p_xx * v_s_x);
+        let t131 = w_z * t95;
+        let t132 = w_x * t93;
+        let t133 = t131 + t132;
+        let t134 = t130 + (t96 + t98);
+        let t135 = w_y * t94;
+        let t136 = t132 + t135;
+        let t137 = t130 + (t98 - t97);
+        let t138 = t131 + t135;
+        let t139 = t126 + (t104 - t103);
+        let t140 = t127 + (t99 + t101);
+        let t141 = w_z * 2.0;
+        let t142 = m * t141;
+        let t143 = w_y * 2.0;
+        let t144 = m * t143;
+        let t145 = m_x * t141;
+        let t146 = m_x * t143;
+        let t147 = w_x * 2.0;
+        let t148 = m * t147;
+        let t149 = m_x * t147;
+        let t150 = t76 * t143;
+        let t151 = t77 * t141;
+        let t152 = t81 * t143;
+        let t153 = t83 * t141;
+        let t154 = t75 * t147;
+        let t155 = t79 * t147;
+        let t156 = w_y * w_y;
+        let t157 = w_z * w_z;
+        let t158 = t156 + t157;
+        let t159 = w_x * w_y;
+        let t160 = t159 - dw_z;
+        let t161 = w_x * w_z;
+        let t162 = dw_y + t161;
+        let t163 = dw_z + t159;
+        let t164 = w_x * w_x;
+        let t165 = t157 + t164;
+        let t166 = w_y * w_z;
+        let t167 = t166 - dw_x;
+        let t168 = t161 - dw_y;
+        let t169 = dw_x + t166;
+        let t170 = t156 + t164;
+        let t171 = m_x * e_z + m_x * t50;
+        let t172 = p_xx * t59;
+        let t173 = m_x * e_y + m_x * t49;
+        let t174 = p_xx * t58;
+        let t175 = m_x * e_x + m_x * t48;
+        let t176 = p_xx * t57;
         mass[0] = m;
-        mass[4] = t71;
-        mass[5] = -t70;
+        mass[4] = t74;
+        mass[5] = -t72;
         mass[6] = m;
-        mass[9] = m1;
+        mass[9] = m_x;
         mass[13] = m;
-        mass[15] = -t71;
-        mass[17] = t69;
+        mass[15] = -t74;
+        mass[17] = t70;
         mass[19] = m;
-        mass[22] = m1;
+        mass[22] = m_x;
         mass[26] = m;
-        mass[27] = t70;
-        mass[28] = -t69;
+        mass[27] = t72;
+        mass[28] = -t70;
         mass[32] = m;
-        mass[35] = m1;
-        mass[37] = -t71;
-        mass[38] = t70;
-        mass[39] = t93 + t94 + (t95 + t96);
-        mass[40] = -(r_x * t70 + s_x * t73);
-        mass[41] = -(r_x * t71 + s_x * t74);
-        mass[43] = -t71;
-        mass[44] = t70;
-        mass[46] = -t74;
-        mass[47] = t73;
-        mass[48] = t71;
-        mass[50] = -t69;
-        mass[51] = -(r_y * t69 + s_y * t72);
-        mass[52] = t94 + t97 + (t96 + t98);
-        mass[53] = -(r_y * t71 + s_y * t74);
-        mass[54] = t71;
-        mass[56] = -t69;
-        mass[57] = t74;
-        mass[59] = -t72;
-        mass[60] = -t70;
-        mass[61] = t69;
-        mass[63] = -(r_z * t69 + s_z * t72);
-        mass[64] = -(r_z * t70 + s_z * t73);
-        mass[65] = t93 + t97 + (t95 + t98);
-        mass[66] = -t70;
-        mass[67] = t69;
-        mass[69] = -t73;
-        mass[70] = t72;
-        damping[0] = t101;
-        damping[1] = t103;
-        damping[2] = -t105;
-        damping[9] = -t106;
-        damping[10] = t108;
-        damping[11] = t110;
-        damping[18] = t111;
-        damping[19] = -t112;
-        damping[20] = t113;
-        damping[27] = r_y * t111 + r_z * t106 + (s_y * t117 + s_z * t116);
-        damping[28] = -(r_y * t112 + r_z * t108 + (s_y * t122 + s_z * t121));
-        damping[29] = r_y * t113 - r_z * t110 + (s_y * t124 - s_z * t125);
-        damping[36] = r_z * t101 - r_x * t111 + (s_z * t126 - s_x * t117);
-        damping[37] = r_z * t103 + r_x * t112 + (s_z * t127 + s_x * t122);
-        damping[38] = -(r_z * t105 + r_x * t113 + (s_z * t128 + s_x * t124));
-        damping[45] = -(r_x * t106 + r_y * t101 + (s_x * t116 + s_y * t126));
-        damping[46] = r_x * t108 - r_y * t103 + (s_x * t121 - s_y * t127);
-        damping[47] = r_x * t110 + r_y * t105 + (s_x * t125 + s_y * t128);
-        damping[4] = -t130;
-        damping[5] = t132;
-        damping[7] = -t133;
-        damping[8] = t134;
-        damping[12] = t130;
-        damping[14] = -t136;
-        damping[15] = t133;
-        damping[17] = -t137;
-        damping[21] = -t132;
-        damping[22] = t136;
-        damping[24] = -t134;
-        damping[25] = t137;
-        damping[30] = -(t138 + t139);
-        damping[31] = t70 * t135;
-        damping[32] = t71 * t135;
-        damping[33] = -(t140 + t141);
-        damping[34] = t73 * t135;
-        damping[35] = t74 * t135;
-        damping[39] = t69 * t131;
-        damping[40] = -(t139 + t142);
-        damping[41] = t71 * t131;
-        damping[42] = t72 * t131;
-        damping[43] = -(t141 + t143);
-        damping[44] = t74 * t131;
-        damping[48] = t69 * t129;
-        damping[49] = t70 * t129;
-        damping[50] = -(t138 + t142);
-        damping[51] = t72 * t129;
-        damping[52] = t73 * t129;
-        damping[53] = -(t140 + t143);
-        spin[0] = t101;
-        spin[1] = t103;
-        spin[2] = -t105;
-        spin[3] = -t106;
-        spin[4] = t108;
-        spin[5] = t110;
-        spin[6] = t111;
-        spin[7] = -t112;
-        spin[8] = t113;
-        spin[9] = t126;
-        spin[10] = t127;
-        spin[11] = -t128;
-        spin[12] = -t116;
-        spin[13] = t121;
-        spin[14] = t125;
-        spin[15] = t117;
-        spin[16] = -t122;
-        spin[17] = t124;
-        stiffness[0] = -m * t146;
-        stiffness[1] = m * t148;
-        stiffness[2] = m * t150;
-        stiffness[3] = -m1 * t146;
-        stiffness[4] = m1 * t148;
-        stiffness[5] = m1 * t150;
-        stiffness[6] = m * t151;
-        stiffness[7] = -m * t153;
-        stiffness[8] = m * t155;
-        stiffness[9] = m1 * t151;
-        stiffness[10] = -m1 * t153;
-        stiffness[11] = m1 * t155;
-        stiffness[12] = m * t156;
-        stiffness[13] = m * t157;
-        stiffness[14] = -m * t158;
-        stiffness[15] = m1 * t156;
-        stiffness[16] = m1 * t157;
-        stiffness[17] = -m1 * t158;
-        stiffness[18] = t70 * t156 - t71 * t151;
-        stiffness[19] = t65 + (t68 + (t64 + t70 * t157 + t71 * t153));
-        stiffness[20] = -(t63 + (t67 + (t70 * t158 + (t62 + t71 * t155))));
-        stiffness[21] = t73 * t156 - t74 * t151;
-        stiffness[22] = t159 + (t73 * t157 + t160 + t74 * t153);
-        stiffness[23] = -(t161 + (t73 * t158 + (t74 * t155 + t162)));
-        stiffness[24] = -(t65 + (t68 + (t71 * t146 + (t64 + t69 * t156))));
-        stiffness[25] = t71 * t148 - t69 * t157;
-        stiffness[26] = t61 + (t66 + (t60 + t71 * t150 + t69 * t158));
-        stiffness[27] = -(t159 + (t74 * t146 + (t160 + t72 * t156)));
-        stiffness[28] = t74 * t148 - t72 * t157;
-        stiffness[29] = t163 + (t74 * t150 + t164 + t72 * t158);
-        stiffness[30] = t63 + (t67 + (t62 + t69 * t151 + t70 * t146));
-        stiffness[31] = -(t61 + (t66 + (t69 * t153 + (t60 + t70 * t148))));
-        stiffness[32] = t69 * t155 - t70 * t150;
-        stiffness[33] = t161 + (t162 + t72 * t151 + t73 * t146);
-        stiffness[34] = -(t163 + (t72 * t153 + (t164 + t73 * t148)));
-        stiffness[35] = t72 * t155 - t73 * t150;
+        mass[35] = m_x;
+        mass[37] = -t74;
+        mass[38] = t72;
+        mass[39] = t105 + t106 + (t107 + t108);
+        mass[40] = -(r_x * t76 + s_x * t81);
+        mass[41] = -(r_x * t77 + s_x * t83);
+        mass[43] = -t77;
+        mass[44] = t76;
+        mass[46] = -t83;
+        mass[47] = t81;
+        mass[48] = t74;
+        mass[50] = -t70;
+        mass[51] = -(r_y * t75 + s_y * t79);
+        mass[52] = t106 + t109 + (t108 + t110);
+        mass[53] = -(r_y * t77 + s_y * t83);
+        mass[54] = t77;
+        mass[56] = -t75;
+        mass[57] = t83;
+        mass[59] = -t79;
+        mass[60] = -t72;
+        mass[61] = t70;
+        mass[63] = -(r_z * t75 + s_z * t79);
+        mass[64] = -(r_z * t76 + s_z * t81);
+        mass[65] = t105 + t109 + (t107 + t110);
+        mass[66] = -t76;
+        mass[67] = t75;
+        mass[69] = -t81;
+        mass[70] = t79;
+        damping[0] = t113;
+        damping[1] = t115;
+        damping[2] = -t117;
+        damping[9] = -t118;
+        damping[10] = t120;
+        damping[11] = t122;
+        damping[18] = t123;
+        damping[19] = -t124;
+        damping[20] = t125;
+        damping[27] = r_y * t123 + r_z * t118 + (s_y * t129 + s_z * t128);
+        damping[28] = -(r_y * t124 + r_z * t120 + (s_y * t134 + s_z * t133));
+        damping[29] = r_y * t125 - r_z * t122 + (s_y * t136 - s_z * t137);
+        damping[36] = r_z * t113 - r_x * t123 + (s_z * t138 - s_x * t129);
+        damping[37] = r_z * t115 + r_x * t124 + (s_z * t139 + s_x * t134);
+        damping[38] = -(r_z * t117 + r_x * t125 + (s_z * t140 + s_x * t136));
+        damping[45] = -(r_x * t118 + r_y * t113 + (s_x * t128 + s_y * t138));
+        damping[46] = r_x * t120 - r_y * t115 + (s_x * t133 - s_y * t139);
+        damping[47] = r_x * t122 + r_y * t117 + (s_x * t137 + s_y * t140);
+        damping[4] = -t142;
+        damping[5] = t144;
+        damping[7] = -t145;
+        damping[8] = t146;
+        damping[12] = t142;
+        damping[14] = -t148;
+        damping[15] = t145;
+        damping[17] = -t149;
+        damping[21] = -t144;
+        damping[22] = t148;
+        damping[24] = -t146;
+        damping[25] = t149;
+        damping[30] = -(t150 + t151);
+        damping[31] = t76 * t147;
+        damping[32] = t77 * t147;
+        damping[33] = -(t152 + t153);
+        damping[34] = t81 * t147;
+        damping[35] = t83 * t147;
+        damping[39] = t75 * t143;
+        damping[40] = -(t151 + t154);
+        damping[41] = t77 * t143;
+        damping[42] = t79 * t143;
+        damping[43] = -(t153 + t155);
+        damping[44] = t83 * t143;
+        damping[48] = t75 * t141;
+        damping[49] = t76 * t141;
+        damping[50] = -(t150 + t154);
+        damping[51] = t79 * t141;
+        damping[52] = t81 * t141;
+        damping[53] = -(t152 + t155);
+        spin[0] = t113;
+        spin[1] = t115;
+        spin[2] = -t117;
+        spin[3] = -t118;
+        spin[4] = t120;
+        spin[5] = t122;
+        spin[6] = t123;
+        spin[7] = -t124;
+        spin[8] = t125;
+        spin[9] = t138;
+        spin[10] = t139;
+        spin[11] = -t140;
+        spin[12] = -t128;
+        spin[13] = t133;
+        spin[14] = t137;
+        spin[15] = t129;
+        spin[16] = -t134;
+        spin[17] = t136;
+        stiffness[0] = -m * t158;
+        stiffness[1] = m * t160;
+        stiffness[2] = m * t162;
+        stiffness[3] = -m_x * t158;
+        stiffness[4] = m_x * t160;
+        stiffness[5] = m_x * t162;
+        stiffness[6] = m * t163;
+        stiffness[7] = -m * t165;
+        stiffness[8] = m * t167;
+        stiffness[9] = m_x * t163;
+        stiffness[10] = -m_x * t165;
+        stiffness[11] = m_x * t167;
+        stiffness[12] = m * t168;
+        stiffness[13] = m * t169;
+        stiffness[14] = -m * t170;
+        stiffness[15] = m_x * t168;
+        stiffness[16] = m_x * t169;
+        stiffness[17] = -m_x * t170;
+        stiffness[18] = t76 * t168 - t77 * t163;
+        stiffness[19] = t65 + (t68 + (t64 + t76 * t169 + t77 * t165));
+        stiffness[20] = -(t63 + (t67 + (t76 * t170 + (t62 + t77 * t167))));
+        stiffness[21] = t81 * t168 - t83 * t163;
+        stiffness[22] = t171 + (t81 * t169 + t172 + t83 * t165);
+        stiffness[23] = -(t173 + (t81 * t170 + (t83 * t167 + t174)));
+        stiffness[24] = -(t65 + (t68 + (t77 * t158 + (t64 + t75 * t168))));
+        stiffness[25] = t77 * t160 - t75 * t169;
+        stiffness[26] = t61 + (t66 + (t60 + t77 * t162 + t75 * t170));
+        stiffness[27] = -(t171 + (t83 * t158 + (t172 + t79 * t168)));
+        stiffness[28] = t83 * t160 - t79 * t169;
+        stiffness[29] = t175 + (t83 * t162 + t176 + t79 * t170);
+        stiffness[30] = t63 + (t67 + (t62 + t75 * t163 + t76 * t158));
+        stiffness[31] = -(t61 + (t66 + (t75 * t165 + (t60 + t76 * t160))));
+        stiffness[32] = t75 * t167 - t76 * t162;
+        stiffness[33] = t173 + (t174 + t79 * t163 + t81 * t158);
+        stiffness[34] = -(t175 + (t79 * t165 + (t176 + t81 * t160)));
+        stiffness[35] = t79 * t167 - t81 * t162;
     }
     /// Motion of frame `pin_frame` and its first three derivatives.
     ///
@@ -4294,10 +4369,37 @@ pub mod slider_crank_equations {
                         to: [0.3, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
-                    meanings: &["position", "slope", "position", "slope"],
-                    orders: &[0, 1, 0, 1],
+                    nodal: &[
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "position",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 0,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "slope",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 1,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "position",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 0,
+                            xi: 1.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "slope",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 1,
+                            xi: 1.0,
+                        },
+                    ],
                     connectivity: &[0, 1, 2, 3],
                     vectors_per_node: 2,
+                    stride: 2,
+                    section_y: None,
+                    twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     mean_axes: false,
                 },
@@ -4317,6 +4419,7 @@ pub mod slider_crank_equations {
                 ::rncf::mesh::JointSpec {
                     name: "chord_y",
                     kind: ::rncf::mesh::JointKind::Hold {
+                        of: ::rncf::mesh::Interpolant::Position,
                         order: 0,
                         axis: 1,
                     },
@@ -4328,6 +4431,7 @@ pub mod slider_crank_equations {
                 ::rncf::mesh::JointSpec {
                     name: "chord_z",
                     kind: ::rncf::mesh::JointKind::Hold {
+                        of: ::rncf::mesh::Interpolant::Position,
                         order: 0,
                         axis: 2,
                     },
@@ -4570,12 +4674,73 @@ pub mod slider_crank_equations {
             );
             energy
         }
-        fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]) {
-            cable_spatial_exact_damped_shapes(
-                self.row_beam.length,
-                xi,
-                ::rncf::mesh::array_mut(values),
-                ::rncf::mesh::array_mut(slopes),
+        fn shapes(
+            &self,
+            body: usize,
+            of: ::rncf::mesh::Interpolant,
+            order: usize,
+            xi: f64,
+            weights: &mut [f64],
+        ) {
+            weights.fill(0.0);
+            match (of, order) {
+                (::rncf::mesh::Interpolant::Position, 0) => {
+                    cable_spatial_exact_damped_shapes_position_0(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::Position, 1) => {
+                    cable_spatial_exact_damped_shapes_position_1(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::Position, 2) => {
+                    cable_spatial_exact_damped_shapes_position_2(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                _ => {}
+            }
+        }
+        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+            let model = &self.model;
+            ::rncf::mesh::SectionSpec {
+                shape: ::rncf::mesh::SectionShape::General {
+                    extent: [None, None],
+                },
+                area: 0.00020106192982974675,
+                second_moments: [3.216990877275948e-9, 3.216990877275948e-9],
+                torsion_constant: 0.0,
+                yield_stress: None,
+                material: "soft",
+            }
+        }
+        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+            &[
+                (::rncf::mesh::Interpolant::Position, 1),
+                (::rncf::mesh::Interpolant::Position, 2),
+            ]
+        }
+        fn field_forces(
+            &self,
+            body: usize,
+            stress_free: &[f64],
+            fields: &[f64],
+            rates: &[f64],
+            forces: &mut [f64],
+        ) {
+            cable_spatial_exact_damped_field_forces(
+                &self.row_beam,
+                ::rncf::mesh::array(stress_free),
+                ::rncf::mesh::array(fields),
+                ::rncf::mesh::array(rates),
+                ::rncf::mesh::array_mut(forces),
             );
         }
         fn moment(
@@ -5090,14 +5255,26 @@ pub mod slider_crank_equations {
                     name: "slider",
                     body: 0,
                     at: ::rncf::mesh::Place::End,
-                    constants: [model.slider_mass, 0.0, 0.0],
+                    constants: [
+                        model.slider_mass,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                    ],
                 },
             ])
         }
         fn fixture_force(
             &self,
             dimension: usize,
-            constants: [f64; 3],
+            vectors: usize,
+            constants: [f64; 10],
             absolute: bool,
             frame: &::rncf::mesh::FrameAction,
             q: &[f64],
@@ -5105,8 +5282,8 @@ pub mod slider_crank_equations {
             a: &[f64],
             force: &mut [f64],
         ) {
-            match dimension {
-                3 => {
+            match (dimension, vectors) {
+                (3, 2) => {
                     if absolute {
                         fixture_spatial_absolute_inertia_force(
                             constants,
@@ -5131,14 +5308,15 @@ pub mod slider_crank_equations {
         fn fixture_tangent(
             &self,
             dimension: usize,
-            constants: [f64; 3],
+            vectors: usize,
+            constants: [f64; 10],
             absolute: bool,
             frame: &::rncf::mesh::FrameAction,
             stiffness: &mut [f64],
             damping: &mut [f64],
         ) {
-            match dimension {
-                3 => {
+            match (dimension, vectors) {
+                (3, 2) => {
                     if !absolute {
                         fixture_spatial_inertia_tangent(
                             constants,
@@ -5171,7 +5349,11 @@ pub mod slider_crank_equations {
                         ::rncf::mesh::array_mut(out),
                     )
                 }
-                ::rncf::mesh::Carried::Fixture { dimension: 3, constants } => {
+                ::rncf::mesh::Carried::Fixture {
+                    dimension: 3,
+                    vectors: 2,
+                    constants,
+                } => {
                     fixture_spatial_carried(
                         constants,
                         frame,
@@ -5224,7 +5406,11 @@ pub mod slider_crank_equations {
                         ::rncf::mesh::array_mut(&mut out.stiffness),
                     )
                 }
-                ::rncf::mesh::Carried::Fixture { dimension: 3, constants } => {
+                ::rncf::mesh::Carried::Fixture {
+                    dimension: 3,
+                    vectors: 2,
+                    constants,
+                } => {
                     fixture_spatial_carried_tangent(
                         constants,
                         frame,

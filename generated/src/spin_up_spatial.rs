@@ -1330,25 +1330,78 @@ pub mod spin_up_spatial_equations {
             += total_r0_z * mass_r0_s1 + a_s0_z * mass_s0_s1 + total_r1_z * mass_r1_s1
                 + a_s1_z * mass_s0_s0;
     }
-    /// Shape functions of the nodal vectors at xi in [0, 1], and their derivatives d/dx.
+    /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
     ///
-    /// Operations: 11 additions, 21 multiplications, 1 divisions.
-    pub fn cable_spatial_shapes(
+    /// Operations: 6 additions, 12 multiplications.
+    pub fn cable_spatial_shapes_position_0(
         length: f64,
         xi: f64,
-        values: &mut [f64; 4],
-        slopes: &mut [f64; 4],
+        weights: &mut [f64; 4],
+    ) {
+        weights[0] = 1.0 + xi * (xi * (-3.0 + xi * 2.0));
+        weights[1] = length * (xi * (1.0 + xi * (xi + (-2.0))));
+        weights[2] = xi * (xi * (3.0 + xi * (-2.0)));
+        weights[3] = length * (xi * (xi * (xi + (-1.0))));
+    }
+    /// Weights of the nodal vectors in d/dx of the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 5 additions, 9 multiplications, 1 divisions.
+    pub fn cable_spatial_shapes_position_1(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 4],
     ) {
         let t14 = 1.0 / length;
         let t15 = xi * 3.0;
-        values[0] = 1.0 + xi * (xi * (-3.0 + xi * 2.0));
-        values[1] = length * (xi * (1.0 + xi * (xi + (-2.0))));
-        values[2] = xi * (xi * (3.0 + xi * (-2.0)));
-        values[3] = length * (xi * (xi * (xi + (-1.0))));
-        slopes[0] = xi * (-6.0 + xi * 6.0) * t14;
-        slopes[1] = 1.0 + xi * (-4.0 + t15);
-        slopes[2] = t14 * (xi * (6.0 + xi * (-6.0)));
-        slopes[3] = xi * (-2.0 + t15);
+        weights[0] = xi * (-6.0 + xi * 6.0) * t14;
+        weights[1] = 1.0 + xi * (-4.0 + t15);
+        weights[2] = t14 * (xi * (6.0 + xi * (-6.0)));
+        weights[3] = xi * (t15 + (-2.0));
+    }
+    /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 4 additions, 8 multiplications, 2 divisions.
+    pub fn cable_spatial_shapes_position_2(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 4],
+    ) {
+        let t14 = 1.0 / (length * length);
+        let t15 = xi * 6.0;
+        let t16 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t14;
+        weights[1] = (-4.0 + t15) * t16;
+        weights[2] = t14 * (6.0 + xi * (-12.0));
+        weights[3] = t16 * (t15 + (-2.0));
+    }
+    /// Writes the forces on the fields a, b at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
+    ///
+    /// Operations: 20 additions, 52 multiplications.
+    pub fn cable_spatial_field_forces(
+        row: &CableSpatial,
+        stress_free: &[f64; 6],
+        fields: &[f64; 6],
+        forces: &mut [f64; 6],
+    ) {
+        let CableSpatial { length, EA, EI, .. } = *row;
+        let t23 = fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2];
+        let t24 = fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5];
+        let t25 = 0.5 * (t23 - 1.0)
+            - 0.5
+                * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
+                    + stress_free[2] * stress_free[2] - 1.0);
+        let t26 = EA * t25;
+        let t27 = fields[0] * 2.0;
+        let t28 = fields[1] * 2.0;
+        let t29 = fields[2] * 2.0;
+        let t30 = (fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5])
+            * 2.0;
+        forces[0] = t26 * (0.5 * t27) + EI * (0.5 * (t24 * t27 - fields[3] * t30));
+        forces[1] = t26 * (0.5 * t28) + EI * (0.5 * (t24 * t28 - fields[4] * t30));
+        forces[2] = t26 * (0.5 * t29) + EI * (0.5 * (t24 * t29 - fields[5] * t30));
+        forces[3] = EI * (0.5 * (t23 * (fields[3] * 2.0) - fields[0] * t30));
+        forces[4] = EI * (0.5 * (t23 * (fields[4] * 2.0) - fields[1] * t30));
+        forces[5] = EI * (0.5 * (t23 * (fields[5] * 2.0) - fields[2] * t30));
     }
     /// Motion of frame `hub` and its first three derivatives.
     ///
@@ -1908,10 +1961,37 @@ pub mod spin_up_spatial_equations {
                         to: [8.0, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
-                    meanings: &["position", "slope", "position", "slope"],
-                    orders: &[0, 1, 0, 1],
+                    nodal: &[
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "position",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 0,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "slope",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 1,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "position",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 0,
+                            xi: 1.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "slope",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 1,
+                            xi: 1.0,
+                        },
+                    ],
                     connectivity: &[0, 1, 2, 3],
                     vectors_per_node: 2,
+                    stride: 2,
+                    section_y: None,
+                    twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     mean_axes: false,
                 },
@@ -2100,12 +2180,72 @@ pub mod spin_up_spatial_equations {
             );
             energy
         }
-        fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]) {
-            cable_spatial_shapes(
-                self.row_beam.length,
-                xi,
-                ::rncf::mesh::array_mut(values),
-                ::rncf::mesh::array_mut(slopes),
+        fn shapes(
+            &self,
+            body: usize,
+            of: ::rncf::mesh::Interpolant,
+            order: usize,
+            xi: f64,
+            weights: &mut [f64],
+        ) {
+            weights.fill(0.0);
+            match (of, order) {
+                (::rncf::mesh::Interpolant::Position, 0) => {
+                    cable_spatial_shapes_position_0(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::Position, 1) => {
+                    cable_spatial_shapes_position_1(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::Position, 2) => {
+                    cable_spatial_shapes_position_2(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                _ => {}
+            }
+        }
+        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+            let model = &self.model;
+            ::rncf::mesh::SectionSpec {
+                shape: ::rncf::mesh::SectionShape::General {
+                    extent: [None, None],
+                },
+                area: 7.299e-5,
+                second_moments: [8.215e-9, 8.215e-9],
+                torsion_constant: 0.0,
+                yield_stress: None,
+                material: "aluminium",
+            }
+        }
+        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+            &[
+                (::rncf::mesh::Interpolant::Position, 1),
+                (::rncf::mesh::Interpolant::Position, 2),
+            ]
+        }
+        fn field_forces(
+            &self,
+            body: usize,
+            stress_free: &[f64],
+            fields: &[f64],
+            rates: &[f64],
+            forces: &mut [f64],
+        ) {
+            cable_spatial_field_forces(
+                &self.row_beam,
+                ::rncf::mesh::array(stress_free),
+                ::rncf::mesh::array(fields),
+                ::rncf::mesh::array_mut(forces),
             );
         }
         fn moment(

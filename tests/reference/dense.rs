@@ -132,16 +132,20 @@ impl Cholesky {
         Ok(Self { lower, first })
     }
 
-    /// Replaces `x`, of length `size`, by the solution of `matrix * solution = x`.
-    pub fn solve(&self, x: &mut [f64]) {
-        let n = self.lower.size();
-        for i in 0..n {
+    /// Replaces `x`, of length `size`, by the solution of `lower * solution = x`.
+    pub fn forward(&self, x: &mut [f64]) {
+        for i in 0..self.lower.size() {
             for j in self.first[i]..i {
                 x[i] -= self.lower.get(i, j) * x[j];
             }
             x[i] /= self.lower.get(i, i);
         }
-        for i in (0..n).rev() {
+    }
+
+    /// Replaces `x`, of length `size`, by the solution of `matrix * solution = x`.
+    pub fn solve(&self, x: &mut [f64]) {
+        self.forward(x);
+        for i in (0..self.lower.size()).rev() {
             x[i] /= self.lower.get(i, i);
             for j in self.first[i]..i {
                 x[j] -= self.lower.get(i, j) * x[i];

@@ -8,15 +8,23 @@
 //! - [`swing`]: another motion of the same beam, for scenes that are nobody's example.
 //! - [`pendulum`]: the planar pendulum (THEORY 10, T1) with its exact multiplier.
 //! - [`heavy_top`], [`governor`]: mechanisms of BENCHMARKS 3 and 6 in coordinates without constraints.
+//! - [`section_beam`], [`section_inertia`]: the ten-vector element (THEORY 5.2), also a yardstick of the benches.
+//! - [`section_chain`], [`section_statics`], [`section_modes`]: chains of it in static and relative equilibrium, and
+//!   small motions about it.
+//! - [`rod`]: the geometrically exact rod of BENCHMARKS 1, 4 and 5.
+//! - [`galerkin_rotor`]: the rotating cantilever on a hub (THEORY 8.2).
+//! - [`dense`], [`banded`], [`symmetric`]: the linear algebra of all that.
 //! - [`system`], [`integrate`]: what a first-order system offers, and its integration by russell_ode.
 //! - [`table`]: the published numbers and recorded histories.
 //!
 //! SI units throughout. Errors are plain sentences that name the argument.
 
+pub mod banded;
 pub mod beam;
 pub mod dense;
 pub mod element;
 pub mod free_cable;
+pub mod galerkin_rotor;
 pub mod governor;
 pub mod heavy_top;
 pub mod inertia;
@@ -24,9 +32,16 @@ pub mod inertial_beam;
 pub mod integrate;
 pub mod pendulum;
 pub mod quadrature;
+pub mod rod;
 pub mod rotating_beam;
+pub mod section_beam;
+pub mod section_chain;
+pub mod section_inertia;
+pub mod section_modes;
+pub mod section_statics;
 pub mod spin_up;
 pub mod swing;
+pub mod symmetric;
 pub mod system;
 pub mod table;
 pub mod tensor;

@@ -1,4 +1,4 @@
-//! The fields of `material` and `section`: names, dimensions and ranges, as data.
+//! The properties of materials and sections: names, dimensions and ranges, as data.
 
 /// Which values of a property make sense.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,9 +57,25 @@ pub const MATERIAL: &[Property] = &[
         range: Range::NonNegative,
         default: Some(0.0),
     },
+    Property {
+        name: "yield",
+        dimension: [-1, 1, -2, 0, 0, 0],
+        unit: "Pa",
+        range: Range::Positive,
+        default: None,
+    },
 ];
 
-/// Properties of a section.
+/// Sizes of named kinds of sections: what a block gives no field for.
+pub const SIZES: &[&str] = &["radius", "thickness", "inner_radius", "size_y", "size_z"];
+
+/// Fields of a section's block that stand for two properties, one for each axis.
+pub const BOTH_AXES: &[(&str, [&str; 2])] = &[
+    ("second_moment", ["second_moment_y", "second_moment_z"]),
+    ("shear_factor", ["shear_factor_y", "shear_factor_z"]),
+];
+
+/// Properties of a section. `second_moment` is that of elements which bend alike in all directions.
 pub const SECTION: &[Property] = &[
     Property {
         name: "area",
@@ -74,5 +90,131 @@ pub const SECTION: &[Property] = &[
         unit: "m^4",
         range: Range::Positive,
         default: None,
+    },
+    Property {
+        name: "second_moment_y",
+        dimension: [4, 0, 0, 0, 0, 0],
+        unit: "m^4",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "second_moment_z",
+        dimension: [4, 0, 0, 0, 0, 0],
+        unit: "m^4",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "torsion_constant",
+        dimension: [4, 0, 0, 0, 0, 0],
+        unit: "m^4",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "shear_factor_y",
+        dimension: [0, 0, 0, 0, 0, 0],
+        unit: "1",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "shear_factor_z",
+        dimension: [0, 0, 0, 0, 0, 0],
+        unit: "1",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "extent_y",
+        dimension: [1, 0, 0, 0, 0, 0],
+        unit: "m",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "extent_z",
+        dimension: [1, 0, 0, 0, 0, 0],
+        unit: "m",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "radius",
+        dimension: [1, 0, 0, 0, 0, 0],
+        unit: "m",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "thickness",
+        dimension: [1, 0, 0, 0, 0, 0],
+        unit: "m",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "inner_radius",
+        dimension: [1, 0, 0, 0, 0, 0],
+        unit: "m",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "size_y",
+        dimension: [1, 0, 0, 0, 0, 0],
+        unit: "m",
+        range: Range::Positive,
+        default: None,
+    },
+    Property {
+        name: "size_z",
+        dimension: [1, 0, 0, 0, 0, 0],
+        unit: "m",
+        range: Range::Positive,
+        default: None,
+    },
+];
+
+/// A property that follows from others.
+#[derive(Clone, Copy, Debug)]
+pub struct Derived {
+    /// Name, as the coefficients of elements use it.
+    pub name: &'static str,
+    /// SI unit for documentation.
+    pub unit: &'static str,
+    /// Properties that it follows from.
+    pub from: &'static [&'static str],
+    /// Rust text, in terms of those.
+    pub value: &'static str,
+}
+
+/// Properties that follow from others; the ranges of those keep them finite.
+pub const DERIVED: &[Derived] = &[
+    Derived {
+        name: "shear_modulus",
+        unit: "Pa",
+        from: &["young", "poisson"],
+        value: "young / (2.0 * (1.0 + poisson))",
+    },
+    Derived {
+        name: "double_shear_modulus",
+        unit: "Pa",
+        from: &["young", "poisson"],
+        value: "young / (1.0 + poisson)",
+    },
+    Derived {
+        name: "lame",
+        unit: "Pa",
+        from: &["young", "poisson"],
+        value: "young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson))",
+    },
+    // Of plane stress.
+    Derived {
+        name: "plane_lame",
+        unit: "Pa",
+        from: &["young", "poisson"],
+        value: "young * poisson / ((1.0 + poisson) * (1.0 - poisson))",
     },
 ];

@@ -9,8 +9,9 @@ use super::layout::Layout;
 use super::linked::{Linked, MarkedLoad, Marker, markers};
 use super::markers::When;
 use super::mean_axes::MeanAxes;
+use super::moments::turned_by_moments;
 use super::parts::{BodySpec, Fidelity, JointSpec, LoadKind, Parts};
-use super::scene::{Buffers, MeshBody, MeshScene, Row, undeformed};
+use super::scene::{Buffers, MeshBody, MeshScene, PlaceVector, Row};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints};
@@ -130,18 +131,26 @@ impl<P: Parts> MeshScene<P> {
                     )));
                 }
                 (kind, Some(point)) if turned || self.free_of[self.bodies[point.body].frame].is_some() => {
-                    let marker = Marker::Body {
-                        point: point.clone(),
-                        is_point: matches!(kind, LoadKind::Force { .. }),
+                    let vectors = match kind {
+                        LoadKind::Moment { .. } => turned_by_moments(&self.bodies[point.body].spec),
+                        _ => &[PlaceVector::Position],
                     };
-                    self.marked_loads.push(MarkedLoad { load: index, marker });
+                    let marker = |&of: &PlaceVector| Marker::Body {
+                        point: point.clone(),
+                        of,
+                    };
+                    self.marked_loads.push(MarkedLoad {
+                        load: index,
+                        markers: vectors.iter().map(marker).collect(),
+                    });
                 }
                 _ => {}
             }
         }
         for spec in self.parts.fixtures() {
-            let point = self.point(spec.body, spec.at, spec.name)?;
-            self.fixtures.push(Fixture { spec, point });
+            let (point, spec_body) = (self.point(spec.body, spec.at, spec.name)?, spec.body);
+            let fixture = Fixture::new(spec, point, &self.bodies[spec_body].spec);
+            self.fixtures.push(fixture);
         }
         self.check_fixed()
     }
@@ -173,7 +182,7 @@ impl<P: Parts> MeshScene<P> {
         for index in 0..self.bodies.len() {
             let body = &mut self.bodies[index];
             body.scatter = Scatter::new(&body.connectivity, &self.layout, &self.pattern);
-            body.mass = vec![0.0; body.spec.orders.len().pow(2)];
+            body.mass = vec![0.0; body.spec.nodal.len().pow(2)];
             self.parts.mass(index, &mut body.mass);
         }
         self.borders = (0..self.bodies.len()).map(|body| self.border_of(body)).collect();
@@ -206,8 +215,10 @@ impl<P: Parts> MeshScene<P> {
             let turn = Marker::Turn {
                 frame: self.loads[marked.load].frame,
             };
-            let components = [&marked.marker, &turn]
-                .into_iter()
+            let components = marked
+                .markers
+                .iter()
+                .chain([&turn])
                 .flat_map(|marker| self.marker_components(marker));
             groups.push(self.unknowns_of(components));
         }
@@ -261,7 +272,7 @@ impl<P: Parts> MeshScene<P> {
             let dimension = self.bodies[self.joints[condition.joint].body].spec.dimension();
             let layout = &self.layout;
             let of = |vector: usize| (0..dimension).map(move |component| layout.offset(vector) + component);
-            condition.components = of(condition.position).chain(of(condition.slope)).collect();
+            condition.components = condition.vectors.iter().flat_map(|&vector| of(vector)).collect();
             for &row in &condition.rows {
                 let column = self.constraint_rows.len();
                 self.constraint_rows.push(Row::Condition { condition: index, row });
@@ -346,7 +357,7 @@ fn linked<P: Parts>(parts: &P, specs: &[BodySpec], absolute: impl Fn(&BodySpec) 
 
 /// Mass of an element's components from that of its vectors.
 fn spread_mass(mass: &[f64], spec: &BodySpec) -> Vec<f64> {
-    let (vectors, dimension) = (spec.orders.len(), spec.dimension());
+    let (vectors, dimension) = (spec.nodal.len(), spec.dimension());
     let size = vectors * dimension;
     let mut local = vec![0.0; size * size];
     for a in 0..vectors {
@@ -396,16 +407,15 @@ fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
             spec.name
         )));
     }
-    Ok(())
+    spec.check_directions()
 }
 
 /// Nodal vectors of all elements in the stress-free shape, in local order and body axes.
 fn element_shapes(spec: &BodySpec) -> Vec<f64> {
     let mut shapes = Vec::with_capacity(spec.count * spec.element_size());
     for element in 0..spec.count {
-        for (local, &order) in spec.orders.iter().enumerate() {
-            let node = element + spec.connectivity[local] / spec.vectors_per_node;
-            shapes.extend(undeformed(spec, node, order));
+        for local in 0..spec.nodal.len() {
+            shapes.extend(spec.undeformed(element, local));
         }
     }
     shapes
@@ -415,7 +425,7 @@ fn connectivity(spec: &BodySpec, first_vector: usize, layout: &Layout) -> Connec
     let mut components = Vec::with_capacity(spec.count * spec.element_size());
     for element in 0..spec.count {
         for &place in spec.connectivity {
-            let offset = layout.offset(first_vector + element * spec.vectors_per_node + place);
+            let offset = layout.offset(first_vector + element * spec.stride + place);
             components.extend(offset..offset + spec.dimension());
         }
     }

@@ -2,20 +2,18 @@
 
 use super::frame::FrameMotion;
 use super::layout::VectorKind;
-use super::parts::{BodySpec, JointData, JointKind, JointSpec};
+use super::parts::{BodySpec, Interpolant, JointData, JointKind, JointSpec};
 use crate::model::Joints;
-use crate::vector::{cross, perpendicular};
+use crate::vector::{Vector, cross, perpendicular};
 
 /// A joint on its node.
 #[derive(Clone, Debug)]
 pub struct Condition {
     /// Joint.
     pub joint: usize,
-    /// Global numbers of the node's position and slope.
-    pub position: usize,
-    /// Global number of the node's slope.
-    pub slope: usize,
-    /// Components of position and slope in the full arrays; filled in once they are numbered.
+    /// Global numbers of the node's position, then of its slope or of its section's axes.
+    pub vectors: Vec<usize>,
+    /// Their components in the full arrays; filled in once they are numbered.
     pub components: Vec<usize>,
     /// Constants in the joint's frame.
     pub data: JointData,
@@ -23,51 +21,98 @@ pub struct Condition {
     pub absolute: bool,
     /// Whether the position is eliminated.
     pub position_eliminated: bool,
-    /// What is eliminated of the slope.
-    pub slope_kind: VectorKind,
+    /// What is eliminated of the vectors after the position.
+    pub kinds: Vec<VectorKind>,
     /// Vector and component that are held at their undeformed value.
     pub held: Option<(usize, usize)>,
     /// Rows of the joint's conditions that keep multipliers.
     pub rows: Vec<usize>,
 }
 
-/// Number of condition rows of a joint: position, then direction or slope.
-pub fn row_count(kind: JointKind, dimension: usize) -> usize {
+impl Condition {
+    /// Whether it prescribes directions with their norms.
+    pub fn prescribes_directions(&self) -> bool {
+        self.kinds.contains(&VectorKind::Prescribed)
+    }
+}
+
+/// What a joint's conditions are about besides the position: the slope, or the section's axes.
+pub fn directions(kind: JointKind, body: &BodySpec) -> &'static [(Interpolant, usize)] {
+    const SLOPE: &[(Interpolant, usize)] = &[(Interpolant::Position, 1)];
+    const AXES: &[(Interpolant, usize)] = &[(Interpolant::SectionY, 0), (Interpolant::SectionZ, 0)];
+    let holds_slope = matches!(
+        kind,
+        JointKind::Hold {
+            of: Interpolant::Position,
+            order: 1,
+            ..
+        }
+    );
+    if holds_slope || !body.has_section() {
+        SLOPE
+    } else {
+        &AXES[..body.dimension() - 1]
+    }
+}
+
+/// Components of the vectors of a node that a joint's conditions are about.
+pub fn width(kind: JointKind, body: &BodySpec) -> usize {
+    (1 + directions(kind, body).len()) * body.dimension()
+}
+
+/// Number of condition rows of a joint: position, then directions or whole vectors, one after the other.
+pub fn row_count(kind: JointKind, body: &BodySpec) -> usize {
+    let dimension = body.dimension();
+    let directions = directions(kind, body).len();
     match kind {
         JointKind::Pin => dimension,
-        JointKind::Clamp => 2 * dimension - 1,
-        JointKind::ClampFull => 2 * dimension,
+        JointKind::Clamp => dimension + directions * (dimension - 1),
+        JointKind::ClampFull => dimension + directions * dimension,
         JointKind::Hold { .. } => 1,
     }
 }
 
 /// Constants of a joint from the undeformed body at t = 0.
 pub fn joint_data(joint: &JointSpec, body: &BodySpec, frames: &[FrameMotion]) -> JointData {
-    let (point, tangent) = body.line.at(if joint.at_end { 1.0 } else { 0.0 });
-    let mut normal = [0.0; 3];
-    if let [first, second] = *body.axes {
-        normal[3 - first - second] = 1.0;
-    }
-    let (mut point, mut tangent) = (point, tangent);
-    if joint.frame != body.frame {
-        let (own, other) = (&frames[body.frame], &frames[joint.frame]);
-        point = other.point_to_frame(own.point_to_inertial(point));
-        tangent = other.direction_to_frame(own.direction_to_inertial(tangent));
-        normal = other.direction_to_frame(own.direction_to_inertial(normal));
-    }
-    let first = if body.dimension() == 2 {
-        cross(normal, tangent)
+    let u = if joint.at_end { 1.0 } else { 0.0 };
+    let (point, tangent) = body.line.at(u);
+    let (own, other) = (&frames[body.frame], &frames[joint.frame]);
+    let is_own = joint.frame == body.frame;
+    let turned = |direction: Vector| {
+        if is_own {
+            return direction;
+        }
+        other.direction_to_frame(own.direction_to_inertial(direction))
+    };
+    let there = if is_own {
+        point
     } else {
-        perpendicular(tangent)
+        other.point_to_frame(own.point_to_inertial(point))
+    };
+    let normal = body.plane_normal().map(turned);
+    let along: Vec<Vector> = match directions(joint.kind, body) {
+        [(Interpolant::Position, _)] => vec![turned(tangent)],
+        axes => body.section(u)[..axes.len()].iter().map(|&axis| turned(axis)).collect(),
+    };
+    let across = |direction: Vector| {
+        let first = match normal {
+            Some(normal) => cross(normal, direction),
+            None => perpendicular(direction),
+        };
+        [first, cross(direction, first)]
     };
     JointData {
-        point: joint.point.unwrap_or(point),
-        tangent,
-        normals: [first, cross(tangent, first)],
+        point: joint.point.unwrap_or(there),
+        tangent: along[0],
+        normals: across(along[0]),
+        second: along.get(1).map_or([[0.0; 3]; 3], |&second| {
+            let [first, other] = across(second);
+            [second, first, other]
+        }),
     }
 }
 
-/// What a joint does to its node: eliminated where the direction does not turn in the body's frame.
+/// What a joint does to its node: eliminated where the directions do not turn in the body's frame.
 pub fn condition(
     index: usize,
     joint: &JointSpec,
@@ -77,51 +122,50 @@ pub fn condition(
     absolute: bool,
     joints: Joints,
 ) -> Condition {
-    let node = first_vector
-        + if joint.at_end {
-            body.count * body.vectors_per_node
-        } else {
-            0
-        };
-    let place = |order: usize| {
-        let local = body.orders.iter().position(|&other| other == order).unwrap_or(0);
-        node + body.connectivity[local]
-    };
-    let (position, slope) = (place(0), place(1));
-    let dimension = body.dimension();
-    let all = row_count(joint.kind, dimension);
+    let place = |&(of, order): &(Interpolant, usize)| body.end_vector(joint.at_end, of, order);
+    let directions = directions(joint.kind, body);
+    let vectors = std::iter::once(&(Interpolant::Position, 0)).chain(directions);
+    let vectors: Vec<usize> = vectors.filter_map(place).map(|place| first_vector + place).collect();
+    let all = row_count(joint.kind, body);
     let own_frame = if absolute { 0 } else { body.frame };
     let turns = joint.frame != own_frame;
+    let alike = |kind: VectorKind| vec![kind; directions.len()];
+    let free = || alike(VectorKind::Free);
     let mut held = None;
-    let (position_eliminated, slope_kind, rows) = match (joints, joint.kind) {
-        (Joints::Multipliers, _) => (false, VectorKind::Free, (0..all).collect()),
-        (Joints::Eliminated, JointKind::Pin) => (true, VectorKind::Free, Vec::new()),
+    let (position_eliminated, kinds, rows) = match (joints, joint.kind) {
+        (Joints::Multipliers, _) => (false, free(), (0..all).collect()),
+        (Joints::Eliminated, JointKind::Pin) => (true, free(), Vec::new()),
         // Held components are those of the body's own frame.
-        (Joints::Eliminated, JointKind::Hold { .. }) if own_frame != body.frame => (false, VectorKind::Free, vec![0]),
-        (Joints::Eliminated, JointKind::Hold { order, axis }) => {
+        (Joints::Eliminated, JointKind::Hold { .. }) if own_frame != body.frame => (false, free(), vec![0]),
+        (Joints::Eliminated, JointKind::Hold { of, order, axis }) => {
             let component = body.axes.iter().position(|&other| other == axis);
-            held = component.map(|component| (if order == 0 { position } else { slope }, component));
-            (false, VectorKind::Free, Vec::new())
+            let vector = place(&(of, order)).map(|place| first_vector + place);
+            held = vector.zip(component);
+            (false, free(), Vec::new())
         }
-        (Joints::Eliminated, JointKind::ClampFull) => (true, VectorKind::Prescribed, Vec::new()),
-        (Joints::Eliminated, JointKind::Clamp) if turns => (true, VectorKind::Free, (dimension..all).collect()),
+        (Joints::Eliminated, JointKind::ClampFull) => (true, alike(VectorKind::Prescribed), Vec::new()),
+        (Joints::Eliminated, JointKind::Clamp) if turns => (true, free(), (body.dimension()..all).collect()),
         (Joints::Eliminated, JointKind::Clamp) => {
-            let mut direction = [0.0; 3];
-            for (component, &axis) in body.axes.iter().enumerate() {
-                direction[component] = data.tangent[axis];
-            }
-            (true, VectorKind::Directed(direction), Vec::new())
+            let directed = |along: Vector| {
+                let mut direction = [0.0; 3];
+                for (component, &axis) in body.axes.iter().enumerate() {
+                    direction[component] = along[axis];
+                }
+                VectorKind::Directed(direction)
+            };
+            let along = [data.tangent, data.second[0]];
+            let kinds = along.into_iter().take(directions.len()).map(directed);
+            (true, kinds.collect(), Vec::new())
         }
     };
     Condition {
         joint: index,
-        position,
-        slope,
+        vectors,
         components: Vec::new(),
         data,
         absolute,
         position_eliminated,
-        slope_kind,
+        kinds,
         held,
         rows,
     }
@@ -132,10 +176,12 @@ pub fn vector_kinds(count: usize, conditions: &[Condition]) -> Vec<VectorKind> {
     let mut kinds = vec![VectorKind::Free; count];
     for condition in conditions {
         if condition.position_eliminated {
-            kinds[condition.position] = VectorKind::Prescribed;
+            kinds[condition.vectors[0]] = VectorKind::Prescribed;
         }
-        if condition.slope_kind != VectorKind::Free {
-            kinds[condition.slope] = condition.slope_kind;
+        for (&vector, &kind) in condition.vectors[1..].iter().zip(&condition.kinds) {
+            if kind != VectorKind::Free {
+                kinds[vector] = kind;
+            }
         }
     }
     for &(vector, component) in conditions.iter().filter_map(|condition| condition.held.as_ref()) {

@@ -2,9 +2,9 @@
 
 use super::assembly::evaluate;
 use super::conditions::Condition;
-use super::layout::VectorKind;
+use super::moments::turned_by_moments;
 use super::parts::{LoadKind, Parts, Prescribed};
-use super::scene::{Buffers, MeshBody, MeshScene, Regime};
+use super::scene::{Buffers, MeshBody, MeshScene, PlaceVector, Regime};
 use crate::model::Scene;
 use crate::rotation::Rotation;
 use crate::system::State;
@@ -12,6 +12,8 @@ use crate::vector::add;
 
 /// Degrees of freedom of the largest element.
 pub(super) const MAX_SIZE: usize = 32;
+/// Most components of a node's vectors that a joint is about, and most of its conditions.
+pub(super) const MOST: usize = 9;
 
 /// `sum_a weight_a q_a` of an element.
 pub(super) fn weighted(full: &[f64], components: &[usize], dimension: usize, weights: &[f64]) -> [f64; 3] {
@@ -65,8 +67,8 @@ impl<P: Parts> MeshScene<P> {
         let buffers = &mut self.buffers;
         for condition in &self.conditions {
             let dimension = self.bodies[self.joints[condition.joint].body].spec.dimension();
-            let slope_prescribed = condition.slope_kind == VectorKind::Prescribed;
-            if !condition.position_eliminated && !slope_prescribed {
+            let prescribes_directions = condition.prescribes_directions();
+            if !condition.position_eliminated && !prescribes_directions {
                 continue;
             }
             let mut prescribed = Prescribed::default();
@@ -85,10 +87,12 @@ impl<P: Parts> MeshScene<P> {
                 }
             };
             if condition.position_eliminated {
-                set(condition.position, prescribed.position);
+                set(condition.vectors[0], prescribed.position);
             }
-            if slope_prescribed {
-                set(condition.slope, prescribed.slope);
+            if prescribes_directions {
+                for (&vector, values) in condition.vectors[1..].iter().zip([prescribed.slope, prescribed.second]) {
+                    set(vector, values);
+                }
             }
         }
     }
@@ -194,18 +198,17 @@ impl<P: Parts> MeshScene<P> {
                 LoadKind::Gravity => {}
                 LoadKind::Force { .. } => {
                     for (place, &component) in components.iter().enumerate() {
-                        let weight = point.values[place / dimension];
+                        let weight = point.weights(PlaceVector::Position)[place / dimension];
                         self.buffers.force[component] -= weight * value[place % dimension];
                     }
                 }
                 LoadKind::Moment { .. } => {
-                    let slope = weighted(&self.buffers.q, components, dimension, &point.slopes);
-                    let mut force = [0.0; 3];
-                    self.parts
-                        .moment(dimension, &slope[..dimension], value, &mut force[..dimension]);
-                    for (place, &component) in components.iter().enumerate() {
-                        let weight = point.slopes[place / dimension];
-                        self.buffers.force[component] -= weight * force[place % dimension];
+                    let force = self.moment_at(point, value);
+                    for (&of, force) in turned_by_moments(&body.spec).iter().zip(force.chunks_exact(dimension)) {
+                        for (place, &component) in components.iter().enumerate() {
+                            let weight = point.weights(of)[place / dimension];
+                            self.buffers.force[component] -= weight * force[place % dimension];
+                        }
                     }
                 }
             }
@@ -258,33 +261,27 @@ impl<P: Parts> MeshScene<P> {
             let body = &self.bodies[point.body];
             let (dimension, size) = (body.spec.dimension(), body.spec.element_size());
             let value = self.load_in_body(index, t, body).map(|x| load_scale * x);
-            let slope = weighted(
-                &self.buffers.q,
-                body.connectivity.element(point.element),
-                dimension,
-                &point.slopes,
-            );
-            let mut block = [0.0; 9];
-            self.parts.moment_tangent(
-                dimension,
-                &slope[..dimension],
-                value,
-                &mut block[..dimension * dimension],
-            );
+            let block = self.moment_tangent_at(point, value);
+            let vectors = turned_by_moments(&body.spec);
+            let width = vectors.len() * dimension;
             let mut local = vec![0.0; size * size];
-            for row in 0..size {
-                for column in 0..size {
-                    let weight = point.slopes[row / dimension] * point.slopes[column / dimension];
-                    local[row * size + column] = -weight * block[row % dimension * dimension + column % dimension];
+            for (place, entry) in local.iter_mut().enumerate() {
+                let (row, column) = (place / size, place % size);
+                for (m, &of) in vectors.iter().enumerate() {
+                    for (n, &by) in vectors.iter().enumerate() {
+                        let weight = point.weights(of)[row / dimension] * point.weights(by)[column / dimension];
+                        let (i, j) = (m * dimension + row % dimension, n * dimension + column % dimension);
+                        *entry -= weight * block[i * width + j];
+                    }
                 }
             }
             body.scatter.add(point.element, &local, stiffness);
         }
     }
 
-    /// Position and slope of a condition's node in one of the full arrays.
-    pub(super) fn node(&self, condition: &Condition, full: &[f64]) -> [f64; 6] {
-        let mut node = [0.0; 6];
+    /// The vectors of a condition's node in one of the full arrays.
+    pub(super) fn node(&self, condition: &Condition, full: &[f64]) -> [f64; MOST] {
+        let mut node = [0.0; MOST];
         for (place, &component) in condition.components.iter().enumerate() {
             node[place] = full[component];
         }

@@ -1,14 +1,28 @@
 //! Initial shapes: where and how fast bodies start, and whether their joints let them.
 
-use super::conditions::joint_data;
+use super::conditions::{directions, joint_data};
 use super::frame::FrameMotion;
-use super::parts::{BodySpec, JointData, JointKind, JointSpec, Parts};
-use super::scene::{MeshScene, undeformed};
+use super::parts::{BodySpec, Interpolant, JointData, JointKind, JointSpec, Parts};
+use super::scene::MeshScene;
 use crate::error::ModelError;
-use crate::vector::{Vector, add, cross, dot, norm, subtract};
+use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
 
 /// Relative size of a contradiction between an initial shape and a joint that counts as round-off.
 const ROUND_OFF: f64 = 1e-10;
+/// One plus the cosine of directions that count as opposite.
+const OPPOSITE: f64 = 1e-12;
+
+/// Vectors of a place by [`place_of`]: position, slope, section's y and z axes.
+type Vectors = [Vector; 4];
+
+/// Place of a vector among [`Vectors`].
+fn place_of(of: Interpolant, order: usize) -> usize {
+    match of {
+        Interpolant::Position => order,
+        Interpolant::SectionY => 2,
+        Interpolant::SectionZ => 3,
+    }
+}
 
 impl<P: Parts> MeshScene<P> {
     /// Components of all nodal vectors and of their rates at t = 0, in their declared frames.
@@ -18,25 +32,44 @@ impl<P: Parts> MeshScene<P> {
             let spec = &body.spec;
             for within in 0..spec.vectors() {
                 let (node, local) = spec.locate(within);
-                let order = spec.orders[local];
-                let [position, velocity] = self.parts.initial(index, arclength(spec, node));
-                let taken = |vectors: [Vector; 2]| spec.axes.iter().map(move |&axis| vectors[order][axis]);
-                match position {
-                    Some(position) => q.extend(taken(position)),
-                    None => q.extend(undeformed(spec, node, order)),
-                }
-                v.extend(taken(velocity.unwrap_or_default()));
+                let [values, rates] = self.initial_vectors(index, spec.fraction(node, local));
+                let place = place_of(spec.nodal[local].of, spec.nodal[local].order);
+                q.extend(spec.axes.iter().map(|&axis| values[place][axis]));
+                v.extend(spec.axes.iter().map(|&axis| rates[place][axis]));
             }
         }
         [q, v]
+    }
+
+    /// Vectors of a body and their rates at t = 0 at the fraction `u` of its axis, frame axes. Sections
+    /// turn with the tangent by the smallest rotation from its undeformed direction, and move without
+    /// shear and without turning about the tangent.
+    fn initial_vectors(&self, body: usize, u: f64) -> [Vectors; 2] {
+        let spec = &self.bodies[body].spec;
+        let (point, tangent) = spec.line.at(u);
+        let [position, velocity] = self.parts.initial(body, spec.line.length() * u);
+        let [at, slope] = position.unwrap_or([point, tangent]);
+        let [rate, slope_rate] = velocity.unwrap_or_default();
+        if !spec.has_section() {
+            return [[at, slope, [0.0; 3], [0.0; 3]], [rate, slope_rate, [0.0; 3], [0.0; 3]]];
+        }
+        let section = spec.section(u);
+        let axes = match position {
+            Some(_) => section.map(|axis| turned(axis, tangent, slope, section[0])),
+            None => section,
+        };
+        let spin = scale(1.0 / dot(slope, slope), cross(slope, slope_rate));
+        let rates = axes.map(|axis| cross(spin, axis));
+        [[at, slope, axes[0], axes[1]], [rate, slope_rate, rates[0], rates[1]]]
     }
 
     /// Refuses initial shapes that are not finite, without direction, or elsewhere than where a joint
     /// holds the body.
     pub(super) fn check_initial(&self) -> Result<(), ModelError> {
         for (index, body) in self.bodies.iter().enumerate() {
-            for node in 0..=body.spec.count {
-                let x = arclength(&body.spec, node);
+            for within in 0..body.spec.vectors() {
+                let (node, local) = body.spec.locate(within);
+                let x = body.spec.line.length() * body.spec.fraction(node, local);
                 check_node(&body.spec, x, self.parts.initial(index, x))?;
             }
         }
@@ -46,23 +79,24 @@ impl<P: Parts> MeshScene<P> {
 
     fn check_held(&self, joint: &JointSpec, frames: &[FrameMotion]) -> Result<(), ModelError> {
         let spec = &self.bodies[joint.body].spec;
-        let node = if joint.at_end { spec.count } else { 0 };
-        let [position, velocity] = self.parts.initial(joint.body, arclength(spec, node));
-        let straight = spec.line.at(if joint.at_end { 1.0 } else { 0.0 });
+        let u = if joint.at_end { 1.0 } else { 0.0 };
+        let [position, velocity] = self.parts.initial(joint.body, spec.line.length() * u);
         let held = Held {
             kind: joint.kind,
             data: joint_data(joint, spec, frames),
+            directions: directions(joint.kind, spec),
             length: spec.line.length(),
         };
-        let own = &frames[spec.frame];
-        let other = &frames[joint.frame];
-        let is_own = joint.frame == spec.frame;
-        let here = position.unwrap_or([straight.0, straight.1]);
-        let seen = |q: [Vector; 2], v: [Vector; 2]| if is_own { (q, v) } else { seen_in(own, other, q, v) };
-        let (q, v) = seen(here, velocity.unwrap_or_default());
-        let undeformed = [straight.0, straight.1];
-        let place = position.and_then(|_| held.misplaced(q, undeformed));
-        let rate = velocity.and_then(|_| held.moving(q, v));
+        let [q, v] = self.initial_vectors(joint.body, u);
+        let (q, v) = if joint.frame == spec.frame {
+            (q, v)
+        } else {
+            seen_in(&frames[spec.frame], &frames[joint.frame], q, v)
+        };
+        let (point, tangent) = spec.line.at(u);
+        let [y, z] = spec.section(u);
+        let place = position.and_then(|_| held.misplaced(&q, [point, tangent, y, z]));
+        let rate = velocity.and_then(|_| held.moving(&q, &v));
         let Some(what) = place.or(rate) else {
             return Ok(());
         };
@@ -74,9 +108,16 @@ impl<P: Parts> MeshScene<P> {
     }
 }
 
-/// Arclength of a node, m.
-fn arclength(spec: &BodySpec, node: usize) -> f64 {
-    spec.line.length() * (node as f64 / spec.count as f64)
+/// A vector turned by the smallest rotation that takes the direction of the unit vector `from` to that of
+/// `to`; opposite directions turn about `about`.
+fn turned(vector: Vector, from: Vector, to: Vector, about: Vector) -> Vector {
+    let to = scale(1.0 / norm(to), to);
+    let (axis, cosine) = (cross(from, to), dot(from, to));
+    if 1.0 + cosine < OPPOSITE {
+        return subtract(scale(2.0 * dot(about, vector), about), vector);
+    }
+    let first = cross(axis, vector);
+    add(add(vector, first), scale(1.0 / (1.0 + cosine), cross(axis, first)))
 }
 
 fn check_node(spec: &BodySpec, x: f64, initial: [Option<[Vector; 2]>; 2]) -> Result<(), ModelError> {
@@ -97,16 +138,20 @@ fn check_node(spec: &BodySpec, x: f64, initial: [Option<[Vector; 2]>; 2]) -> Res
     )))
 }
 
-/// Position and slope, and their rates, of one frame as seen in another one.
-fn seen_in(own: &FrameMotion, other: &FrameMotion, q: [Vector; 2], v: [Vector; 2]) -> ([Vector; 2], [Vector; 2]) {
+/// Vectors of a place and their rates of one frame as seen in another one.
+fn seen_in(own: &FrameMotion, other: &FrameMotion, q: Vectors, v: Vectors) -> (Vectors, Vectors) {
     let point = subtract(own.point_to_inertial(q[0]), other.position);
     let velocity = add(own.velocity, own.rate_to_inertial(q[0], v[0]));
-    let slope = own.direction_to_inertial(q[1]);
-    let places = [other.direction_to_frame(point), other.direction_to_frame(slope)];
-    let rates = [
-        other.rate_to_frame(point, subtract(velocity, other.velocity)),
-        other.rate_to_frame(slope, own.rate_to_inertial(q[1], v[1])),
-    ];
+    let inertial: Vectors = std::array::from_fn(|i| if i == 0 { point } else { own.direction_to_inertial(q[i]) });
+    let places = inertial.map(|vector| other.direction_to_frame(vector));
+    let rates = std::array::from_fn(|i| {
+        let rate = if i == 0 {
+            subtract(velocity, other.velocity)
+        } else {
+            own.rate_to_inertial(q[i], v[i])
+        };
+        other.rate_to_frame(inertial[i], rate)
+    });
     (places, rates)
 }
 
@@ -114,28 +159,44 @@ fn seen_in(own: &FrameMotion, other: &FrameMotion, q: [Vector; 2], v: [Vector; 2
 struct Held {
     kind: JointKind,
     data: JointData,
+    /// What it holds besides the position.
+    directions: &'static [(Interpolant, usize)],
     length: f64,
 }
 
 impl Held {
-    /// How position and slope differ from what is held, in words.
-    fn misplaced(&self, q: [Vector; 2], undeformed: [Vector; 2]) -> Option<String> {
+    /// Place, name and direction of the vectors that it holds besides the position.
+    fn directions(&self) -> impl Iterator<Item = (usize, &'static str, Vector)> {
+        const NAMES: [&str; 4] = ["position", "slope", "section's y axis", "section's z axis"];
+        let along = [self.data.tangent, self.data.second[0]];
+        let places = self.directions.iter().map(|&(of, order)| place_of(of, order));
+        places.zip(along).map(|(place, along)| (place, NAMES[place], along))
+    }
+
+    /// How the vectors differ from what is held, in words.
+    fn misplaced(&self, q: &Vectors, undeformed: Vectors) -> Option<String> {
         let gap = norm(subtract(q[0], self.data.point));
         let away =
             || (gap > ROUND_OFF * self.length).then(|| format!("it starts {gap:.3e} m away from the joint's point"));
         match self.kind {
             JointKind::Pin => away(),
             JointKind::Clamp => away().or_else(|| {
-                let angle = norm(cross(self.data.tangent, q[1])).atan2(dot(self.data.tangent, q[1]));
-                (angle > ROUND_OFF).then(|| format!("its slope starts at {angle:.3e} rad to the joint's direction"))
+                self.directions().find_map(|(place, name, along)| {
+                    let angle = norm(cross(along, q[place])).atan2(dot(along, q[place]));
+                    (angle > ROUND_OFF)
+                        .then(|| format!("its {name} starts at {angle:.3e} rad to the joint's direction"))
+                })
             }),
             JointKind::ClampFull => away().or_else(|| {
-                let gap = norm(subtract(q[1], self.data.tangent));
-                (gap > ROUND_OFF).then(|| format!("its slope starts {gap:.3e} away from the joint's"))
+                self.directions().find_map(|(place, name, along)| {
+                    let gap = norm(subtract(q[place], along));
+                    (gap > ROUND_OFF).then(|| format!("its {name} starts {gap:.3e} away from the joint's"))
+                })
             }),
-            JointKind::Hold { order, axis } => {
-                let (found, wanted) = (q[order][axis], undeformed[order][axis]);
-                let size = if order == 0 { self.length } else { 1.0 };
+            JointKind::Hold { of, order, axis } => {
+                let place = place_of(of, order);
+                let (found, wanted) = (q[place][axis], undeformed[place][axis]);
+                let size = if place == 0 { self.length } else { 1.0 };
                 ((found - wanted).abs() > ROUND_OFF * size)
                     .then(|| format!("what it holds starts at {found:.6e} instead of {wanted:.6e}"))
             }
@@ -143,13 +204,17 @@ impl Held {
     }
 
     /// How fast what is held moves, in words.
-    fn moving(&self, q: [Vector; 2], v: [Vector; 2]) -> Option<String> {
+    fn moving(&self, q: &Vectors, v: &Vectors) -> Option<String> {
+        let most = |rate: &dyn Fn(usize, Vector) -> f64| {
+            let rates = self.directions().map(|(place, _, along)| rate(place, along));
+            rates.fold(norm(v[0]), f64::max)
+        };
         let across = match self.kind {
-            JointKind::Hold { order, axis } => v[order][axis].abs(),
+            JointKind::Hold { of, order, axis } => v[place_of(of, order)][axis].abs(),
             JointKind::Pin => norm(v[0]),
-            // The norm of the slope may change.
-            JointKind::Clamp => norm(v[0]).max(norm(cross(self.data.tangent, v[1])) / norm(q[1])),
-            JointKind::ClampFull => norm(v[0]).max(norm(v[1])),
+            // The norms may change.
+            JointKind::Clamp => most(&|place, along| norm(cross(along, v[place])) / norm(q[place])),
+            JointKind::ClampFull => most(&|place, _| norm(v[place])),
         };
         let size = 1.0 + norm(v[0]) + norm(v[1]);
         (across > ROUND_OFF * size).then(|| format!("what it holds starts with the rate {across:.3e}"))

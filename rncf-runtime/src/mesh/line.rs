@@ -1,6 +1,6 @@
 //! Stress-free axes of bodies.
 
-use crate::vector::{add, cross, norm, subtract};
+use crate::vector::{add, cross, dot, norm, subtract};
 
 /// Stress-free axis of a body, in its declared frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +18,8 @@ pub enum Line {
         from: [f64; 3],
         /// Tangent at the start; its norm does not matter.
         direction: [f64; 3],
-        /// Unit normal of the plane; a positive angle turns counter-clockwise about it.
+        /// Normal of the plane, made normal to the direction; a positive angle turns counter-clockwise about
+        /// it.
         normal: [f64; 3],
         /// Radius, m.
         radius: f64,
@@ -57,8 +58,7 @@ impl Line {
                 radius,
                 angle,
             } => {
-                let size = norm(direction);
-                let tangent = direction.map(|x| x / size);
+                let (tangent, normal) = directions(direction, normal);
                 // Centre to the left of the tangent for a positive angle.
                 let side = cross(normal, tangent).map(|x| x * angle.signum());
                 let turn = (angle * u).abs();
@@ -71,6 +71,42 @@ impl Line {
             }
         }
     }
+
+    /// Rotation vector (rad) of the tangent from the start to the fraction `u` of the arclength.
+    pub fn turned(&self, u: f64) -> [f64; 3] {
+        match *self {
+            Line::Straight { .. } => [0.0; 3],
+            Line::Arc {
+                direction,
+                normal,
+                angle,
+                ..
+            } => directions(direction, normal).1.map(|x| angle * u * x),
+        }
+    }
+
+    /// Whether an arc's direction and normal span a plane; straight lines need a length alone.
+    pub fn has_plane(&self) -> bool {
+        match *self {
+            Line::Straight { .. } => true,
+            Line::Arc { direction, normal, .. } => {
+                let size = norm(direction) * norm(normal);
+                size.is_finite() && norm(cross(direction, normal)) > PARALLEL * size
+            }
+        }
+    }
+}
+
+/// Sine of the angle below which two directions count as parallel.
+pub(super) const PARALLEL: f64 = 1e-6;
+
+/// Unit tangent at the start of an arc, and its unit normal normal to it.
+fn directions(direction: [f64; 3], normal: [f64; 3]) -> ([f64; 3], [f64; 3]) {
+    let size = norm(direction);
+    let tangent = direction.map(|x| x / size);
+    let across = subtract(normal, tangent.map(|x| dot(normal, tangent) * x));
+    let size = norm(across);
+    (tangent, across.map(|x| x / size))
 }
 
 #[cfg(test)]

@@ -23,7 +23,7 @@ impl MeanAxes {
     /// The conditions from the undeformed shape: `shape` has the body's components.
     pub fn new(index: usize, body: &MeshBody, first: usize, shape: &[f64]) -> Self {
         let spec = &body.spec;
-        let (dimension, count) = (spec.dimension(), spec.orders.len());
+        let (dimension, count) = (spec.dimension(), spec.nodal.len());
         let turns: Vec<Vector> = (0..3)
             .map(|axis| std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 }))
             .filter(|&turn| dimension == 3 || is_normal(spec, turn))
@@ -41,24 +41,25 @@ impl MeanAxes {
                     let mass = body.mass[a * count + b];
                     for c in 0..dimension {
                         let place = components[b * dimension + c] - first;
-                        if spec.orders[a] == 0 {
+                        if spec.nodal[a].is_position() {
                             rows[c][place] += mass;
                         }
                         for (row, &turn) in turns.iter().enumerate() {
                             rows[dimension + row][place] += mass * cross(turn, from)[spec.axes[c]];
                         }
                     }
-                    if spec.orders[a] == 0 && spec.orders[b] == 0 {
+                    if spec.nodal[a].is_position() && spec.nodal[b].is_position() {
                         total += mass;
                     }
                 }
             }
         }
         for (place, row) in rows.iter_mut().enumerate() {
-            let size = if place < dimension {
-                total
-            } else {
-                total * spec.line.length()
+            let size = match place.checked_sub(dimension) {
+                None => total,
+                // The turning about a straight axis has only the inertia of the sections.
+                Some(turn) if spec.has_section() => (total * turned(spec, turns[turn], shape, row)).sqrt(),
+                Some(_) => total * spec.line.length(),
             };
             row.iter_mut().for_each(|value| *value /= size);
         }
@@ -79,6 +80,20 @@ impl MeanAxes {
     }
 }
 
+/// Value of a row when the undeformed body turns about an axis by one: its moment of inertia, kg m^2.
+fn turned(spec: &BodySpec, turn: Vector, shape: &[f64], row: &[f64]) -> f64 {
+    let vectors = shape.chunks_exact(spec.dimension());
+    let moved = vectors.flat_map(|vector| {
+        let mut from = [0.0; 3];
+        for (value, &axis) in vector.iter().zip(spec.axes) {
+            from[axis] = *value;
+        }
+        let moved = cross(turn, from);
+        spec.axes.iter().map(move |&axis| moved[axis])
+    });
+    row.iter().zip(moved).map(|(row, moved)| row * moved).sum()
+}
+
 fn is_normal(spec: &BodySpec, turn: Vector) -> bool {
     spec.axes.iter().all(|&axis| turn[axis] == 0.0)
 }
@@ -89,7 +104,7 @@ fn product(row: &[f64], values: &[f64]) -> f64 {
 
 /// Refuses mean axes of a body whose frame cannot follow them, or that do not tie its frame.
 pub(super) fn check(spec: &BodySpec, frame: &str, unknowns: usize) -> Result<(), ModelError> {
-    if spec.dimension() == 3 && matches!(spec.line, Line::Straight { .. }) {
+    if spec.dimension() == 3 && !spec.has_section() && matches!(spec.line, Line::Straight { .. }) {
         return Err(ModelError::new(format!(
             "body `{}` is straight: its mean axes do not tie the turning of frame `{frame}` about its line: use joints to the frame, or a curved line",
             spec.name

@@ -20,14 +20,19 @@ mod linked;
 mod markers;
 mod mean_axes;
 mod modal;
+mod moments;
 mod neutral;
 mod outputs;
 mod parts;
+mod points;
 mod scene;
+mod section;
 mod states;
 mod steady;
 mod symmetry;
+mod stress;
 mod system;
+mod undeformed;
 mod uniform;
 mod view;
 mod whirl;
@@ -40,10 +45,12 @@ pub use line::Line;
 pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
 pub use modal::build;
 pub use parts::{
-    BodySpec, Carried, CarriedTangent, Fidelity, JointData, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec,
-    Parts, Place, PointQuantity, Prescribed,
+    BodySpec, Carried, CarriedTangent, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec,
+    NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed, SectionQuantity, SectionShape, SectionSpec,
 };
+pub use points::{Blocks, Relative, Rule, Tile, Vectors};
 pub use scene::MeshScene;
+pub use section::SectionState;
 
 #[cfg(test)]
 mod tests;

@@ -83,7 +83,10 @@ impl<P: Parts> MeshScene<P> {
             }
         }
         let sizes = &self.sizes;
-        found.iter().map(|motion| motion.iter().zip(sizes).map(|(x, size)| x * size).collect()).collect()
+        found
+            .iter()
+            .map(|motion| motion.iter().zip(sizes).map(|(x, size)| x * size).collect())
+            .collect()
     }
 
     /// Keeps the direction of a motion, relative to the sizes of the unknowns, if it is new and changes
@@ -116,7 +119,7 @@ impl<P: Parts> MeshScene<P> {
             self.join(frames, &mut group);
         }
         for marked in &self.marked_loads {
-            let frames = [self.marker_frame(&marked.marker), self.loads[marked.load].frame];
+            let frames = [self.marker_frame(&marked.markers[0]), self.loads[marked.load].frame];
             self.join(frames.into_iter(), &mut group);
         }
         let firsts = (0..group.len()).filter(|&free| group[free] == free);
@@ -126,7 +129,10 @@ impl<P: Parts> MeshScene<P> {
     }
 
     fn join(&self, frames: impl Iterator<Item = usize>, group: &mut [usize]) {
-        let free: Vec<usize> = frames.filter_map(|frame| self.free_of[frame]).map(|free| group[free]).collect();
+        let free: Vec<usize> = frames
+            .filter_map(|frame| self.free_of[frame])
+            .map(|free| group[free])
+            .collect();
         if let Some(&first) = free.iter().min() {
             for label in group.iter_mut().filter(|label| free.contains(label)) {
                 *label = first;
@@ -153,7 +159,10 @@ impl<P: Parts> MeshScene<P> {
         let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
         for markers in constraints.chain(self.forces.iter().map(|force| force.markers)) {
             let markers = markers.iter().map(|&marker| &self.markers[marker]);
-            if !markers.clone().any(|marker| frames.contains(&self.marker_frame(marker))) {
+            if !markers
+                .clone()
+                .any(|marker| frames.contains(&self.marker_frame(marker)))
+            {
                 continue;
             }
             for marker in markers.filter(|marker| self.free_of[self.marker_frame(marker)].is_none()) {
@@ -182,7 +191,11 @@ impl<P: Parts> MeshScene<P> {
         }
         let motion = &self.buffers.frames[frame.spec.frame];
         let rigid = &frame.spec.rigid;
-        let size = rigid.inertia.iter().flatten().fold(0.0, |size: f64, x| size.max(x.abs()));
+        let size = rigid
+            .inertia
+            .iter()
+            .flatten()
+            .fold(0.0, |size: f64, x| size.max(x.abs()));
         let is_symmetric = |axis: &Vector| {
             let turn = Rotation::exp(scale(ANGLES[0], *axis)).matrix();
             let turned = multiply(&multiply(&transpose(&turn), &rigid.inertia), &turn);
@@ -209,7 +222,7 @@ impl<P: Parts> MeshScene<P> {
             let marked = scene.marked_loads.iter().map(|marked| {
                 let load = &scene.loads[marked.load];
                 let value = scene.buffers.frames[load.frame].direction_to_inertial(scene.parts.load(marked.load, at.t));
-                (scene.marker_frame(&marked.marker), value)
+                (scene.marker_frame(&marked.markers[0]), value)
             });
             gravity.chain(marked).collect()
         };
@@ -218,7 +231,11 @@ impl<P: Parts> MeshScene<P> {
         let after = pull(self);
         (self.buffers.frames, self.buffers.q) = (frames, q);
         before.into_iter().zip(after).any(|((frame, before), (_, after))| {
-            let expected = if displacement.moved[frame] { apply(&matrix, before) } else { before };
+            let expected = if displacement.moved[frame] {
+                apply(&matrix, before)
+            } else {
+                before
+            };
             norm(subtract(expected, after)) > NEGLIGIBLE * norm(before)
         })
     }

@@ -1,10 +1,10 @@
 //! What is read off a scene: outputs, reactions, energy.
 
-use super::evaluate::{MAX_SIZE, weighted};
+use super::evaluate::MAX_SIZE;
 use super::linked::Linked;
 use super::markers::When;
 use super::parts::{JointKind, JointSpec, LoadKind, ObservedSpec, Parts, PointQuantity};
-use super::scene::{MeshBody, MeshScene};
+use super::scene::{MeshBody, MeshScene, PlaceVector};
 use crate::model::Scene;
 use crate::system::{State, System};
 use crate::vector::{Vector, add, cross, dot, subtract};
@@ -29,16 +29,16 @@ impl<P: Parts> MeshScene<P> {
                 let mut q = [0.0; MAX_SIZE];
                 body.connectivity.gather(element, &self.buffers.q, &mut q[..size]);
                 energy += self.parts.energy(index, element, &q[..size]);
-                let count = body.spec.orders.len();
+                let count = body.spec.nodal.len();
                 for a in 0..count {
                     for b in 0..count {
                         // The shape functions of positions add up to one.
-                        if body.spec.orders[b] == 0 {
+                        if body.spec.nodal[b].is_position() {
                             let mass = body.mass[a * count + b];
                             for c in 0..dimension {
                                 energy -= mass * q[a * dimension + c] * pull[body.spec.axes[c]];
                             }
-                            if body.spec.orders[a] == 0 {
+                            if body.spec.nodal[a].is_position() {
                                 energy -= mass * dot(gravity, origin);
                             }
                         }
@@ -60,13 +60,7 @@ impl<P: Parts> MeshScene<P> {
             if let (LoadKind::Force { .. }, Some(point)) = (load.kind, &self.load_points[index]) {
                 let body = &self.bodies[point.body];
                 let force = self.parts.load(index, state.t);
-                let components = body.connectivity.element(point.element);
-                let position = body.spread(weighted(
-                    &self.buffers.q,
-                    components,
-                    body.spec.dimension(),
-                    &point.values,
-                ));
+                let position = self.at_point(point, PlaceVector::Position, &self.buffers.q);
                 let frames = &self.buffers.frames;
                 let position = frames[body.frame].direction_to_inertial(position);
                 let position = frames[load.frame].direction_to_frame(add(self.origin(body.frame), position));
@@ -109,7 +103,7 @@ impl<P: Parts> MeshScene<P> {
         let frame = &self.buffers.frames[body.spec.frame];
         match what {
             PointQuantity::Position => frame.point_to_frame(q),
-            PointQuantity::Slope => frame.direction_to_frame(q),
+            PointQuantity::Slope | PointQuantity::SectionY | PointQuantity::SectionZ => frame.direction_to_frame(q),
             PointQuantity::Velocity => frame.rate_to_frame(subtract(q, frame.position), subtract(v, frame.velocity)),
         }
     }
@@ -124,14 +118,14 @@ impl<P: Parts> MeshScene<P> {
                     return f64::NAN;
                 };
                 let body = &self.bodies[body];
-                let weights = if what == PointQuantity::Slope {
-                    &point.slopes
-                } else {
-                    &point.values
-                };
-                let components = body.connectivity.element(point.element);
-                let at = |full: &[f64]| body.spread(weighted(full, components, body.spec.dimension(), weights));
+                let at = |full: &[f64]| self.at_point(point, what.into(), full);
                 self.in_declared(body, what, [at(&self.buffers.q), at(&self.buffers.v)])[component]
+            }
+            ObservedSpec::Section { what, .. } => {
+                let point = self.observed_points[index].as_ref();
+                let value = point.and_then(|point| self.section_at(point).value(what));
+                // Sections without stress are refused when the scene is built.
+                value.unwrap_or(f64::NAN)
             }
             ObservedSpec::Marker {
                 marker,
@@ -179,15 +173,29 @@ impl<P: Parts> MeshScene<P> {
             }
             value
         };
-        let slope = self.vector_at(body, &self.buffers.q, self.layout.offset(condition.slope));
-        let force = &self.buffers.force;
-        let vector = match (spec.kind, moment) {
-            (JointKind::Hold { order: 0, .. } | JointKind::Pin, true) | (JointKind::Hold { order: 1, .. }, false) => {
-                [0.0; 3]
-            }
-            (_, true) => cross(slope, of(condition.slope, force)),
-            (_, false) => of(condition.position, force),
+        let (q, force) = (&self.buffers.q, &self.buffers.force);
+        let end = |of, order| body.spec.end_vector(spec.at_end, of, order);
+        let held: Vec<usize> = match spec.kind {
+            JointKind::Pin => vec![condition.vectors[0]],
+            JointKind::Clamp | JointKind::ClampFull => condition.vectors.clone(),
+            JointKind::Hold { of, order, .. } => end(of, order)
+                .map(|place| body.first_vector + place)
+                .into_iter()
+                .collect(),
         };
+        // A held position makes a force, held directions make a moment.
+        let mut vector = [0.0; 3];
+        for node in held {
+            let exerted = of(node, force);
+            match (node == condition.vectors[0], moment) {
+                (true, false) => vector = exerted,
+                (false, true) => {
+                    let direction = self.vector_at(body, q, self.layout.offset(node));
+                    vector = add(vector, cross(direction, exerted));
+                }
+                _ => {}
+            }
+        }
         if spec.frame == body.frame {
             return vector;
         }

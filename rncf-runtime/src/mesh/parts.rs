@@ -64,6 +64,13 @@ pub struct NodalSpec {
     pub xi: f64,
 }
 
+impl NodalSpec {
+    /// Whether it is a position, which moves with an origin; all others are directions.
+    pub fn is_position(&self) -> bool {
+        self.of == Interpolant::Position && self.order == 0
+    }
+}
+
 /// How finely the deformation of a body is described (THEORY 3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Fidelity {
@@ -109,11 +116,15 @@ impl BodySpec {
 
     /// Number of interpolants: the axis alone, and the section's axes.
     pub fn interpolants(&self) -> usize {
-        let is_there = |of: &Interpolant| self.nodal.iter().any(|vector| vector.of == *of);
         [Interpolant::Position, Interpolant::SectionY, Interpolant::SectionZ]
-            .iter()
-            .filter(|of| is_there(of))
+            .into_iter()
+            .filter(|&of| self.interpolates(of))
             .count()
+    }
+
+    /// Whether its elements interpolate this.
+    pub fn interpolates(&self, of: Interpolant) -> bool {
+        self.nodal.iter().any(|vector| vector.of == of)
     }
 
     /// Place of the vector of an end node that is this derivative of an interpolant, counted in the body;
@@ -261,7 +272,7 @@ pub enum SectionQuantity {
     MomentY,
     /// Moment about the section's z axis, N m; of a planar body that about the plane's normal.
     MomentZ,
-    /// Magnitude of the bending moment, N m.
+    /// Magnitude of the bending moment, N m; of a planar body signed, about the plane's normal.
     Moment,
     /// Largest von Mises stress over the section, Pa.
     Stress,
@@ -504,7 +515,8 @@ pub trait Parts: Clone + Send + Sync + 'static {
     fn section_moment_tangent(&self, _axes: &[f64; 6], _moment: [f64; 3], _tangent: &mut [f64; 36]) {}
 
     /// Conditions of a joint on the position and slope of its node: position rows, then direction or
-    /// slope rows. `q`, `v`, `a` hold the position, then the slope; with a section its axes instead.
+    /// slope rows. `q`, `v`, `a` hold the position, then the slope; with a section its axes instead, unless
+    /// the joint holds the slope.
     #[allow(clippy::too_many_arguments)]
     fn condition(
         &self,

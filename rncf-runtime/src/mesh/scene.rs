@@ -12,7 +12,7 @@ use super::linked::{Linked, MarkedLoad, Marker};
 use super::markers::ForceSpec;
 use super::mean_axes::MeanAxes;
 use super::modal::ModalBody;
-use super::parts::{BodySpec, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place};
+use super::parts::{BodySpec, Interpolant, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, PointQuantity};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::Formulation;
@@ -46,13 +46,64 @@ impl MeshBody {
     }
 }
 
-/// A point of a body: element and weights of its nodal vectors.
+/// A vector at a place of a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum PlaceVector {
+    /// Position.
+    Position,
+    /// Slope dp/dx.
+    Slope,
+    /// Derivative of the position along the section's y axis.
+    SectionY,
+    /// Derivative of the position along the section's z axis.
+    SectionZ,
+}
+
+impl PlaceVector {
+    /// The axes of a section of a body with vectors of this dimension.
+    pub fn section(dimension: usize) -> &'static [Self] {
+        &[Self::SectionY, Self::SectionZ][..dimension - 1]
+    }
+
+    /// What it interpolates, and the order of its derivative by x.
+    fn interpolates(self) -> (Interpolant, usize) {
+        match self {
+            Self::Position => (Interpolant::Position, 0),
+            Self::Slope => (Interpolant::Position, 1),
+            Self::SectionY => (Interpolant::SectionY, 0),
+            Self::SectionZ => (Interpolant::SectionZ, 0),
+        }
+    }
+}
+
+/// A point of a body: its element, and weights of the nodal vectors there.
 #[derive(Clone, Debug)]
 pub(super) struct MeshPoint {
     pub body: usize,
     pub element: usize,
-    pub values: Vec<f64>,
-    pub slopes: Vec<f64>,
+    /// Place on the element, in [0, 1].
+    pub xi: f64,
+    /// Of position, slope and, with a section, its axes; all of the same length, zeros where the body
+    /// does not carry the vector.
+    weights: [Vec<f64>; 4],
+}
+
+impl From<PointQuantity> for PlaceVector {
+    fn from(what: PointQuantity) -> Self {
+        match what {
+            PointQuantity::Position | PointQuantity::Velocity => Self::Position,
+            PointQuantity::Slope => Self::Slope,
+            PointQuantity::SectionY => Self::SectionY,
+            PointQuantity::SectionZ => Self::SectionZ,
+        }
+    }
+}
+
+impl MeshPoint {
+    /// Weights of the element's nodal vectors in a vector.
+    pub fn weights(&self, of: PlaceVector) -> &[f64] {
+        &self.weights[of as usize]
+    }
 }
 
 /// Buffers of the full (not reduced) state.
@@ -155,7 +206,7 @@ impl<P: Parts> MeshScene<P> {
         for body in &self.bodies {
             for within in 0..body.spec.vectors() {
                 let (node, local) = body.spec.locate(within);
-                shape.extend(undeformed(&body.spec, node, body.spec.orders[local]));
+                shape.extend(body.spec.undeformed(node, local));
             }
         }
         shape
@@ -174,7 +225,7 @@ impl<P: Parts> MeshScene<P> {
         let origins = self.layout.origins();
         let size = |&(vector, _): &(usize, usize)| {
             let (body, _, local) = self.locate(vector);
-            if body.spec.orders[local] == 0 {
+            if body.spec.nodal[local].is_position() {
                 body.spec.line.length()
             } else {
                 1.0
@@ -227,6 +278,10 @@ impl<P: Parts> MeshScene<P> {
     pub(super) fn observed_point(&self, observed: &ObservedSpec) -> Result<Option<MeshPoint>, ModelError> {
         match *observed {
             ObservedSpec::Point { body, at, .. } => self.point(body, at, "an output").map(Some),
+            ObservedSpec::Section { body, at, what } => {
+                self.check_stress(body, what)?;
+                self.point(body, at, "an output").map(Some)
+            }
             _ => Ok(None),
         }
     }
@@ -235,11 +290,11 @@ impl<P: Parts> MeshScene<P> {
         place_on(&self.parts, &self.bodies[body].spec, body, at, user)
     }
 
-    /// `sum_a weight_a q_a` at a point in one of the full arrays, frame axes.
-    pub(super) fn at_point(&self, point: &MeshPoint, weights: &[f64], full: &[f64]) -> Vector {
+    /// A vector at a point in one of the full arrays, `sum_a weight_a q_a`, frame axes.
+    pub(super) fn at_point(&self, point: &MeshPoint, of: PlaceVector, full: &[f64]) -> Vector {
         let body = &self.bodies[point.body];
         let components = body.connectivity.element(point.element);
-        self.bodies[point.body].spread(weighted(full, components, body.spec.dimension(), weights))
+        body.spread(weighted(full, components, body.spec.dimension(), point.weights(of)))
     }
 }
 
@@ -272,20 +327,29 @@ fn place_on<P: Parts>(parts: &P, spec: &BodySpec, body: usize, at: Place, user: 
             )));
         }
     };
-    let count = spec.orders.len();
-    let mut point = MeshPoint {
-        body,
-        element,
-        values: vec![0.0; count],
-        slopes: vec![0.0; count],
-    };
-    parts.shapes(body, xi, &mut point.values, &mut point.slopes);
-    Ok(point)
+    Ok(point_of(parts, spec, body, element, xi))
 }
 
-/// A nodal vector of the undeformed body, body axes in their order.
-pub(super) fn undeformed(spec: &BodySpec, node: usize, order: usize) -> Vec<f64> {
-    let (point, tangent) = spec.line.at(node as f64 / spec.count as f64);
-    let vector = if order == 0 { point } else { tangent };
-    spec.axes.iter().map(|&axis| vector[axis]).collect()
+/// The point of an element at `xi` in [0, 1].
+pub(super) fn point_of<P: Parts>(parts: &P, spec: &BodySpec, body: usize, element: usize, xi: f64) -> MeshPoint {
+    let vectors = [
+        PlaceVector::Position,
+        PlaceVector::Slope,
+        PlaceVector::SectionY,
+        PlaceVector::SectionZ,
+    ];
+    let weights = vectors.map(|vector| {
+        let mut weights = vec![0.0; spec.nodal.len()];
+        let (of, order) = vector.interpolates();
+        if spec.interpolates(of) {
+            parts.shapes(body, of, order, xi, &mut weights);
+        }
+        weights
+    });
+    MeshPoint {
+        body,
+        element,
+        xi,
+        weights,
+    }
 }

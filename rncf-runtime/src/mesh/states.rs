@@ -10,10 +10,10 @@ impl<P: Parts> MeshScene<P> {
     /// Nodal vectors of all bodies, from the full arrays, in their declared frames.
     pub(super) fn vectors_in_frames(&self, full: [&[f64]; 2]) -> [Vec<f64>; 2] {
         let mut result = [Vec::new(), Vec::new()];
-        self.each_vector(|body, order, place| {
+        self.each_vector(|body, is_position, place| {
             let at = |full: &[f64]| self.vector_at(body, full, place);
             let pair = [at(full[0]), at(full[1])];
-            let (position, rate) = if order == 0 {
+            let (what, rate) = if is_position {
                 (
                     PointQuantity::Position,
                     self.in_declared(body, PointQuantity::Velocity, pair),
@@ -27,21 +27,21 @@ impl<P: Parts> MeshScene<P> {
                 };
                 (PointQuantity::Slope, rate)
             };
-            let value = self.in_declared(body, position, pair);
+            let value = self.in_declared(body, what, pair);
             result[0].extend(body.spec.axes.iter().map(|&axis| value[axis]));
             result[1].extend(body.spec.axes.iter().map(|&axis| rate[axis]));
         });
         result
     }
 
-    /// Calls back with every nodal vector: body, order, place in the full arrays.
-    fn each_vector(&self, mut each: impl FnMut(&MeshBody, usize, usize)) {
+    /// Calls back with every nodal vector: body, whether it is a position, place in the full arrays.
+    fn each_vector(&self, mut each: impl FnMut(&MeshBody, bool, usize)) {
         for body in &self.bodies {
             for within in 0..body.spec.vectors() {
                 let (_, local) = body.spec.locate(within);
                 each(
                     body,
-                    body.spec.orders[local],
+                    body.spec.nodal[local].is_position(),
                     self.layout.offset(body.first_vector + within),
                 );
             }
@@ -102,7 +102,7 @@ impl<P: Parts> MeshScene<P> {
     pub(super) fn unknowns_from(&self, t: f64, q: &[f64], v: &[f64], poses: &[Pose]) -> State {
         let frames = self.motions_with(t, poses);
         let (mut full_q, mut full_v) = (q.to_vec(), v.to_vec());
-        self.each_vector(|body, order, place| {
+        self.each_vector(|body, is_position, place| {
             if body.frame == body.spec.frame {
                 return;
             }
@@ -110,7 +110,7 @@ impl<P: Parts> MeshScene<P> {
             let at = |full: &[f64]| self.vector_at(body, full, place);
             let (value, rate) = (at(q), at(v));
             let mut inertial = [frame.direction_to_inertial(value), frame.rate_to_inertial(value, rate)];
-            if order == 0 {
+            if is_position {
                 inertial[0] = frame.point_to_inertial(value);
                 inertial[1] = std::array::from_fn(|i| inertial[1][i] + frame.velocity[i]);
             }

@@ -75,22 +75,25 @@ impl<P: Parts> MeshScene<P> {
     /// Whether the moved free frames can follow a displacement at the loaded state.
     pub(super) fn follows(&self, displacement: &Displacement) -> bool {
         let turn = displacement.turn;
-        self.free.iter().filter(|frame| displacement.moved[frame.spec.frame]).all(|frame| {
-            let motion = &self.buffers.frames[frame.spec.frame];
-            let moved = displacement.displaced(motion, true);
-            let step = subtract(moved.position, motion.position);
-            let within = motion.direction_to_frame(turn);
-            let (mut left, mut untold) = (step, within);
-            for direction in &frame.directions {
-                left = subtract(left, scale(dot(direction.shift, step), direction.shift));
-                untold = subtract(untold, scale(dot(direction.turn, within), direction.turn));
-            }
-            let carries = self.bodies.iter().any(|body| body.spec.frame == frame.spec.frame)
-                || frame.spec.rigid.moment != [0.0; 3];
-            let turns = frame.count() > frame.shifts() || carries;
-            let size = norm(subtract(motion.position, displacement.point)) + norm(step) + f64::MIN_POSITIVE;
-            norm(left) <= ROUND_OFF * size && (!turns || norm(untold) <= ROUND_OFF * norm(turn))
-        })
+        self.free
+            .iter()
+            .filter(|frame| displacement.moved[frame.spec.frame])
+            .all(|frame| {
+                let motion = &self.buffers.frames[frame.spec.frame];
+                let moved = displacement.displaced(motion, true);
+                let step = subtract(moved.position, motion.position);
+                let within = motion.direction_to_frame(turn);
+                let (mut left, mut untold) = (step, within);
+                for direction in &frame.directions {
+                    left = subtract(left, scale(dot(direction.shift, step), direction.shift));
+                    untold = subtract(untold, scale(dot(direction.turn, within), direction.turn));
+                }
+                let carries = self.bodies.iter().any(|body| body.spec.frame == frame.spec.frame)
+                    || frame.spec.rigid.moment != [0.0; 3];
+                let turns = frame.count() > frame.shifts() || carries;
+                let size = norm(subtract(motion.position, displacement.point)) + norm(step) + f64::MIN_POSITIVE;
+                norm(left) <= ROUND_OFF * size && (!turns || norm(untold) <= ROUND_OFF * norm(turn))
+            })
     }
 
     /// The first constraint or force on markers, in the user's words, that a displacement changes at the
@@ -239,7 +242,9 @@ impl<P: Parts> MeshScene<P> {
                 let first = border + frame.first;
                 let own = &mut row[first..first + frame.count()];
                 let parts = frame.directions.iter().zip(own.iter());
-                let along = parts.fold([0.0; 3], |sum, (direction, value)| add(sum, scale(*value, direction.shift)));
+                let along = parts.fold([0.0; 3], |sum, (direction, value)| {
+                    add(sum, scale(*value, direction.shift))
+                });
                 let along = apply(&back, along);
                 for (value, direction) in own.iter_mut().zip(&frame.directions).take(frame.shifts()) {
                     *value = dot(direction.shift, along);
@@ -259,7 +264,9 @@ impl<P: Parts> MeshScene<P> {
             .iter()
             .map(|marker| {
                 let components = self.marker_components(marker);
-                components.into_iter().any(|component| self.layout.unknown(component).is_some())
+                components
+                    .into_iter()
+                    .any(|component| self.layout.unknown(component).is_some())
             })
             .collect();
         let turned = |place: usize, vector: Vector| {
@@ -275,21 +282,25 @@ impl<P: Parts> MeshScene<P> {
                 return true;
             }
         }
-        before.derivatives.iter().zip(&after.derivatives).any(|(before, after)| {
-            let size = largest(before);
-            let pairs = (0..count * count).map(|pair| (pair / count, pair % count));
-            let mut pairs = pairs.filter(|&(m, n)| movable[m] && movable[n]);
-            pairs.any(|(m, n)| {
-                let block = |values: &[f64]| -> [Vector; 3] {
-                    std::array::from_fn(|i| std::array::from_fn(|j| values[(3 * m + i) * 3 * count + 3 * n + j]))
-                };
-                // Rows turn with marker n, then columns with marker m.
-                let rows = block(before).map(|row| turned(n, row));
-                let columns = crate::vector::transpose(&rows).map(|column| turned(m, column));
-                let after = crate::vector::transpose(&block(after));
-                (0..3).any(|j| differ(&columns[j], &after[j], size))
+        before
+            .derivatives
+            .iter()
+            .zip(&after.derivatives)
+            .any(|(before, after)| {
+                let size = largest(before);
+                let pairs = (0..count * count).map(|pair| (pair / count, pair % count));
+                let mut pairs = pairs.filter(|&(m, n)| movable[m] && movable[n]);
+                pairs.any(|(m, n)| {
+                    let block = |values: &[f64]| -> [Vector; 3] {
+                        std::array::from_fn(|i| std::array::from_fn(|j| values[(3 * m + i) * 3 * count + 3 * n + j]))
+                    };
+                    // Rows turn with marker n, then columns with marker m.
+                    let rows = block(before).map(|row| turned(n, row));
+                    let columns = crate::vector::transpose(&rows).map(|column| turned(m, column));
+                    let after = crate::vector::transpose(&block(after));
+                    (0..3).any(|j| differ(&columns[j], &after[j], size))
+                })
             })
-        })
     }
 }
 
@@ -308,7 +319,9 @@ pub(super) fn reduce(row: &mut [f64], basis: &[Vec<f64>]) -> f64 {
     for _ in 0..2 {
         for known in basis {
             let part: f64 = known.iter().zip(row.iter()).map(|(a, b)| a * b).sum();
-            row.iter_mut().zip(known).for_each(|(value, known)| *value -= part * known);
+            row.iter_mut()
+                .zip(known)
+                .for_each(|(value, known)| *value -= part * known);
         }
     }
     length(row)

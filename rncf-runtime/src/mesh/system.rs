@@ -1,8 +1,9 @@
 //! A scene as the integrators see it.
 
-use super::conditions::row_count;
+use super::conditions::{row_count, width};
+use super::evaluate::MOST;
 use super::layout::VectorKind;
-use super::parts::{JointKind, Parts};
+use super::parts::{Interpolant, JointKind, Parts};
 use super::scene::{MeshScene, Regime, Row};
 use crate::linalg::Pattern;
 use crate::system::{ConstraintLevel, State, System, Tangent};
@@ -80,10 +81,10 @@ impl<P: Parts> System for MeshScene<P> {
         let mut column = 0;
         for condition in self.conditions.iter().filter(|condition| !condition.rows.is_empty()) {
             let joint = &self.joints[condition.joint];
-            let count = row_count(joint.kind, self.bodies[joint.body].spec.dimension());
-            let mut rows = [0.0; 6];
+            let spec = &self.bodies[joint.body].spec;
+            let (count, width) = (row_count(joint.kind, spec), width(joint.kind, spec));
+            let mut rows = [0.0; MOST];
             let [q, v, a] = [&self.buffers.q, &self.buffers.v, &self.buffers.a].map(|full| self.node(condition, full));
-            let width = 2 * self.bodies[joint.body].spec.dimension();
             self.parts.condition(
                 condition.joint,
                 condition.absolute,
@@ -110,9 +111,9 @@ impl<P: Parts> System for MeshScene<P> {
         let mut column = 0;
         for condition in self.conditions.iter().filter(|condition| !condition.rows.is_empty()) {
             let joint = &self.joints[condition.joint];
-            let dimension = self.bodies[joint.body].spec.dimension();
-            let (count, width) = (row_count(joint.kind, dimension), 2 * dimension);
-            let mut jacobian = [0.0; 36];
+            let spec = &self.bodies[joint.body].spec;
+            let (count, width) = (row_count(joint.kind, spec), width(joint.kind, spec));
+            let mut jacobian = [0.0; MOST * MOST];
             let entries = &mut jacobian[..count * width];
             self.parts
                 .condition_jacobian(condition.joint, condition.absolute, state.t, &condition.data, entries);
@@ -160,22 +161,34 @@ impl<P: Parts> System for MeshScene<P> {
             VectorKind::Directed(_) => "norm",
             _ => AXES[body.spec.axes[component]],
         };
-        format!(
-            "body `{}`, node {node}, {} {what}",
-            body.spec.name, body.spec.meanings[local]
-        )
+        let (name, nodal) = (body.spec.name, &body.spec.nodal[local]);
+        let place = if nodal.xi == 0.0 {
+            format!("node {node}")
+        } else {
+            format!("inside element {}", node + 1)
+        };
+        format!("body `{name}`, {place}, {} {what}", nodal.meaning)
     }
 
     fn describe_constraint(&self, index: usize) -> String {
         match self.constraint_rows[index] {
             Row::Condition { condition, row } => {
                 let joint = &self.joints[self.conditions[condition].joint];
-                let dimension = self.bodies[joint.body].spec.dimension();
+                let spec = &self.bodies[joint.body].spec;
+                let dimension = spec.dimension();
                 let what = match joint.kind {
-                    JointKind::Hold { order: 0, .. } => "held position",
-                    JointKind::Hold { .. } => "held slope",
+                    JointKind::Hold { of, order, .. } => match (of, order) {
+                        (Interpolant::Position, 0) => "held position",
+                        (Interpolant::Position, _) => "held slope",
+                        (Interpolant::SectionY, _) => "held section y axis",
+                        (Interpolant::SectionZ, _) => "held section z axis",
+                    },
                     _ if row < dimension => "position",
-                    _ => "direction",
+                    _ if !spec.has_section() => "direction",
+                    JointKind::ClampFull if row < 2 * dimension => "section y axis",
+                    JointKind::ClampFull => "section z axis",
+                    _ if row < 2 * dimension - 1 => "direction of the section y axis",
+                    _ => "direction of the section z axis",
                 };
                 format!("joint `{}`, {what}", joint.name)
             }

@@ -1,6 +1,6 @@
 //! Circulation of the bodies' points about the axis of a uniform rotation, from the shape of a mode.
 
-use super::parts::Parts;
+use super::parts::{Interpolant, Parts};
 use super::scene::MeshScene;
 use crate::equilibrium::Uniform;
 use crate::modes::circulation;
@@ -54,7 +54,8 @@ impl<P: Parts> MeshScene<P> {
             let [shift, turn] = self.free_of[body.frame].map_or([[0.0; 3]; 2], |free| moves[free]);
             for within in 0..body.spec.vectors() {
                 let (_, local) = body.spec.locate(within);
-                if body.spec.orders[local] != 0 {
+                let nodal = &body.spec.nodal[local];
+                if nodal.of != Interpolant::Position || nodal.order != 0 {
                     continue;
                 }
                 let place = self.layout.offset(body.first_vector + within);

@@ -9,13 +9,14 @@
 //! one vector alone does not see an eigenvalue twice.
 
 use super::pencil::Pencil;
-use super::spectrum::{Failure, Pair};
+use super::scattered;
+use super::spectrum::{Failure, Pair, better_shift};
 use crate::linalg::{Lu, c64, general_eigen};
 
 /// Residual of an eigenpair of the inverse, relative to the eigenvalue, at which it is locked.
 const CONVERGED: f64 = 1e-10;
 /// Residual from which on an eigenvalue tells the order of frequencies.
-const ROUGH: f64 = 1e-2;
+const ROUGH: f64 = 1e-3;
 /// Images below this part of the first one are round-off: nothing is left.
 const EXHAUSTED: f64 = 1e-13;
 /// Eigenvalues below this part of the largest one stand for infinite frequencies.
@@ -29,10 +30,8 @@ const LONGER: f64 = 1.4;
 const MOST_VECTORS: usize = 300;
 /// Most starts, beside as many as eigenvalues are wanted.
 const MOST_STARTS: usize = 40;
-/// Rounds in which the shift is chosen, and the parts of it that the lowest frequency may be.
-const ROUNDS: usize = 8;
-const STILL: f64 = 1e-2;
-const FITTING: std::ops::Range<f64> = 0.2..20.0;
+/// Most rounds in which the shift is chosen.
+const ROUNDS: usize = 12;
 
 /// The `count` lowest modes and what else was found, with the shift; conjugates both. `true` if these are
 /// all.
@@ -49,7 +48,9 @@ pub(super) fn spectrum(pencil: &Pencil, count: usize) -> Result<(f64, Vec<Pair>,
         let end = iteration.run(wanted, needed, 2 * count + MOST_VECTORS)?;
         let ritz = iteration.ritz()?;
         let ready = ritz.iter().take_while(|ritz| ritz.residual <= CONVERGED).count();
-        let news = ritz[..ready].iter().filter(|ritz| needed.is_none_or(|needed| ritz.value.norm() >= needed));
+        let news = ritz[..ready]
+            .iter()
+            .filter(|ritz| needed.is_none_or(|needed| ritz.value.norm() >= needed));
         let is_new = news.count() > 0;
         if end == End::Exhausted && ready == 0 || needed.is_some() && !is_new {
             all = end == End::Exhausted;
@@ -74,7 +75,10 @@ pub(super) fn spectrum(pencil: &Pencil, count: usize) -> Result<(f64, Vec<Pair>,
 /// Size of the inverse's eigenvalue that is certainly not exceeded by those farther from zero than the
 /// `count` lowest of the found ones.
 fn farthest(found: &[c64], count: usize, shift: f64) -> f64 {
-    let mut speeds: Vec<f64> = found.iter().map(|value| (c64::new(shift, 0.0) + value.inv()).norm()).collect();
+    let mut speeds: Vec<f64> = found
+        .iter()
+        .map(|value| (c64::new(shift, 0.0) + value.inv()).norm())
+        .collect();
     speeds.sort_by(f64::total_cmp);
     let radius = speeds[(2 * count).min(speeds.len()) - 1];
     1.0 / (radius + shift)
@@ -90,13 +94,14 @@ fn choose_shift(pencil: &Pencil) -> Result<Inverse<'_>, Failure> {
         iteration.extend(FIRST_LOOK);
         let ritz = iteration.ritz()?;
         let seen = ritz.iter().filter(|ritz| ritz.residual <= ROUGH);
-        let speeds = seen.map(|ritz| (c64::new(shift, 0.0) + ritz.value.inv()).norm());
-        let lowest = speeds.filter(|&speed| speed > STILL * shift).fold(f64::INFINITY, f64::min);
-        if FITTING.contains(&(lowest / shift)) {
-            break;
+        let pairs = seen.map(|ritz| Pair {
+            s: c64::new(shift, 0.0) + ritz.value.inv(),
+            x: combination(&iteration.basis, &ritz.vector, pencil.unknowns()),
+        });
+        match better_shift(pencil, shift, pairs) {
+            Some(next) => inverse.factor(next)?,
+            None => break,
         }
-        let next = if lowest.is_finite() { 0.5 * lowest } else { STILL * shift };
-        inverse.factor(next)?;
     }
     Ok(inverse)
 }
@@ -337,14 +342,25 @@ impl<'a, 'b> Iteration<'a, 'b> {
         let mut ritz: Vec<Ritz> = all
             .filter(|(value, _)| value.norm() > INFINITE * self.size)
             .map(|(value, vector)| {
-                let residual = if self.exhausted { 0.0 } else { rest * vector[k - 1].norm() / value.norm() };
-                Ritz { value, vector, residual }
+                let residual = if self.exhausted {
+                    0.0
+                } else {
+                    rest * vector[k - 1].norm() / value.norm()
+                };
+                Ritz {
+                    value,
+                    vector,
+                    residual,
+                }
             })
             .collect();
         let key = |ritz: &Ritz| (ritz.value.norm(), ritz.value.im.abs());
         ritz.sort_by(|a, b| {
             let ((size_a, im_a), (size_b, im_b)) = (key(a), key(b));
-            size_b.total_cmp(&size_a).then(im_b.total_cmp(&im_a)).then(b.value.im.total_cmp(&a.value.im))
+            size_b
+                .total_cmp(&size_a)
+                .then(im_b.total_cmp(&im_a))
+                .then(b.value.im.total_cmp(&a.value.im))
         });
         Ok(ritz)
     }
@@ -370,14 +386,4 @@ impl<'a, 'b> Iteration<'a, 'b> {
         }
         sum
     }
-}
-
-/// Numbers between -1 and 1 without order, the same ones for the same start.
-fn scattered(count: usize, start: usize) -> Vec<f64> {
-    let mut seed = 0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(start as u64 + 1);
-    let next = |_| {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    };
-    (0..count).map(next).collect()
 }

@@ -1,15 +1,15 @@
 //! Small systems: all modes from full matrices on the null space of the constraints.
 
 use super::pencil::Pencil;
-use super::spectrum::{Failure, Pair};
+use super::spectrum::{Failure, Pair, better_shift};
 use crate::linalg::{c64, general_eigen, negative_eigenvalues, solve_full, symmetric_eigen, times};
 
 /// Constraints whose part that others do not fix is smaller than this depend on those.
 const DEPENDENT: f64 = 1e-10;
 /// Eigenvalues of the inverse below this part of the largest one stand for infinite frequencies.
 const INFINITE: f64 = 1e-13;
-/// Shifts that are tried, in parts of the guessed lowest frequency.
-const SHIFTS: [f64; 4] = [0.5, 0.7, 1.3, 0.1];
+/// Most rounds in which the shift is chosen.
+const ROUNDS: usize = 8;
 
 /// All finite eigenvalues with the unknowns' vectors, pairs of conjugates both.
 pub(super) fn spectrum(pencil: &Pencil) -> Result<(f64, Vec<Pair>), Failure> {
@@ -19,15 +19,17 @@ pub(super) fn spectrum(pencil: &Pencil) -> Result<(f64, Vec<Pair>), Failure> {
         return Ok((1.0, Vec::new()));
     }
     let [mass, damping, stiffness] = pencil.dense().map(|full| reduced(pencil.unknowns(), &full, &basis));
-    let guess = pencil.guess();
-    for part in SHIFTS {
-        let shift = part * guess;
+    let mut shift = pencil.guess();
+    for round in 0..ROUNDS {
         let sum = |place: usize| stiffness[place] + shift * (damping[place] + shift * mass[place]);
         let dynamic: Vec<f64> = (0..k * k).map(sum).collect();
         // Right sides of what x' takes from x and from y = s x / shift.
-        let from_x: Vec<f64> = (0..k * k).map(|place| -(damping[place] + shift * mass[place])).collect();
+        let from_x: Vec<f64> = (0..k * k)
+            .map(|place| -(damping[place] + shift * mass[place]))
+            .collect();
         let from_y: Vec<f64> = mass.iter().map(|value| -shift * value).collect();
         let Some([from_x, from_y]) = solve_full(k, &dynamic, [&from_x, &from_y]) else {
+            shift *= 1.3;
             continue;
         };
         let mut inverse = vec![0.0; 4 * k * k];
@@ -42,12 +44,20 @@ pub(super) fn spectrum(pencil: &Pencil) -> Result<(f64, Vec<Pair>), Failure> {
         }
         let (values, vectors) = general_eigen(2 * k, &inverse).map_err(|_| Failure::NotFound)?;
         let largest = values.iter().map(|value| value.norm()).fold(0.0, f64::max);
-        let finite = values.into_iter().zip(vectors).filter(|(value, _)| value.norm() > INFINITE * largest);
-        let pairs = finite.map(|(value, vector)| Pair {
-            s: c64::new(shift, 0.0) + c64::new(1.0, 0.0) / value,
-            x: expanded(&basis, &vector[..k]),
-        });
-        return Ok((shift, pairs.collect()));
+        let finite = values
+            .into_iter()
+            .zip(vectors)
+            .filter(|(value, _)| value.norm() > INFINITE * largest);
+        let pairs: Vec<Pair> = finite
+            .map(|(value, vector)| Pair {
+                s: c64::new(shift, 0.0) + c64::new(1.0, 0.0) / value,
+                x: expanded(&basis, &vector[..k]),
+            })
+            .collect();
+        match better_shift(pencil, shift, pairs.iter().cloned()) {
+            Some(next) if round + 1 < ROUNDS => shift = next,
+            _ => return Ok((shift, pairs)),
+        }
     }
     Err(Failure::Singular(None))
 }

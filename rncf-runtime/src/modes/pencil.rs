@@ -55,7 +55,11 @@ impl Pencil {
                 .collect()
         };
         let border: Vec<(usize, usize)> = entries(constraint_pattern).collect();
-        let mut rows: Vec<f64> = jacobian.iter().zip(&border).map(|(value, &(row, _))| value * scales[row]).collect();
+        let mut rows: Vec<f64> = jacobian
+            .iter()
+            .zip(&border)
+            .map(|(value, &(row, _))| value * scales[row])
+            .collect();
         let mut largest = vec![0.0f64; m];
         for (value, &(_, constraint)) in rows.iter().zip(&border) {
             largest[constraint] = largest[constraint].max(value.abs());
@@ -72,7 +76,10 @@ impl Pencil {
             stiffness: scaled(&tangent.stiffness),
             jacobian: rows,
             block: places.iter().map(|&(row, column)| place(row, column)).collect(),
-            border: border.iter().map(|&(row, j)| [place(row, n + j), place(n + j, row)]).collect(),
+            border: border
+                .iter()
+                .map(|&(row, j)| [place(row, n + j), place(n + j, row)])
+                .collect(),
             pattern: pattern.clone(),
             constraint_pattern: constraint_pattern.clone(),
             scales,
@@ -120,6 +127,30 @@ impl Pencil {
         values
     }
 
+    /// The same without C.
+    pub(super) fn without_damping(&self, s: c64) -> Vec<c64> {
+        let mut values = self.at(s);
+        for (&damping, &place) in self.damping.iter().zip(&self.block) {
+            values[place] -= s * damping;
+        }
+        values
+    }
+
+    /// `(K + s C + s^2 M) x + C_x^T lambda` and `C_x x` at the s next to `s` that fits the vector,
+    /// `x^H (K + s C + s^2 M) x = 0`, and that s.
+    pub(super) fn residual(&self, s: c64, x: &[c64], lambda: &[c64]) -> (Vec<c64>, c64) {
+        let products = self.products(x, lambda);
+        let along = |image: &[c64]| x.iter().zip(image).map(|(x, image)| x.conj() * image).sum::<c64>();
+        let parts = [&products.mass, &products.damping, &products.stiffness].map(|image| along(image));
+        let root = nearest_root(parts, s);
+        (products.residual(root), root)
+    }
+
+    /// The same at `s` itself.
+    pub(super) fn residual_at(&self, s: c64, x: &[c64], lambda: &[c64]) -> (Vec<c64>, c64) {
+        (self.products(x, lambda).residual(s), s)
+    }
+
     /// `out += alpha M x`
     pub(super) fn add_mass(&self, alpha: f64, x: &[f64], out: &mut [f64]) {
         self.pattern.multiply_add(alpha, &self.mass, x, out);
@@ -154,7 +185,8 @@ impl Pencil {
     /// Lowest quotient of diagonal entries of stiffness and mass, as a frequency: not below the lowest
     /// one of a stiff system by orders, to begin with.
     pub(super) fn guess(&self) -> f64 {
-        let diagonal = |values: &[f64], index: usize| self.pattern.find(index, index).map_or(0.0, |entry| values[entry]);
+        let diagonal =
+            |values: &[f64], index: usize| self.pattern.find(index, index).map_or(0.0, |entry| values[entry]);
         let quotient = |index: usize| {
             let [k, c, m] = [&self.stiffness, &self.damping, &self.mass].map(|values| diagonal(values, index).abs());
             let frequency = if k > 0.0 { (k / m).sqrt() } else { c / m };
@@ -164,12 +196,14 @@ impl Pencil {
         if lowest.is_finite() { lowest } else { 1.0 }
     }
 
-    /// All products with a vector and multipliers.
+    /// All products with a vector and multipliers (none: zeros).
     pub(super) fn products(&self, x: &[c64], lambda: &[c64]) -> Products {
         let n = self.unknowns();
         let mut stiffness = Sums::new(n);
         stiffness.add(&self.pattern, &self.stiffness, x);
-        stiffness.add(&self.constraint_pattern, &self.jacobian, lambda);
+        if !lambda.is_empty() {
+            stiffness.add(&self.constraint_pattern, &self.jacobian, lambda);
+        }
         let of = |values: &[f64]| {
             let mut sums = Sums::new(n);
             sums.add(&self.pattern, values, x);
@@ -203,6 +237,30 @@ impl Pencil {
         let relative = residual.iter().zip(&terms).map(|(rest, term)| rest.norm() / term);
         relative.filter(|error| !error.is_nan()).fold(0.0, f64::max)
     }
+}
+
+impl Products {
+    fn residual(&self, s: c64) -> Vec<c64> {
+        let dynamic = |i: usize| self.stiffness[i] + s * (self.damping[i] + s * self.mass[i]);
+        let rows = (0..self.stiffness.len()).map(dynamic);
+        rows.chain(self.constraints.iter().copied()).collect()
+    }
+}
+
+/// The root next to `s` of `m s^2 + c s + k`; `s` where there is none.
+fn nearest_root([m, c, k]: [c64; 3], s: c64) -> c64 {
+    let root = (c * c - 4.0 * m * k).sqrt();
+    let sum = if (c.conj() * root).re >= 0.0 {
+        c + root
+    } else {
+        c - root
+    };
+    let half = -0.5 * sum;
+    let candidates = [half / m, k / half];
+    let finite = candidates.into_iter().filter(|root| root.is_finite());
+    finite
+        .min_by(|a, b| (a - s).norm().total_cmp(&(b - s).norm()))
+        .unwrap_or(s)
 }
 
 /// Row and column of every entry, in the order of the values.

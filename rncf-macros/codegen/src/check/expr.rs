@@ -106,7 +106,10 @@ impl<'a> Check<'a> {
                 })
             }
             ExprKind::Name(name) => self.name(name, scope),
-            ExprKind::Member { .. } => self.member(expr, scope),
+            ExprKind::Member { .. } => match self.strain(expr) {
+                Some(strain) => strain,
+                None => self.member(expr, scope),
+            },
             ExprKind::Call(call) => self.call(call, scope),
             ExprKind::Negate(inner) => {
                 let inner = self.expr(inner, scope)?;
@@ -187,6 +190,9 @@ impl<'a> Check<'a> {
     fn unknown_value(&self, text: &str) -> String {
         if let Some(plain) = ascii::suggestion(text) {
             return say::not_ascii(text, &plain);
+        }
+        if text == "E" && self.locals.contains_key("E.xx") {
+            return say::WHOLE_STRAIN.into();
         }
         if function(text).is_some() {
             return say::function_without_argument(text);
@@ -495,6 +501,11 @@ impl<'a> Check<'a> {
         if fold::has_arclength(&left.value) || fold::has_arclength(&right.value) {
             let area = inner.left.area.to(inner.right.area);
             self.errors.at(area, say::CONDITION_ALONG);
+            return None;
+        }
+        if fold::has_strain(&left.value) || fold::has_strain(&right.value) {
+            let area = inner.left.area.to(inner.right.area);
+            self.errors.at(area, say::CONDITION_OF_STRAIN);
             return None;
         }
         let is_linear = fold::is_linear_in_time(&left.value) && fold::is_linear_in_time(&right.value);

@@ -85,16 +85,35 @@ pub fn is_free_of_time(expr: &Expr) -> bool {
 
 /// Whether the arclength of an axis stands in the expression.
 pub fn has_arclength(expr: &Expr) -> bool {
-    match expr {
-        Expr::Arclength => true,
-        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Strain(_) | Expr::Observed(_) => false,
-        Expr::Motion(_, inner) | Expr::Negate(inner) => has_arclength(inner),
-        Expr::Binary(_, left, right) | Expr::Power(left, right) => has_arclength(left) || has_arclength(right),
-        Expr::Call(_, arguments) => arguments.iter().any(has_arclength),
-        Expr::If(_, left, right, then, otherwise) => {
-            [left, right, then, otherwise].into_iter().any(|e| has_arclength(e))
+    contains(expr, &|expr| matches!(expr, Expr::Arclength))
+}
+
+/// Whether a component of the strain stands in the expression.
+pub fn has_strain(expr: &Expr) -> bool {
+    contains(expr, &|expr| matches!(expr, Expr::Strain(_)))
+}
+
+/// Whether a motion stands in the expression.
+pub fn has_motion(expr: &Expr) -> bool {
+    contains(expr, &|expr| matches!(expr, Expr::Motion(..)))
+}
+
+fn contains(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
+    is(expr)
+        || match expr {
+            Expr::Number(_)
+            | Expr::Param(_)
+            | Expr::Time
+            | Expr::Arclength
+            | Expr::Strain(_)
+            | Expr::Observed(_) => false,
+            Expr::Motion(_, inner) | Expr::Negate(inner) => contains(inner, is),
+            Expr::Binary(_, left, right) | Expr::Power(left, right) => contains(left, is) || contains(right, is),
+            Expr::Call(_, arguments) => arguments.iter().any(|argument| contains(argument, is)),
+            Expr::If(_, left, right, then, otherwise) => {
+                [left, right, then, otherwise].into_iter().any(|part| contains(part, is))
+            }
         }
-    }
 }
 
 /// Whether the expression is linear in time by its structure (possibly constant).

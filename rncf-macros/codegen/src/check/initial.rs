@@ -2,7 +2,7 @@
 
 use super::expr::Scope;
 use super::quantity::{Typed, Vector, Wanted};
-use super::{Check, say};
+use super::{Check, fold, say};
 use crate::errors::Area;
 use crate::model::{Expr as Value, Initial, Space};
 use crate::parse::tree::{Expr, Item, Statement};
@@ -86,27 +86,11 @@ impl<'a> Check<'a> {
             self.in_plane(&vector, space, wanted.what, true);
         }
         for (component, area) in vector.values.iter().zip(vector.areas) {
-            if has_motion(component) {
+            if fold::has_motion(component) {
                 self.errors.at(area, say::INITIAL_WITHOUT_TIME);
                 return None;
             }
         }
         Some(vector)
-    }
-}
-
-/// Whether a motion stands in an expression.
-fn has_motion(expr: &Value) -> bool {
-    match expr {
-        Value::Motion(..) => true,
-        Value::Number(_) | Value::Param(_) | Value::Time | Value::Arclength | Value::Strain(_) | Value::Observed(_) => {
-            false
-        }
-        Value::Negate(inner) => has_motion(inner),
-        Value::Binary(_, left, right) | Value::Power(left, right) => has_motion(left) || has_motion(right),
-        Value::Call(_, arguments) => arguments.iter().any(has_motion),
-        Value::If(_, left, right, then, otherwise) => {
-            [left, right, then, otherwise].into_iter().any(|part| has_motion(part))
-        }
     }
 }

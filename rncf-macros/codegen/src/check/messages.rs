@@ -28,7 +28,16 @@ pub const AXIS_ZERO: &str = "this axis has no direction";
 pub const ZERO_LENGTH: &str = "this line has no length: its start and end are the same point";
 pub const ZERO_ANGLE: &str = "this arc has no length: its angle is zero";
 pub const ZERO_DIRECTION: &str = "this vector has no direction";
-pub const ARC_IN_SPACE: &str = "an arc lies in the plane of a planar body: write `planar xy;` (or `yz`, `zx`)";
+pub const MISSING_NORMAL: &str =
+    "an arc in space needs the normal of its plane: `arc from [..] m direction [..] normal [0, 0, 1] radius ..`";
+pub const NORMAL_ALONG: &str = "this is along the direction of the arc: the normal stands across the arc's plane";
+pub const SECTION_Y_ALONG: &str =
+    "this is along the axis at its start: the section's y axis is a direction across the axis";
+pub const THICKNESS: &str = "the wall of a tube must be thinner than its radius: a full one is a `circle`";
+pub const ENERGY_WITHOUT_TIME: &str = "the energy of a material is a function of the strain alone: leave out motions";
+pub const CONDITION_OF_STRAIN: &str =
+    "the energy of a material is one smooth function of the strain: its cases cannot depend on it, only on parameters";
+pub const WHOLE_STRAIN: &str = "`E` is the strain: take a component of it, `E.xx`, `E.yy`, `E.zz`, `E.xy`, `E.xz` or `E.yz`";
 pub const GAUSS_POINTS: &str = "`gauss` takes a literal number of points, from 1 to 20: `gauss(3)`";
 pub const POISSON: &str = "poisson must lie between -1 and 0.5";
 pub const JOINT_INSIDE: &str =
@@ -58,6 +67,8 @@ pub const RIGID_SLOPE: &str = "only flexible bodies have a slope: use a directio
 pub const NOTHING_CONSTRAINED: &str =
     "nothing that moves freely stands in this: a constraint ties positions, directions or angles";
 pub const SPRING_LENGTH: &str = "this spring needs its length without force: `length = 1 m`";
+pub const BUSHING_AXES: &str =
+    "the second place of a bushing gives the axes: use a frame or rigid body, e.g. `inertial.at([1, 0, 0] m)`";
 pub const TORSIONAL_EXPECTED: &str =
     "the name of a joint with an angle, or of a planar or hinged frame, is expected here";
 pub const FORCE_ON_PRESCRIBED: &str = "this place moves in a prescribed way: a load on it would do nothing";
@@ -82,6 +93,7 @@ pub const LONE_SPEED: &str = "`speed` is that of the angle in a plane or about a
 pub const PLANE_SPIN: &str = "in a plane the angular velocity is one number: write e.g. `speed = 2 rad/s`";
 pub const PLANE_EXPECTED: &str = "a plane is expected here: `xy`, `yz` or `zx`";
 pub const PLANAR_INERTIA: &str = "in a plane the inertia is one number, about the normal: write e.g. `0.1 kg*m^2`";
+pub const PLANAR_CENTER: &str = "the centre of mass leaves the plane of the body: its third component must be 0";
 pub const SPATIAL_INERTIA: &str = "in space an inertia has three components `[xx, yy, zz]` or six, `[xx, yy, zz, xy, xz, yz]`; one number is that of a body with `plane xy;`";
 pub const NOT_DEFINITE: &str = "no body has this inertia: all principal moments must be greater than zero";
 pub const NEGATIVE_INERTIA: &str = "no body has this inertia: no principal moment may be negative";
@@ -129,6 +141,23 @@ messages! {
     missing_statement(body, what) = "body `{body}` lacks {what}";
     choices(option, values) = "`{option}` is {values}";
     too_few_points(points, least) = "{points} Gauss point(s) leave deformations without energy (a spurious zero mode): use at least `gauss({least})`";
+    missing_of_section(name, list, element, them) = "section `{name}` lacks {list}, which `{element}` needs: add {them}, or let a shape give everything, e.g. `section {name} = circle(radius = 5 mm);` (or `tube`, `rectangle`)";
+    sets_both(name, other) = "`{name}` gives `{other}`, too: leave out one of them";
+    unequal_moments(name, element) = "in space `{element}` bends alike in all directions, but section `{name}` has two different second moments: use `beam`, a round or square section, or a planar body";
+    beside_energy(word) = "`energy` stands instead of `young` and `poisson`: leave out `{word}` or `energy`";
+    energy_not_finite(name) = "the energy of `{name}` or its first two derivatives are not finite where there is no strain: make it smooth there";
+    energy_at_rest(name, value) = "the energy of `{name}` is {value} J/m^3 where there is no strain: it must vanish there, subtract this constant";
+    stress_at_rest(name, strain, value) = "the energy of `{name}` grows linearly with `{strain}`: without strain there must be no stress, but its derivative is {value} Pa";
+    energy_is_loose(name, strain) = "the energy of `{name}` does not resist `{strain}`, which the body has: it must grow with the square of each strain";
+    no_strain(name) = "`{name}` is no strain: there are `E.xx`, `E.yy`, `E.zz`, `E.xy`, `E.xz` and `E.yz`";
+    symmetric_strain(name, strain) = "`{name}` is the same as `{strain}`: write this one";
+    energy_of_line(material, element) = "material `{material}` is known by its energy, which needs an element with cross-section: use `beam`, or give `young` for `{element}`";
+    energy_of_block(section, material) = "the energy of `{material}` is integrated over the section, but only properties of `{section}` are known: declare it as `circle(..)`, `tube(..)` or `rectangle(..)`";
+    option_beside_energy(option, material) = "`{option}` has no meaning here, for `{material}` is known by its energy: leave it out";
+    no_section_axes(element, word) = "`{element}` has no section axes, which `{word}` turns: leave it out, or use `beam`";
+    section_in_plane(word) = "in a plane the section's y axis lies in the plane, to the left of the axis: leave out `{word}`, or make the body `spatial`";
+    normal_in_plane(plane, axis) = "the arc of a body in the {plane} plane has the normal {axis}: leave out `normal`";
+    own_rule(element) = "`{element}` has its own rule of integration: leave out `quadrature`";
     missing_property(kind, name, property, element, need) = "{kind} `{name}` has no `{property}`, which `{element}` needs ({need})";
     plane_axis(plane, axis) = "what moves in the {plane} plane turns about {axis}: leave out `axis`";
     leaves_own_plane(what, plane, axis) = "{what} leaves the {plane} plane: its {axis} component must be 0";
@@ -176,6 +205,12 @@ messages! {
     point_mass_joint(name, word) = "`{name}` is a point mass and has no orientation for a `{word}`: give it an `inertia`, or use `spherical` or `distance`";
     end_orientation(word) = "a flexible end has a tangent and no orientation for a `{word}`: use `clamp`, `clamp_full` or `spherical`, and a `constraint` for more";
     two_ends(word) = "a `{word}` needs a frame or rigid body on one side: between two flexible ends use `spherical`, and a `constraint` on their slopes";
+    two_sections(word) = "a `{word}` needs a frame or rigid body on one side: between two sections use `weld`";
+    no_section(word) = "`{word}` is an axis of a cross-section, and a centre line has none: use `slope`, or mesh the body with `beam`";
+    one_section_axis(plane) = "the section of a body in the {plane} plane has one axis in it: use `ey`";
+    not_carried(word, kind, words) = "{kind} carries no `{word}`: use {words}";
+    section_axes_only(word) = "`{word}` has the axes of the section itself: leave out `.in(..)`";
+    stress_without_shape(name, extents) = "the stress depends on the shape of section `{name}`: give it {extents}, the distances of the outermost fibres, or write `circle(..)`, `tube(..)` or `rectangle(..)`";
     not_in_plane(word, plane, advice) = "a `{word}` makes no sense in the {plane} plane: {advice}";
     axis_along_normal(word, plane, axis) = "in the {plane} plane the axis of a `{word}` is `{axis}`: leave it out";
     axis_in_plane(word, plane, axis) = "the axis of this `{word}` leaves the {plane} plane: its {axis} component must be 0";

@@ -2,9 +2,11 @@
 //! mistakes are reported at once; what depends on something already reported stays silent.
 
 mod body;
+mod bushing;
 mod constraint;
 mod drive;
 mod eigen;
+mod end;
 mod expr;
 mod fidelity;
 mod fixture;
@@ -13,8 +15,11 @@ mod frame;
 mod free;
 mod initial;
 mod joint;
+mod line;
 mod load;
 mod marker;
+mod material;
+mod mesh;
 mod messages;
 mod observe;
 mod output;
@@ -23,7 +28,9 @@ mod place;
 mod plane;
 mod push;
 mod quantity;
+mod resultant;
 mod rigid;
+mod section;
 mod spring;
 mod start;
 mod thing;
@@ -75,6 +82,8 @@ pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Mode
     check.params();
     check.motions();
     check.frames();
+    check.materials();
+    check.sections();
     check.bodies();
     check.fixtures();
     check.joints();
@@ -102,6 +111,9 @@ struct Check<'a> {
     values: HashMap<&'a str, Option<Typed>>,
     motions: HashMap<&'a str, Option<(MotionId, Typed)>>,
     frames: HashMap<&'a str, Option<FrameId>>,
+    /// Readable sections and materials.
+    sections: HashMap<&'a str, section::Section>,
+    materials: HashMap<&'a str, material::Material>,
     bodies: HashMap<&'a str, body::Known>,
     joints: HashMap<&'a str, joint::Known>,
     constraints: HashMap<&'a str, constraint::Known>,
@@ -144,6 +156,8 @@ impl<'a> Check<'a> {
             values: HashMap::new(),
             motions: HashMap::new(),
             frames: HashMap::new(),
+            sections: HashMap::new(),
+            materials: HashMap::new(),
             bodies: HashMap::new(),
             joints: HashMap::new(),
             constraints: HashMap::new(),

@@ -2,9 +2,15 @@
 
 use crate::check::fold::with_defaults;
 use crate::lower::initial::along_axis;
-use crate::model::{BodyId, Expr, FrameId, INERTIAL, Line, Location, Marker, MarkerId, Model};
+use crate::model::{BodyId, Expr, FrameId, INERTIAL, Line, Location, Marker, MarkerId, Model, Space};
 
 pub type Vector = [f64; 3];
+
+/// Sine of the angle below which two directions count as parallel.
+const PARALLEL: f64 = 1e-6;
+
+/// One plus the cosine of directions that count as opposite.
+const OPPOSITE: f64 = 1e-12;
 
 /// Rotation matrix, rows first.
 pub type Matrix = [[f64; 3]; 3];
@@ -60,6 +66,24 @@ pub fn norm(a: Vector) -> f64 {
 pub fn unit(a: Vector) -> Option<Vector> {
     let size = norm(a);
     (size > 0.0 && size.is_finite()).then(|| scale(1.0 / size, a))
+}
+
+/// Unit vector of the part of a direction across a unit vector; `None` where there is none.
+fn across(direction: Vector, along: Vector) -> Option<Vector> {
+    let part = subtract(direction, scale(dot(direction, along), along));
+    let is_across = norm(direction).is_finite() && norm(part) > PARALLEL * norm(direction);
+    is_across.then(|| unit(part)).flatten()
+}
+
+/// A vector turned by the smallest rotation that takes a unit vector to another one; opposite ones turn
+/// about `about`.
+fn turned(vector: Vector, from: Vector, to: Vector, about: Vector) -> Vector {
+    let (axis, cosine) = (cross(from, to), dot(from, to));
+    if 1.0 + cosine < OPPOSITE {
+        return subtract(scale(2.0 * dot(about, vector), about), vector);
+    }
+    let first = cross(axis, vector);
+    add(add(vector, first), scale(1.0 / (1.0 + cosine), cross(axis, first)))
 }
 
 /// Two unit vectors that make a right-handed triad with a unit vector.
@@ -126,18 +150,13 @@ impl Start<'_> {
 
     /// Place and unit tangent of the undeformed body in its frame.
     pub fn place(&self, body: BodyId, at: &Location) -> (Vector, Vector) {
-        let body = &self.model.bodies[body.0];
-        let along = |length: f64| match at {
-            Location::Start => 0.0,
-            Location::End => length,
-            Location::At(x) => self.value(x),
-        };
-        match &body.line {
+        let x = self.arclength(body, at);
+        match &self.model.bodies[body.0].line {
             Line::Straight { from, to } => {
                 let (from, to) = (self.vector(from), self.vector(to));
                 let way = subtract(to, from);
                 let tangent = unit(way).unwrap_or([0.0; 3]);
-                (add(from, scale(along(norm(way)), tangent)), tangent)
+                (add(from, scale(x, tangent)), tangent)
             }
             Line::Arc {
                 from,
@@ -146,11 +165,11 @@ impl Start<'_> {
                 radius,
                 angle,
             } => {
-                let direction = unit(self.vector(direction)).unwrap_or([0.0; 3]);
+                let (direction, normal) = self.plane_of_arc(direction, normal);
                 let (radius, angle) = (self.value(radius), self.value(angle));
-                let normal = scale(angle.signum(), unit(self.vector(normal)).unwrap_or([0.0; 3]));
+                let normal = scale(angle.signum(), normal);
                 let inwards = cross(normal, direction);
-                let (sine, cosine) = (along(radius * angle.abs()) / radius).sin_cos();
+                let (sine, cosine) = (x / radius).sin_cos();
                 let way = add(scale(radius * sine, direction), scale(radius * (1.0 - cosine), inwards));
                 (
                     add(self.vector(from), way),
@@ -166,13 +185,73 @@ impl Start<'_> {
         let Some(position) = &self.model.bodies[body.0].initial.position else {
             return self.place(body, at);
         };
-        let x = match at {
+        let [place, slope] = along_axis(self.model, position, self.arclength(body, at));
+        (place, slope)
+    }
+
+    /// Unit tangent at the start of an arc, and the unit normal of its plane.
+    fn plane_of_arc(&self, direction: &[Expr; 3], normal: &[Expr; 3]) -> (Vector, Vector) {
+        let direction = unit(self.vector(direction)).unwrap_or([0.0; 3]);
+        let normal = across(self.vector(normal), direction).unwrap_or([0.0; 3]);
+        (direction, normal)
+    }
+
+    /// Unit vectors along the y and z axes of a section of the undeformed body in its frame. On an arc they
+    /// turn with the tangent about the normal, and everywhere about the tangent by the twist.
+    fn section(&self, id: BodyId, at: &Location) -> [Vector; 2] {
+        let (_, tangent) = self.place(id, at);
+        let body = &self.model.bodies[id.0];
+        if let Space::Planar { normal } = body.space {
+            let mut axis = [0.0; 3];
+            axis[normal] = 1.0;
+            return [cross(axis, tangent), axis];
+        }
+        let (_, start) = self.place(id, &Location::Start);
+        let wanted = match &body.section_y {
+            Some(declared) => self.vector(declared),
+            None => {
+                let side = cross([0.0, 0.0, 1.0], start);
+                if norm(side) > PARALLEL { side } else { [0.0, 1.0, 0.0] }
+            }
+        };
+        let first = across(wanted, start).unwrap_or_else(|| normals(start)[0]);
+        let part = self.arclength(id, at) / self.length(id);
+        let turned = match &body.line {
+            Line::Straight { .. } => first,
+            Line::Arc {
+                direction,
+                normal,
+                angle,
+                ..
+            } => {
+                let (_, normal) = self.plane_of_arc(direction, normal);
+                rotation(normal, part * self.value(angle)).map(|row| dot(row, first))
+            }
+        };
+        let side = cross(tangent, turned);
+        let (sine, cosine) = (part * self.value(&body.twist)).sin_cos();
+        let y = add(scale(cosine, turned), scale(sine, side));
+        [y, cross(tangent, y)]
+    }
+
+    /// The same at t = 0: with an initial shape they turn with the tangent by the smallest rotation.
+    pub fn initial_section(&self, body: BodyId, at: &Location) -> [Vector; 2] {
+        let axes = self.section(body, at);
+        let (_, tangent) = self.place(body, at);
+        let (_, slope) = self.initial_place(body, at);
+        match unit(slope) {
+            Some(slope) => axes.map(|axis| turned(axis, tangent, slope, axes[0])),
+            None => axes,
+        }
+    }
+
+    /// Arclength of a place, m.
+    fn arclength(&self, body: BodyId, at: &Location) -> f64 {
+        match at {
             Location::Start => 0.0,
             Location::End => self.length(body),
             Location::At(x) => self.value(x),
-        };
-        let [place, slope] = along_axis(self.model, position, x);
-        (place, slope)
+        }
     }
 
     /// Length of a body's axis.
@@ -205,8 +284,19 @@ impl Start<'_> {
                 let (_, tangent) = self.initial_place(*body, at);
                 self.pose(self.model.bodies[body.0].frame).direction(tangent)
             }
-            // Sections turn with the slope; their axes are those of a straight body until they are known.
-            Marker::BodySection { .. } | Marker::InSection { .. } | Marker::Turn { .. } => [0.0; 3],
+            Marker::BodySection { body, at, axis } => {
+                let axes = self.initial_section(*body, at);
+                self.pose(self.model.bodies[body.0].frame)
+                    .direction(axes[usize::from(*axis == 2)])
+            }
+            Marker::InSection { body, at, marker } => {
+                let pose = self.pose(self.model.bodies[body.0].frame);
+                let [y, z] = self.initial_section(*body, at).map(|axis| pose.direction(axis));
+                let value = self.marker(*marker);
+                let along = unit(value).unwrap_or(value);
+                [cross(y, z), y, z].map(|axis| dot(axis, along))
+            }
+            Marker::Turn { .. } => [0.0; 3],
             Marker::Angle { frame } => {
                 let rotation = self.model.frames[frame.0].rotation.as_ref();
                 [rotation.map_or(0.0, |rotation| self.value(&rotation.angle)), 0.0, 0.0]

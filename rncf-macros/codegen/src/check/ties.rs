@@ -8,6 +8,7 @@ use super::eigen::symmetric;
 use super::fold::with_defaults;
 use super::start::{Pose, Start, Vector, add, cross, dot, norm, normals, scale, subtract};
 use super::{Check, say};
+use crate::elements::Library;
 use crate::errors::Area;
 use crate::lower::motions::Time;
 use crate::model::{
@@ -24,6 +25,9 @@ const DEPENDENT: f64 = 1e-14;
 
 /// Relative size of what counts as round-off in one condition.
 const ROUND_OFF: f64 = 1e-12;
+
+/// Thickness of a rigid body with sections, in lengths: it has inertia about its axis, too.
+const THICKNESS: f64 = 0.1;
 
 /// What counts as all of a motion.
 const WHOLE: f64 = 1.0 - 1e-6;
@@ -59,11 +63,11 @@ pub enum Untied {
 }
 
 /// Whether a free frame is determined.
-pub fn check(model: &Model, frame: FrameId) -> Result<(), Untied> {
+pub fn check(model: &Model, library: &Library, frame: FrameId) -> Result<(), Untied> {
     let Some(free) = &model.frames[frame.0].free else {
         return Ok(());
     };
-    let frame = Frame::new(model, frame, free);
+    let frame = Frame::new(model, library, frame, free);
     if frame.bodies().next().is_none() && free.parts.is_empty() {
         return Err(Untied::Empty);
     }
@@ -87,7 +91,7 @@ impl Check<'_> {
     /// Checks all free frames; there must be no mistake so far.
     pub(super) fn ties(&mut self) {
         for at in 0..self.model.frames.len() {
-            if let Err(untied) = check(&self.model, FrameId(at)) {
+            if let Err(untied) = check(&self.model, self.library, FrameId(at)) {
                 self.untied(FrameId(at), &untied);
             }
         }
@@ -140,6 +144,7 @@ impl Check<'_> {
 /// A free frame with what it needs for the count.
 struct Frame<'m> {
     start: Start<'m>,
+    library: &'m Library,
     id: FrameId,
     free: &'m Free,
     pose: Pose,
@@ -147,12 +152,13 @@ struct Frame<'m> {
 }
 
 impl<'m> Frame<'m> {
-    fn new(model: &'m Model, id: FrameId, free: &'m Free) -> Self {
+    fn new(model: &'m Model, library: &'m Library, id: FrameId, free: &'m Free) -> Self {
         let start = Start { model };
         let pose = start.pose(id);
         let modes = modes(&free.motions);
         Self {
             start,
+            library,
             id,
             free,
             pose,
@@ -166,6 +172,12 @@ impl<'m> Frame<'m> {
         bodies
             .filter(move |(_, body)| body.frame == id)
             .map(|(at, body)| (body, BodyId(at)))
+    }
+
+    /// Whether a body has sections, so that it can be held, and has inertia, against turning about its axis.
+    fn has_section(&self, body: BodyId) -> bool {
+        let element = self.start.model.bodies[body.0].element;
+        self.library.elements[element.0].has_section()
     }
 
     /// Length that makes shifts and turns comparable, m.
@@ -192,7 +204,13 @@ impl<'m> Frame<'m> {
             let (end, length) = (self.start.place(id, &Location::End).0, self.length());
             let places = [0.0, 0.25, 0.5, 0.75].map(|part| Location::At(Box::new(Expr::Number(part * length))));
             let places = places.map(|at| self.start.place(id, &at).0);
-            for place in places.into_iter().chain([end]) {
+            let ends = [Location::Start, Location::End];
+            let arms = ends.iter().flat_map(|at| {
+                let axes = self.start.initial_section(id, at);
+                axes.map(|axis| add(self.start.place(id, at).0, scale(THICKNESS * length, axis)))
+            });
+            let arms: Vec<Vector> = arms.filter(|_| self.has_section(id)).collect();
+            for place in places.into_iter().chain([end]).chain(arms) {
                 self.add_mass(&mut mass, 1.0, place, [[0.0; 3]; 3]);
             }
         }
@@ -261,8 +279,8 @@ impl<'m> Frame<'m> {
         ties
     }
 
-    /// `p - const = 0` and `n . p' - const = 0`, in frame axes: a point or slope that stays where it
-    /// is in space moves backwards in the frame.
+    /// `p - const = 0` and `n . d - const = 0`, in frame axes: a point or direction that stays where it
+    /// is in space moves backwards in the frame. A direction is a slope, or the axis of a section.
     fn joint(&self, joint: &Joint, scales: &Row) -> Tie {
         let (there, tangent) = self.start.initial_place(joint.body, &joint.at);
         let place = joint.point.as_ref().map_or(there, |point| self.start.vector(point));
@@ -272,17 +290,36 @@ impl<'m> Frame<'m> {
                 vec![(along, mode.shift), (along, cross(mode.turn, place))]
             })
         };
-        let slope = |along: Vector| self.row(scales, |mode| vec![(along, cross(mode.turn, tangent))]);
+        let [y, z] = self.start.initial_section(joint.body, &joint.at);
+        let direction = |along: Vector, of: Vector| self.row(scales, |mode| vec![(along, cross(mode.turn, of))]);
         let positions = || space.axes().iter().map(|&axis| position(axis_vector(axis)));
         let rows = match joint.kind {
             JointKind::Pin => positions().collect(),
             // The norm of the slope is no motion of the frame.
-            JointKind::Clamp | JointKind::ClampFull => positions().chain(across(space, tangent).map(slope)).collect(),
+            JointKind::Clamp | JointKind::ClampFull => {
+                let held = match (space, self.has_section(joint.body)) {
+                    (Space::Spatial, true) => vec![y, z],
+                    _ => vec![tangent],
+                };
+                let turns = held
+                    .into_iter()
+                    .flat_map(|held| across(space, held).map(move |normal| (normal, held)));
+                positions()
+                    .chain(turns.map(|(normal, held)| direction(normal, held)))
+                    .collect()
+            }
             JointKind::Hold {
                 of: Held::Position,
                 axis,
             } => vec![position(axis_vector(axis))],
-            JointKind::Hold { axis, .. } => vec![slope(axis_vector(axis))],
+            JointKind::Hold { of, axis } => {
+                let held = match of {
+                    Held::SectionY => y,
+                    Held::SectionZ => z,
+                    Held::Slope | Held::Position => tangent,
+                };
+                vec![direction(axis_vector(axis), held)]
+            }
         };
         Tie {
             name: joint.name.clone(),

@@ -1,11 +1,14 @@
 //! The element library: each element is one file of declarations, and nothing outside its file
 //! names it, its strains or its stiffnesses.
 
+mod beam;
 mod cable;
 
+use crate::lower::quadratic::field_invariants;
 use crate::symbolic::{Graph, Id};
 use crate::tensors::Polynomial;
 
+pub use beam::BEAM;
 pub use cable::{CABLE, thin_beam};
 
 /// Where a nodal vector of an element lives.
@@ -172,6 +175,30 @@ impl Element {
         let fields = self.fields.iter();
         fields.filter(move |field| dimension == 3 || field.of != Interpolant::SectionZ)
     }
+
+    /// Masses in the plane or in space.
+    pub fn inertia_in(&self, dimension: usize) -> impl Iterator<Item = &'static Inertia> {
+        let inertia = self.inertia.iter();
+        inertia.filter(move |inertia| dimension == 3 || inertia.of != Interpolant::SectionZ)
+    }
+
+    /// Terms of the strain energy, with the graph that their densities are in.
+    pub fn terms_in(&self, dimension: usize, options: &[usize]) -> (Graph, Vec<Term>) {
+        let mut graph = Graph::new();
+        let (fields, _) = field_invariants(&mut graph, self, dimension);
+        let terms = (self.energy)(&mut graph, &fields, options);
+        (graph, terms)
+    }
+
+    /// Coefficients that the strain energy or the inertia uses, for the chosen values of the options.
+    pub fn coefficients_in(&self, dimension: usize, options: &[usize]) -> Vec<&'static Coefficient> {
+        let (_, terms) = self.terms_in(dimension, options);
+        let elastic = terms.iter().map(|term| term.coefficient);
+        let inertial = self.inertia_in(dimension).map(|inertia| inertia.coefficient);
+        let used: Vec<&str> = elastic.chain(inertial).collect();
+        let all = self.coefficients.iter();
+        all.filter(|coefficient| used.contains(&coefficient.name)).collect()
+    }
 }
 
 /// The elements that the language knows.
@@ -184,7 +211,9 @@ pub struct Library {
 impl Library {
     /// The elements of this crate.
     pub fn standard() -> Self {
-        Self { elements: vec![CABLE] }
+        Self {
+            elements: vec![CABLE, BEAM],
+        }
     }
 
     /// With one more element, e.g. a variant declared by a test.

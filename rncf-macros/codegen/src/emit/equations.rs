@@ -2,17 +2,18 @@
 
 use super::kernel::{documentation, function};
 use super::moving::document_rows;
-use crate::elements::Library;
+use crate::elements::{Interpolant, Library};
 use crate::lower::carried::{self, CarriedKernels, FixtureKernels};
 use crate::lower::constraints::{ConstraintKernels, constraint_kernels};
 use crate::lower::elastic::Form;
+use crate::lower::field_forces::field_forces_kernel;
 use crate::lower::forces::{ForceKernels, force_kernels};
 use crate::lower::free::free_kernel;
 use crate::lower::inertia::{InertiaKernels, inertia_kernels};
 use crate::lower::initial::initial_kernel;
 use crate::lower::joints::{JointKernels, joint_kernels};
 use crate::lower::{ElasticKernels, Kernel, Variant, elastic_kernels, loads, motions};
-use crate::model::{Body, Expr, Fidelity, FrameId, INERTIAL, Joint, LoadKind, Model, Observable};
+use crate::model::{Body, BodyId, Expr, Fidelity, FrameId, INERTIAL, Joint, LoadKind, Model, Observable};
 
 /// An element variant with its kernels.
 pub struct VariantKernels {
@@ -24,8 +25,10 @@ pub struct VariantKernels {
     pub elastic: ElasticKernels,
     /// Inertia kernels.
     pub inertia: InertiaKernels,
-    /// Shape functions.
-    pub shapes: Kernel,
+    /// Weights of the nodal vectors in each interpolant and its derivatives.
+    pub shapes: Vec<(Interpolant, [Kernel; 3])>,
+    /// Forces on the fields at a point.
+    pub field_forces: Kernel,
     /// Documentation of the struct with the constants, and the struct's fields.
     pub row: String,
     /// Whether a body of this variant lives in a moving frame.
@@ -60,8 +63,10 @@ pub struct Equations {
     pub forces: Vec<ForceKernels>,
     /// Loads.
     pub loads: Vec<Kernel>,
-    /// Moment on a slope, by dimension, where needed.
+    /// Moment on a slope, or in a plane on a section's axis, by dimension, where needed.
     pub moments: Vec<(usize, [Kernel; 2])>,
+    /// Moment on a section's axes in space, where needed.
+    pub section_moments: Option<[Kernel; 2]>,
     /// Kinks and their number.
     pub kinks: (Kernel, usize),
     /// Outputs and what they observe.
@@ -93,10 +98,13 @@ impl Equations {
             variant_of.push(index);
         }
         let mut moments: Vec<(usize, [Kernel; 2])> = Vec::new();
+        let mut section_moments = None;
         for load in &model.loads {
             if let LoadKind::Moment { body, .. } = &load.kind {
                 let dimension = model.bodies[body.0].space.dimension();
-                if moments.iter().all(|(other, _)| *other != dimension) {
+                if dimension == 3 && has_section(model, *body, library) {
+                    section_moments = Some(loads::section_moment_kernels());
+                } else if moments.iter().all(|(other, _)| *other != dimension) {
                     moments.push((dimension, loads::moment_kernels(dimension)));
                 }
             }
@@ -105,9 +113,10 @@ impl Equations {
         for fixture in &model.fixtures {
             let body = &model.bodies[fixture.body.0];
             let dimension = body.space.dimension();
-            let found = fixtures.iter().position(|other| other.dimension == dimension);
-            let index = found.unwrap_or_else(|| {
-                fixtures.push(carried::fixture_kernels(dimension));
+            let vectors = fixture_vectors(model, fixture.body, library);
+            let is_it = |other: &FixtureKernels| (other.dimension, other.vectors) == (dimension, vectors);
+            let index = fixtures.iter().position(is_it).unwrap_or_else(|| {
+                fixtures.push(carried::fixture_kernels(dimension, vectors));
                 fixtures.len() - 1
             });
             fixtures[index].moving |= body.frame != INERTIAL;
@@ -133,11 +142,16 @@ impl Equations {
             initial: initial.collect(),
             rigid: parts.then(carried::rigid_kernels),
             fixtures,
-            joints: model.joints.iter().map(|joint| conditions(model, joint)).collect(),
+            joints: model
+                .joints
+                .iter()
+                .map(|joint| conditions(model, joint, library))
+                .collect(),
             constraints,
             forces: force_kernels(model),
             loads: model.loads.iter().map(|load| loads::load_kernel(model, load)).collect(),
             moments,
+            section_moments,
             kinks: motions::kinks_kernel(model),
             outputs: loads::outputs_kernel(model),
             run: loads::run_kernel(model),
@@ -150,6 +164,9 @@ impl Equations {
         let mut text = String::new();
         let mut add = |kernel: &Kernel| text += &function(kernel);
         for variant in &self.variants {
+            if let Some(fields) = &variant.elastic.fields {
+                fields.rules.iter().flat_map(|rule| &rule.kernels).for_each(&mut add);
+            }
             for kernel in [
                 &variant.elastic.force,
                 &variant.elastic.tangent,
@@ -171,11 +188,16 @@ impl Equations {
                 add(&carried.force);
                 add(&carried.tangent);
             }
-            add(&variant.shapes);
+            variant.shapes.iter().flat_map(|(_, orders)| orders).for_each(&mut add);
+            add(&variant.field_forces);
         }
         self.rest().into_iter().for_each(&mut add);
         let rows: String = self.variants.iter().map(|variant| variant.row.clone()).collect();
-        rows + &text
+        let tables = self.variants.iter().filter_map(|variant| {
+            let fields = variant.elastic.fields.as_ref()?;
+            Some(super::points::tables(&variant.name, variant.variant.dimension, fields))
+        });
+        rows + &tables.collect::<String>() + &text
     }
 
     /// The functions that belong to no element.
@@ -212,6 +234,7 @@ impl Equations {
             kernels.extend(force.tangent.iter().chain(&force.energy));
         }
         kernels.extend(self.moments.iter().flat_map(|(_, kernels)| kernels));
+        kernels.extend(self.section_moments.iter().flatten());
         kernels.extend([&self.kinks.0, &self.outputs.0, &self.run]);
         kernels
     }
@@ -222,14 +245,29 @@ pub fn is_free(model: &Model, frame: FrameId) -> bool {
     model.frames[frame.0].free.is_some()
 }
 
+/// Whether the nodes of a body carry the axes of its section.
+pub fn has_section(model: &Model, body: BodyId, library: &Library) -> bool {
+    library.elements[model.bodies[body.0].element.0].has_section()
+}
+
+/// Vectors of a place that a fixture's inertia is on.
+fn fixture_vectors(model: &Model, body: BodyId, library: &Library) -> usize {
+    if has_section(model, body, library) {
+        1 + model.bodies[body.0].space.dimension()
+    } else {
+        2
+    }
+}
+
 /// The conditions of a joint where they are linear in the nodal vectors.
-fn conditions(model: &Model, joint: &Joint) -> (Option<JointKernels>, Option<JointKernels>) {
+fn conditions(model: &Model, joint: &Joint, library: &Library) -> (Option<JointKernels>, Option<JointKernels>) {
     let frame = model.bodies[joint.body.0].frame;
     let known = joint.frame == frame || !(is_free(model, frame) || is_free(model, joint.frame));
     let referenced = frame != INERTIAL && known;
+    let has_section = has_section(model, joint.body, library);
     (
-        referenced.then(|| joint_kernels(model, joint, false)),
-        (!is_free(model, joint.frame)).then(|| joint_kernels(model, joint, true)),
+        referenced.then(|| joint_kernels(model, joint, has_section, false)),
+        (!is_free(model, joint.frame)).then(|| joint_kernels(model, joint, has_section, true)),
     )
 }
 
@@ -239,7 +277,8 @@ fn variant_kernels(variant: Variant, library: &Library) -> VariantKernels {
     let row = row(&variant, &name, &elastic, library);
     VariantKernels {
         inertia: inertia_kernels(&variant, library),
-        shapes: loads::shapes_kernel(&variant, library),
+        shapes: loads::shape_kernels(&variant, library),
+        field_forces: field_forces_kernel(&variant, library),
         elastic,
         name,
         row,
@@ -252,8 +291,8 @@ fn variant_kernels(variant: Variant, library: &Library) -> VariantKernels {
 /// The struct with the constants of an element.
 fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Library) -> String {
     let element = variant.declaration(library);
-    let names = element
-        .vectors
+    let names = variant
+        .vectors(library)
         .iter()
         .map(|vector| vector.name)
         .collect::<Vec<_>>()
@@ -274,7 +313,7 @@ fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Librar
         "#[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct {} {{\n/// Length, m.\npub length: f64,\n",
         crate::lower::camel_case(name)
     );
-    for coefficient in element.coefficients {
+    for coefficient in element.coefficients_in(variant.dimension, &variant.options) {
         let factors = coefficient.factors.join(" * ");
         text += &format!("/// {factors}, {}.\npub {}: f64,\n", coefficient.unit, coefficient.name);
     }

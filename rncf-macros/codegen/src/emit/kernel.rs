@@ -12,7 +12,9 @@ use crate::symbolic::Id;
 /// The function's text, documentation with operation counts included.
 pub fn function(kernel: &Kernel) -> String {
     let mut text = documentation(kernel.doc.iter().map(String::as_str));
-    let _ = writeln!(text, "///\n/// Operations: {}.", kernel.cost());
+    if !kernel.outputs.is_empty() {
+        let _ = writeln!(text, "///\n/// Operations: {}.", kernel.cost());
+    }
     let _ = writeln!(text, "pub fn {}({}) {{", kernel.name, kernel.arguments.join(", "));
     for statement in body(kernel) {
         let _ = writeln!(text, "    {statement}");
@@ -51,6 +53,9 @@ fn body(kernel: &Kernel) -> Vec<String> {
         "stiffness",
         "damping_matrix",
         "energy",
+        "fields",
+        "rates",
+        "forces",
         "reference",
         "table",
         "point",

@@ -8,6 +8,8 @@ pub mod kernel;
 mod moving;
 pub mod number;
 pub mod parts;
+mod section;
+pub mod points;
 
 use crate::elements::Library;
 use crate::model::Model;

@@ -323,13 +323,20 @@ impl Parts<'_> {
             )
         });
         let mut text = list("fixtures", "FixtureSpec", &entries.collect::<Vec<_>>());
-        let by_dimension = |arm: &dyn Fn(&FixtureKernels) -> String| -> String {
+        let by_kind = |arm: &dyn Fn(&FixtureKernels) -> String| -> String {
             let arms = self.equations.fixtures.iter();
-            arms.map(|kernels| format!("{} => {{\n{}}}\n", kernels.dimension, arm(kernels)))
-                .collect()
+            arms.map(|kernels| {
+                format!(
+                    "({}, {}) => {{\n{}}}\n",
+                    kernels.dimension,
+                    kernels.vectors,
+                    arm(kernels)
+                )
+            })
+            .collect()
         };
         let array = "::rncf::mesh::array";
-        let force = by_dimension(&|kernels| {
+        let force = by_kind(&|kernels| {
             let absolute = format!(
                 "{}(constants, frame, {array}(a), {array}_mut(force));",
                 kernels.absolute.name
@@ -341,7 +348,7 @@ impl Parts<'_> {
             let moving = format!("{name}(constants, frame, {array}(q), {array}(v), {array}(a), {array}_mut(force));");
             format!("if absolute {{ {absolute} }} else {{ {moving} }}\n")
         });
-        let tangent = by_dimension(&|kernels| {
+        let tangent = by_kind(&|kernels| {
             if !kernels.moving {
                 return String::new();
             }
@@ -351,8 +358,8 @@ impl Parts<'_> {
         });
         let _ = writeln!(
             text,
-            "fn fixture_force(&self, dimension: usize, constants: [f64; 3], absolute: bool, {ACTION}, {STATES}, force: &mut [f64]) {{\nmatch dimension {{\n{force}_ => {{}}\n}}\n}}\n\
-             fn fixture_tangent(&self, dimension: usize, constants: [f64; 3], absolute: bool, {ACTION}, stiffness: &mut [f64], damping: &mut [f64]) {{\nmatch dimension {{\n{tangent}_ => {{}}\n}}\n}}"
+            "fn fixture_force(&self, dimension: usize, vectors: usize, constants: [f64; 10], absolute: bool, {ACTION}, {STATES}, force: &mut [f64]) {{\nmatch (dimension, vectors) {{\n{force}_ => {{}}\n}}\n}}\n\
+             fn fixture_tangent(&self, dimension: usize, vectors: usize, constants: [f64; 10], absolute: bool, {ACTION}, stiffness: &mut [f64], damping: &mut [f64]) {{\nmatch (dimension, vectors) {{\n{tangent}_ => {{}}\n}}\n}}"
         );
         text
     }
@@ -418,10 +425,10 @@ impl Parts<'_> {
             }
         }
         for fixture in self.equations.fixtures.iter().filter(|fixture| fixture.free) {
-            let (dimension, call) = (fixture.dimension, call(&fixture.carried, "constants"));
+            let (dimension, vectors, call) = (fixture.dimension, fixture.vectors, call(&fixture.carried, "constants"));
             let _ = writeln!(
                 arms,
-                "::rncf::mesh::Carried::Fixture {{ dimension: {dimension}, constants }} => {call},"
+                "::rncf::mesh::Carried::Fixture {{ dimension: {dimension}, vectors: {vectors}, constants }} => {call},"
             );
         }
         if let Some(kernels) = &self.equations.rigid {

@@ -11,7 +11,6 @@ use crate::lower::motions::Time;
 use crate::model::{
     Body, Expr, Fidelity, Held, INERTIAL, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity,
 };
-use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
 
 /// The struct with the constants of all bodies and its implementation.
 pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String {
@@ -50,6 +49,7 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     text += &writer.time_functions();
     text += &writer.initial();
     text += &writer.element_functions();
+    text += &writer.sections();
     text += &writer.moments();
     text += &writer.conditions();
     text += &writer.check();
@@ -332,7 +332,7 @@ impl Parts<'_> {
     }
 
     /// One arm for each body; the last one takes the rest.
-    fn by_body(&self, arm: impl Fn(usize, &Body) -> String) -> String {
+    pub fn by_body(&self, arm: impl Fn(usize, &Body) -> String) -> String {
         let last = match &self.model.bodies[..] {
             [] => return String::new(),
             [body] => return arm(0, body) + "\n",
@@ -358,19 +358,10 @@ impl Parts<'_> {
         let arms = self.by_body(|index, body| {
             let variant = self.variant(index);
             let element = variant.variant.declaration(self.library);
-            let mut text = String::new();
-            let vocabularies = [(MATERIAL, "material", &body.material_name), (SECTION, "section", &body.section_name)];
-            for (vocabulary, kind, owner) in vocabularies {
-                for property in vocabulary {
-                    if let Some(value) = body.properties.get(property.name) {
-                        let value = self.expr(value);
-                        let _ = writeln!(text, "let {} = {};", property.name, check(property, kind, owner, &value));
-                    }
-                }
-            }
+            let mut text = self.properties(body);
             let mut fields = vec!["length".to_string()];
-            for coefficient in element.coefficients {
-                fields.push(format!("{}: {}", coefficient.name, coefficient.factors.join(" * ")));
+            for coefficient in element.coefficients_in(variant.variant.dimension, &variant.variant.options) {
+                fields.push(format!("{}: {}", coefficient.name, super::section::coefficient(body, coefficient)));
             }
             if body.properties.contains_key(element.damping) {
                 fields.push(format!("damping: {}", element.damping));
@@ -461,18 +452,22 @@ impl Parts<'_> {
             )
         });
         let shapes = self.by_body(|index, body| {
-            format!(
-                "{}_shapes(self.row_{}.length, xi, ::rncf::mesh::array_mut(values), ::rncf::mesh::array_mut(slopes));",
-                self.variant(index).name,
-                body.name
-            )
+            let all = self.variant(index).shapes.iter();
+            let all = all.flat_map(|(of, orders)| orders.iter().enumerate().map(move |(order, kernel)| (of, order, kernel)));
+            let arms = all.map(|(of, order, kernel)| {
+                format!(
+                    "(::rncf::mesh::Interpolant::{of:?}, {order}) => {}(self.row_{}.length, xi, ::rncf::mesh::array_mut(weights)),\n",
+                    kernel.name, body.name
+                )
+            });
+            format!("match (of, order) {{\n{}_ => {{}}\n}}", arms.collect::<String>())
         });
         format!(
             "fn mass(&self, body: usize, mass: &mut [f64]) {{\n{mass}}}\n\
              fn force(&self, body: usize, element: usize, absolute: bool, frame: &::rncf::mesh::FrameAction, q: &[f64], v: &[f64], a: &[f64], force: &mut [f64]) {{\n{force}}}\n\
              fn tangent(&self, body: usize, element: usize, absolute: bool, frame: &::rncf::mesh::FrameAction, q: &[f64], v: &[f64], stiffness: &mut [f64], damping: &mut [f64]) {{\n{tangent}}}\n\
              fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {{\nlet mut energy = 0.0;\n{energy}energy\n}}\n\
-             fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]) {{\n{shapes}}}\n"
+             fn shapes(&self, body: usize, of: ::rncf::mesh::Interpolant, order: usize, xi: f64, weights: &mut [f64]) {{\nweights.fill(0.0);\n{shapes}}}\n"
         )
     }
 
@@ -490,6 +485,14 @@ impl Parts<'_> {
             let _ = writeln!(
                 text,
                 "fn {name}(&self, dimension: usize, slope: &[f64], moment: [f64; 3], {argument}: &mut [f64]) {{\nmatch dimension {{\n{arms}_ => {{}}\n}}\n}}"
+            );
+        }
+        if let Some([force, tangent]) = &self.equations.section_moments {
+            let _ = writeln!(
+                text,
+                "fn section_moment(&self, axes: &[f64; 6], moment: [f64; 3], force: &mut [f64; 6]) {{\n{}(axes, moment, force);\n}}\n\
+                 fn section_moment_tangent(&self, axes: &[f64; 6], moment: [f64; 3], tangent: &mut [f64; 36]) {{\n{}(axes, moment, tangent);\n}}",
+                force.name, tangent.name
             );
         }
         text
@@ -533,17 +536,4 @@ impl Parts<'_> {
              fn prescribed(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::mesh::JointData, prescribed: &mut ::rncf::mesh::Prescribed) {{\n{prescribed}}}\n"
         )
     }
-}
-
-/// A property's value, checked when the model is built.
-fn check(property: &Property, kind: &str, owner: &str, value: &str) -> String {
-    let function = match property.range {
-        Range::Positive => "positive",
-        Range::NonNegative => "non_negative",
-        Range::Poisson => "poisson",
-    };
-    format!(
-        "::rncf::mesh::{function}(\"{kind} `{owner}`\", \"{}\", {value}, \"{}\")?",
-        property.name, property.unit
-    )
 }

@@ -1,6 +1,7 @@
 //! The cheapest form of the elastic kernels by counted operations (DESIGN 2: measured limits).
 
-use super::elastic::{Form, Quantity, kernel};
+use super::elastic::{FieldKernels, Form, Quantity, field_kernels, kernel, rules};
+use super::signature::Signature;
 use super::kernel::Kernel;
 use super::variant::Variant;
 use crate::elements::Library;
@@ -24,14 +25,55 @@ pub struct ElasticKernels {
     pub tangent: Kernel,
     /// Energy.
     pub energy: Kernel,
+    /// The kernels at a point that the others call, in the form by fields.
+    pub fields: Option<FieldKernels>,
     /// Values in the stress-free shape, for curved axes, and their number per element.
     pub reference: Option<(Kernel, usize)>,
     /// The choice and what it was made from.
     pub choice: String,
 }
 
+/// From this many nodal vectors on unrolled elements are too long: loops win (DESIGN 2).
+const FIELDS_FROM: usize = 6;
+
+/// The kernels by fields, which an element of many vectors or with several rules has alone.
+fn by_fields(variant: &Variant, library: &Library) -> ElasticKernels {
+    let fields = field_kernels(variant, library);
+    let reference = variant
+        .curved
+        .then(|| kernel(variant, library, Form::Points, Quantity::Reference))
+        .flatten()
+        .map(|kernel| (kernel.outputs.len(), kernel))
+        .map(|(count, kernel)| (kernel, count));
+    let signature = Signature {
+        variant,
+        library,
+        references: reference.as_ref().map_or(0, |(_, count)| *count),
+    };
+    let cost = |quantity| operations(fields.cost(quantity, variant.dimension));
+    let choice = format!(
+        "Form: {} (from {FIELDS_FROM} nodal vectors on; operations of force and tangent: {} and {}).",
+        form_name(Form::Fields),
+        cost(Quantity::Force),
+        cost(Quantity::Tangent),
+    );
+    ElasticKernels {
+        form: Form::Fields,
+        force: signature.by_fields(Quantity::Force, &fields),
+        tangent: signature.by_fields(Quantity::Tangent, &fields),
+        energy: signature.by_fields(Quantity::Energy, &fields),
+        fields: Some(fields),
+        reference,
+        choice,
+    }
+}
+
 /// Derives the kernels in every form and keeps the cheapest, or the one that the user asked for.
 pub fn elastic_kernels(variant: &Variant, library: &Library) -> ElasticKernels {
+    let element = variant.declaration(library);
+    if variant.vectors(library).len() >= FIELDS_FROM || rules(variant, element).len() > 1 {
+        return by_fields(variant, library);
+    }
     let mut candidates = Vec::new();
     for form in [Form::Tensor, Form::Points, Form::Loop] {
         let force = kernel(variant, library, form, Quantity::Force);
@@ -94,6 +136,7 @@ pub fn elastic_kernels(variant: &Variant, library: &Library) -> ElasticKernels {
         force,
         tangent,
         energy,
+        fields: None,
         reference,
         choice,
     }
@@ -104,6 +147,7 @@ fn form_name(form: Form) -> &'static str {
         Form::Tensor => "constant tensor",
         Form::Points => "points unrolled",
         Form::Loop => "loop over points",
+        Form::Fields => "fields at points",
     }
 }
 

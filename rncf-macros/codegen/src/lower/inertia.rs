@@ -5,7 +5,7 @@
 use super::kernel::Kernel;
 use super::signature::Signature;
 use super::variant::Variant;
-use crate::elements::Library;
+use crate::elements::{Interpolant, Library, NodalVector};
 use crate::symbolic::{Graph, Id, linear::Vector};
 
 /// The inertia kernels of a variant.
@@ -21,10 +21,16 @@ pub struct InertiaKernels {
     pub absolute: Kernel,
 }
 
-/// Exact mass matrix of the unit element, `int s_a s_b dxi`, rounded once.
+/// Exact mass matrix of the unit element, `int s_a s_b dxi`, rounded once; zero between vectors of
+/// different interpolants.
 pub fn unit_mass(variant: &Variant, library: &Library) -> Vec<Vec<f64>> {
-    let vectors = variant.declaration(library).vectors;
-    let entry = |a: usize, b: usize| (vectors[a].shape)().product(&(vectors[b].shape)()).integral().to_f64();
+    let vectors = variant.vectors(library);
+    let entry = |a: usize, b: usize| {
+        if vectors[a].of != vectors[b].of {
+            return 0.0;
+        }
+        (vectors[a].shape)().product(&(vectors[b].shape)()).integral().to_f64()
+    };
     (0..vectors.len())
         .map(|a| (0..vectors.len()).map(|b| entry(a, b)).collect())
         .collect()
@@ -96,8 +102,9 @@ pub(super) struct Inertia<'a> {
     /// The graph.
     pub graph: Graph,
     length: Id,
-    /// Mass of the element, kg.
-    pub mass: Id,
+    vectors: Vec<&'static NodalVector>,
+    /// Mass of the element that moves with each interpolant, kg or kg m^2.
+    masses: Vec<(Interpolant, Id)>,
 }
 
 impl<'a> Inertia<'a> {
@@ -105,30 +112,53 @@ impl<'a> Inertia<'a> {
     pub fn new(variant: &'a Variant, library: &'a Library) -> Self {
         let mut graph = Graph::new();
         let length = graph.symbol("length");
-        let density = graph.symbol(variant.declaration(library).inertia[0].coefficient);
-        let mass = graph.multiply(density, length);
-        graph.name(mass, "element_mass");
+        let vectors = variant.vectors(library);
+        let list = variant.declaration(library).inertia.iter();
+        let masses = list.filter(|inertia| vectors.iter().any(|vector| vector.of == inertia.of));
+        let masses = masses.map(|inertia| {
+            let density = graph.symbol(inertia.coefficient);
+            let mass = graph.multiply(density, length);
+            let name = match inertia.of {
+                Interpolant::Position => "element_mass",
+                Interpolant::SectionY => "section_y_mass",
+                Interpolant::SectionZ => "section_z_mass",
+            };
+            (inertia.of, graph.name(mass, name))
+        });
+        let masses = masses.collect();
         Self {
             variant,
             library,
+            vectors,
+            masses,
             graph,
             length,
-            mass,
         }
     }
 
-    /// `l^order` of a nodal vector times the element's mass, one entry of the mass matrix.
+    /// Mass that moves with an interpolant; zero where none is declared.
+    pub fn mass_of(&mut self, of: Interpolant) -> Id {
+        let found = self.masses.iter().find(|(other, _)| *other == of);
+        found.map_or_else(|| self.graph.zero(), |&(_, mass)| mass)
+    }
+
+    /// `l^order` of two nodal vectors times the mass of what they interpolate, one entry of the mass
+    /// matrix; zero between different interpolants.
     pub fn entry(&mut self, unit: &[Vec<f64>], a: usize, b: usize) -> Id {
-        let vectors = self.variant.declaration(self.library).vectors;
-        let power = self
-            .graph
-            .power(self.length, (vectors[a].order + vectors[b].order) as i32);
-        let scale = self.graph.multiply(self.mass, power);
+        let (left, right) = (self.vectors[a], self.vectors[b]);
+        if left.of != right.of {
+            return self.graph.zero();
+        }
+        let power = self.graph.power(self.length, (left.order + right.order) as i32);
+        let mass = self.mass_of(left.of);
+        let scale = self.graph.multiply(mass, power);
         let number = self.graph.number(unit[a][b]);
         let entry = self.graph.multiply(number, scale);
         let (first, second) = (a.min(b), a.max(b));
-        self.graph
-            .name(entry, format!("mass_{}_{}", vectors[first].name, vectors[second].name))
+        self.graph.name(
+            entry,
+            format!("mass_{}_{}", self.vectors[first].name, self.vectors[second].name),
+        )
     }
 
     fn mass(&mut self) -> Vec<(String, Id)> {
@@ -143,12 +173,17 @@ impl<'a> Inertia<'a> {
         outputs
     }
 
-    /// `d^a = int rhoA s_a dx`: first moments of the shape functions, with the exact integral.
+    /// `d^a = int rhoA s_a dx`: first moments of the shape functions of the position, with the exact
+    /// integral; the section's axes have none.
     pub fn moments(&mut self) -> Vec<Id> {
-        let vectors = self.variant.declaration(self.library).vectors;
+        let mass = self.mass_of(Interpolant::Position);
+        let vectors = self.vectors.clone();
         let moments = vectors.iter().map(|vector| {
+            if vector.of != Interpolant::Position {
+                return self.graph.zero();
+            }
             let power = self.graph.power(self.length, vector.order as i32);
-            let scale = self.graph.multiply(self.mass, power);
+            let scale = self.graph.multiply(mass, power);
             let number = self.graph.number((vector.shape)().integral().to_f64());
             let moment = self.graph.multiply(number, scale);
             self.graph.name(moment, format!("moment_{}", vector.name))
@@ -183,7 +218,7 @@ impl<'a> Inertia<'a> {
                 .collect()
         };
         let (spin, spin_rate) = (words(&mut self.graph, "w"), words(&mut self.graph, "dw"));
-        let vectors = self.variant.declaration(self.library).vectors;
+        let vectors = self.vectors.clone();
         let mut total = Vec::new();
         for (index, vector) in vectors.iter().enumerate() {
             let mut sum = accelerations[index].clone();
@@ -198,7 +233,7 @@ impl<'a> Inertia<'a> {
                     sum = self.graph.add_vectors(&sum, &term);
                 }
             }
-            if vector.order == 0 {
+            if vector.of == Interpolant::Position && vector.order == 0 {
                 // The shape functions of positions add up to one, so that d_a e = sum_b M_ab e.
                 sum = self.graph.add_vectors(&sum, &frame);
             }

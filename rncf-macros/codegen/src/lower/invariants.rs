@@ -79,6 +79,11 @@ impl Invariant {
         }
     }
 
+    /// Value for unit vectors that are the same or, where `same` is false, turned by a right angle.
+    pub fn orthonormal(self, same: bool) -> f64 {
+        f64::from(u8::from(same == (self.product == Product::Dot)))
+    }
+
     /// Value.
     pub fn value(self, graph: &mut Graph, vectors: &[Vector]) -> Id {
         product(graph, self.product, &vectors[self.i], &vectors[self.j])

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::kernel::Kernel;
 use super::motions::Time;
-use crate::model::{INERTIAL, Joint, JointKind, Model};
+use crate::model::{Held, INERTIAL, Joint, JointKind, Model};
 use crate::symbolic::{Graph, Id, linear::Vector};
 
 /// The conditions of a joint in one formulation.
@@ -13,7 +13,7 @@ pub struct JointKernels {
     /// Values: position level, and what the rate, acceleration and jerk levels are with the highest
     /// derivative of q set to zero.
     pub levels: [Kernel; 4],
-    /// Derivatives with respect to position and slope.
+    /// Derivatives with respect to the position and the directions after it.
     pub jacobian: Kernel,
     /// What is prescribed where the conditions are eliminated.
     pub prescribed: Kernel,
@@ -24,15 +24,30 @@ pub const LEVELS: [&str; 4] = ["position", "velocity", "acceleration", "jerk"];
 
 struct Conditions<'m> {
     time: Time<'m>,
-    /// Symbols of position and slope, their rates and accelerations.
+    /// Symbols of the position and of the directions after it, their rates and accelerations.
     q: [Vec<Id>; 3],
     rows: Vec<Id>,
-    /// Prescribed position and slope.
-    targets: [Vector; 2],
+    /// Prescribed position and directions.
+    targets: Vec<Vector>,
+}
+
+/// Directions that the conditions of a joint are about, by the names of their constants: the slope, or the
+/// axes of the section where the body has them, each with the vectors across it.
+fn directions(kind: JointKind, has_section: bool, dimension: usize) -> &'static [[&'static str; 3]] {
+    const ALL: [[&str; 3]; 2] = [
+        ["data.tangent", "data.normals[0]", "data.normals[1]"],
+        ["data.second[0]", "data.second[1]", "data.second[2]"],
+    ];
+    let holds_slope = matches!(kind, JointKind::Hold { of: Held::Slope, .. });
+    if has_section && !holds_slope {
+        &ALL[..dimension - 1]
+    } else {
+        &ALL[..1]
+    }
 }
 
 impl<'m> Conditions<'m> {
-    fn new(model: &'m Model, joint: &Joint, absolute: bool) -> Self {
+    fn new(model: &'m Model, joint: &Joint, has_section: bool, absolute: bool) -> Self {
         let mut time = Time::new(model);
         let body = &model.bodies[joint.body.0];
         let (axes, dimension) = (body.space.axes(), body.space.dimension());
@@ -41,10 +56,10 @@ impl<'m> Conditions<'m> {
         let mut symbols =
             |text: &str| -> Vec<Id> { (0..3).map(|i| time.graph.symbol(format!("{text}[{i}]"))).collect() };
         let point = symbols("data.point");
-        let tangent = symbols("data.tangent");
-        let normals = [symbols("data.normals[0]"), symbols("data.normals[1]")];
+        let directions = directions(joint.kind, has_section, dimension);
+        let directions: Vec<[Vec<Id>; 3]> = directions.iter().map(|names| names.map(&mut symbols)).collect();
         let q = ["q", "v", "a"].map(|word| {
-            (0..2 * dimension)
+            (0..(1 + directions.len()) * dimension)
                 .map(|i| time.graph.symbol(format!("{word}[{i}]")))
                 .collect::<Vec<Id>>()
         });
@@ -56,30 +71,37 @@ impl<'m> Conditions<'m> {
         let moved = time.graph.apply(&rotation, &point);
         let moved = time.graph.add_vectors(&offset, &moved);
         let position = pick(&moved);
-        let slope = place(&mut time.graph, &tangent);
-        let mut rows = time.graph.subtract_vectors(&q[0][..dimension], &position);
+        let mut targets = vec![position];
+        for [along, _, _] in &directions {
+            targets.push(place(&mut time.graph, along));
+        }
+        let mut rows = time.graph.subtract_vectors(&q[0][..dimension], &targets[0]);
         match joint.kind {
             JointKind::Pin => {}
             JointKind::Hold { of, axis } => {
-                let order = of.order();
+                let vector = match of {
+                    Held::Position => 0,
+                    Held::Slope | Held::SectionY => 1,
+                    Held::SectionZ => 2,
+                };
                 let held = axes.iter().position(|&other| other == axis).unwrap_or(0);
-                let target = if order == 0 { position[held] } else { slope[held] };
-                rows = vec![time.graph.subtract(q[0][order * dimension + held], target)];
+                let target = targets[vector][held];
+                rows = vec![time.graph.subtract(q[0][vector * dimension + held], target)];
             }
-            JointKind::ClampFull => rows.extend(time.graph.subtract_vectors(&q[0][dimension..], &slope)),
+            JointKind::ClampFull => {
+                let targets = targets[1..].concat();
+                rows.extend(time.graph.subtract_vectors(&q[0][dimension..], &targets));
+            }
             JointKind::Clamp => {
-                for normal in &normals[..dimension - 1] {
-                    let normal = place(&mut time.graph, normal);
-                    rows.push(time.graph.dot(&normal, &q[0][dimension..]));
+                for ([_, first, second], along) in directions.iter().zip(q[0][dimension..].chunks(dimension)) {
+                    for normal in &[first, second][..dimension - 1] {
+                        let normal = place(&mut time.graph, normal);
+                        rows.push(time.graph.dot(&normal, along));
+                    }
                 }
             }
         }
-        Self {
-            time,
-            q,
-            rows,
-            targets: [position, slope],
-        }
+        Self { time, q, rows, targets }
     }
 
     /// Total time derivative along q, v, a; the derivative of a is zero.
@@ -114,12 +136,13 @@ impl<'m> Conditions<'m> {
 }
 
 /// Derives the conditions of a joint for vectors in the body's frame, or in the inertial one.
-pub fn joint_kernels(model: &Model, joint: &Joint, absolute: bool) -> JointKernels {
+/// `has_section`: the body's nodes carry the axes of its section.
+pub fn joint_kernels(model: &Model, joint: &Joint, has_section: bool, absolute: bool) -> JointKernels {
     let suffix = if absolute { "absolute" } else { "referenced" };
     let name = |what: &str| format!("joint_{}_{suffix}_{what}", joint.name);
     let states = ["q: &[f64]", "v: &[f64]", "a: &[f64]", "rows: &mut [f64]"];
     let levels = std::array::from_fn(|level| {
-        let mut conditions = Conditions::new(model, joint, absolute);
+        let mut conditions = Conditions::new(model, joint, has_section, absolute);
         let mut rows = conditions.rows.clone();
         for _ in 0..level {
             rows = conditions.rate(&rows);
@@ -136,7 +159,7 @@ pub fn joint_kernels(model: &Model, joint: &Joint, absolute: bool) -> JointKerne
         conditions.kernel(name(LEVELS[level]), title, outputs, &states)
     });
     let jacobian = {
-        let mut conditions = Conditions::new(model, joint, absolute);
+        let mut conditions = Conditions::new(model, joint, has_section, absolute);
         let (rows, symbols) = (conditions.rows.clone(), conditions.q[0].clone());
         let mut outputs = Vec::new();
         for (row, &id) in rows.iter().enumerate() {
@@ -149,9 +172,12 @@ pub fn joint_kernels(model: &Model, joint: &Joint, absolute: bool) -> JointKerne
         conditions.kernel(name("jacobian"), title, outputs, &["jacobian: &mut [f64]"])
     };
     let prescribed = {
-        let mut conditions = Conditions::new(model, joint, absolute);
+        let mut conditions = Conditions::new(model, joint, has_section, absolute);
         let mut outputs = Vec::new();
-        for (what, mut vector) in ["position", "slope"].into_iter().zip(conditions.targets.clone()) {
+        for (what, mut vector) in ["position", "slope", "second"]
+            .into_iter()
+            .zip(conditions.targets.clone())
+        {
             for level in 0..4 {
                 let place = |(component, &id)| (format!("prescribed.{what}[{level}][{component}]"), id);
                 outputs.extend(vector.iter().enumerate().map(place));

@@ -1,9 +1,9 @@
-//! Loads and outputs as kernels.
+//! Loads, outputs and shape functions as kernels.
 
-use super::kernel::Kernel;
+use super::kernel::{Kernel, derivatives, values};
 use super::motions::Time;
 use super::variant::Variant;
-use crate::elements::Library;
+use crate::elements::{Interpolant, Library};
 use crate::model::{Load, Model, Observable};
 use crate::symbolic::{Graph, Id};
 
@@ -70,33 +70,120 @@ pub fn moment_kernels(dimension: usize) -> [Kernel; 2] {
     })
 }
 
-/// Shape functions of a variant and their derivatives d/dx.
-pub fn shapes_kernel(variant: &Variant, library: &Library) -> Kernel {
+/// Generalised force of a moment on the axes r_y, r_z of a section in space, and its derivative: with b = r_y,
+/// c = r_z, n = b x c and D = n . n the exact virtual work of a section that turns with its axes is
+///
+/// ```text
+/// Q_y = -(M . c) n / D + (M . n) c / (2 D)
+/// Q_z =  (M . b) n / D - (M . n) b / (2 D)      b x Q_y + c x Q_z = M
+/// ```
+pub fn section_moment_kernels() -> [Kernel; 2] {
+    [false, true].map(|tangent| {
+        let mut graph = Graph::new();
+        let axes: Vec<Id> = (0..6).map(|i| graph.symbol(format!("axes[{i}]"))).collect();
+        let moment: Vec<Id> = (0..3).map(|i| graph.symbol(format!("moment[{i}]"))).collect();
+        let (b, c) = axes.split_at(3);
+        let normal = graph.cross(b, c);
+        let square = graph.dot(&normal, &normal);
+        let [along_b, along_c, along_n] = [b, c, &normal].map(|axis| {
+            let part = graph.dot(&moment, axis);
+            graph.divide(part, square)
+        });
+        let half = graph.number(0.5);
+        let twist = graph.multiply(half, along_n);
+        let sum = |graph: &mut Graph, bending: Id, twist: Id, axis: &[Id]| {
+            let (bent, twisted) = (graph.scale(bending, &normal), graph.scale(twist, axis));
+            graph.add_vectors(&bent, &twisted)
+        };
+        let (minus_c, minus_twist) = (graph.negate(along_c), graph.negate(twist));
+        let mut force = sum(&mut graph, minus_c, twist, c);
+        force.extend(sum(&mut graph, along_b, minus_twist, b));
+        let outputs = if tangent {
+            derivatives(&mut graph, &force, &axes, "tangent")
+        } else {
+            values(&force, "force")
+        };
+        let (name, title, last) = if tangent {
+            (
+                "section_moment_tangent",
+                "Adds its derivative with respect to the axes, rows first.",
+                "tangent: &mut [f64; 36]",
+            )
+        } else {
+            (
+                "section_moment",
+                "Adds the generalised force of a moment M on the axes b = r_y and c = r_z of a section: with n = b x c and \
+                 D = n . n, Q_y = -(M . c) n/D + (M . n) c/(2 D), Q_z = (M . b) n/D - (M . n) b/(2 D), so that \
+                 b x Q_y + c x Q_z = M.",
+                "force: &mut [f64; 6]",
+            )
+        };
+        Kernel {
+            name: name.to_string(),
+            doc: vec![title.to_string()],
+            arguments: ["axes: &[f64; 6]", "moment: [f64; 3]", last].map(str::to_string).to_vec(),
+            bindings: Vec::new(),
+            graph,
+            points: None,
+            outputs,
+            assign: false,
+        }
+    })
+}
+
+/// Highest order of the derivatives of an interpolant that are emitted.
+const HIGHEST_ORDER: usize = 2;
+
+/// Weights of the nodal vectors in the derivatives d/dx of orders 0, 1, 2 of every interpolant.
+pub fn shape_kernels(variant: &Variant, library: &Library) -> Vec<(Interpolant, [Kernel; HIGHEST_ORDER + 1])> {
+    let vectors = variant.vectors(library);
+    let all = [Interpolant::Position, Interpolant::SectionY, Interpolant::SectionZ].into_iter();
+    let there = all.filter(|of| vectors.iter().any(|vector| vector.of == *of));
+    there
+        .map(|of| {
+            (
+                of,
+                std::array::from_fn(|order| shape_kernel(variant, library, of, order)),
+            )
+        })
+        .collect()
+}
+
+fn shape_kernel(variant: &Variant, library: &Library, of: Interpolant, order: usize) -> Kernel {
     let mut graph = Graph::new();
     let (length, xi) = (graph.symbol("length"), graph.symbol("xi"));
+    let vectors = variant.vectors(library);
     let mut outputs = Vec::new();
-    for (order, name) in ["values", "slopes"].into_iter().enumerate() {
-        for (index, vector) in variant.declaration(library).vectors.iter().enumerate() {
-            let polynomial = (vector.shape)().derivative(order);
-            let mut sum = graph.zero();
-            for coefficient in polynomial.coefficients().iter().rev() {
-                let number = graph.number(coefficient.to_f64());
-                let product = graph.multiply(sum, xi);
-                sum = graph.add(product, number);
-            }
-            let scale = graph.power(length, vector.order as i32 - order as i32);
-            outputs.push((format!("{name}[{index}]"), graph.multiply(sum, scale)));
+    for (index, vector) in vectors.iter().enumerate().filter(|(_, vector)| vector.of == of) {
+        let polynomial = (vector.shape)().derivative(order);
+        let mut sum = graph.zero();
+        for coefficient in polynomial.coefficients().iter().rev() {
+            let number = graph.number(coefficient.to_f64());
+            let product = graph.multiply(sum, xi);
+            sum = graph.add(product, number);
         }
+        let scale = graph.power(length, vector.order as i32 - order as i32);
+        outputs.push((format!("weights[{index}]"), graph.multiply(sum, scale)));
     }
-    let count = variant.declaration(library).vectors.len();
+    let (word, what) = match of {
+        Interpolant::Position => ("position", "the position"),
+        Interpolant::SectionY => ("section_y", "the section's y axis"),
+        Interpolant::SectionZ => ("section_z", "the section's z axis"),
+    };
+    let derivative = match order {
+        0 => String::new(),
+        1 => "d/dx of ".to_string(),
+        order => format!("d{order}/dx{order} of "),
+    };
     Kernel {
-        name: format!("{}_shapes", variant.name(library)),
-        doc: vec!["Shape functions of the nodal vectors at xi in [0, 1], and their derivatives d/dx.".to_string()],
+        name: format!("{}_shapes_{word}_{order}", variant.name(library)),
+        doc: vec![format!(
+            "Weights of the nodal vectors in {derivative}{what} at xi in [0, 1]; the others are left alone."
+        )],
         arguments: vec![
             "length: f64".to_string(),
             "xi: f64".to_string(),
-            format!("values: &mut [f64; {count}]"),
-            format!("slopes: &mut [f64; {count}]"),
+            format!("weights: &mut [f64; {}]", vectors.len()),
         ],
         bindings: Vec::new(),
         graph,

@@ -5,6 +5,7 @@ pub mod carried;
 pub mod choose;
 pub mod constraints;
 pub mod elastic;
+pub mod field_forces;
 pub mod forces;
 pub mod free;
 pub mod inertia;

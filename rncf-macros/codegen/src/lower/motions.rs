@@ -18,6 +18,8 @@ pub struct Time<'m> {
     /// Arclength of a body's axis.
     pub x: Id,
     params: Vec<Id>,
+    /// Symbols of the components of the strain that have been used.
+    strains: [Option<Id>; 6],
     /// Symbols of what outputs observe, in order of first use.
     pub observed: Vec<(Observable, Id)>,
 }
@@ -43,6 +45,7 @@ impl<'m> Time<'m> {
             t,
             x,
             params,
+            strains: [None; 6],
             observed: Vec::new(),
         }
     }
@@ -50,6 +53,12 @@ impl<'m> Time<'m> {
     /// The symbol of a parameter.
     pub fn param(&self, at: usize) -> Id {
         self.params[at]
+    }
+
+    /// The symbol of a component of the strain.
+    pub fn strain(&mut self, component: usize) -> Id {
+        let graph = &mut self.graph;
+        *self.strains[component].get_or_insert_with(|| graph.symbol(format!("strain[{component}]")))
     }
 
     /// An expression at the model's time.
@@ -68,7 +77,7 @@ impl<'m> Time<'m> {
             Expr::Param(param) => self.params[param.0],
             Expr::Time => t,
             Expr::Arclength => self.x,
-            Expr::Strain(component) => self.graph.symbol(format!("strain[{component}]")),
+            Expr::Strain(component) => self.strain(*component),
             Expr::Motion(motion, argument) => {
                 let argument = self.expression_at(argument, t);
                 let motion = &self.model.motions[motion.0];

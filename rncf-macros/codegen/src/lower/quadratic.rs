@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 
 use super::invariants::{Invariant, Product, invariants};
-use crate::elements::{Density, Element, Invariants, Term};
+use crate::elements::{Density, Element, Field, Interpolant, Invariants, NodalVector, Term};
 use crate::model::Quadrature;
 use crate::symbolic::{Graph, Id};
 use crate::tensors::{Polynomial, Rational, integrate};
@@ -28,9 +28,9 @@ pub struct TensorTerm {
 /// Shape functions of the relative vectors: the position of the first node is the base, other
 /// positions count relative to it and divided by the length, slopes as they are. Strains then
 /// depend on differences only, and every power of the length is a common factor.
-pub fn relative_shapes(element: &Element) -> Vec<(usize, Polynomial)> {
-    let base = base_vector(element);
-    let vectors = element.vectors.iter().enumerate();
+pub fn relative_shapes(vectors: &[&NodalVector]) -> Vec<(usize, Polynomial)> {
+    let base = base_vector(vectors);
+    let vectors = vectors.iter().enumerate();
     vectors
         .filter(|&(index, _)| index != base)
         .map(|(index, vector)| (index, (vector.shape)()))
@@ -38,13 +38,27 @@ pub fn relative_shapes(element: &Element) -> Vec<(usize, Polynomial)> {
 }
 
 /// The nodal vector that positions are taken relative to.
-pub fn base_vector(element: &Element) -> usize {
-    element.vectors.iter().position(|vector| vector.order == 0).unwrap_or(0)
+pub fn base_vector(vectors: &[&NodalVector]) -> usize {
+    vectors.iter().position(|vector| is_position(vector)).unwrap_or(0)
+}
+
+/// Whether a nodal vector is a position, which counts relative to the base.
+pub fn is_position(vector: &NodalVector) -> bool {
+    vector.of == Interpolant::Position && vector.order == 0
+}
+
+/// Power of the length between a field and the same derivative on the unit element, of relative vectors.
+pub fn length_power(field: &Field) -> i32 {
+    i32::from(field.of == Interpolant::Position) - field.order as i32
 }
 
 /// Symbols for the invariants of the fields, as the energy's declaration takes them.
 pub fn field_invariants(graph: &mut Graph, element: &Element, dimension: usize) -> (Invariants, Vec<(Invariant, Id)>) {
-    let count = element.fields.len();
+    let names: Vec<String> = element
+        .fields_in(dimension)
+        .map(|field| field.name.to_string())
+        .collect();
+    let count = names.len();
     let zero = graph.zero();
     let mut fields = Invariants {
         dimension,
@@ -52,7 +66,6 @@ pub fn field_invariants(graph: &mut Graph, element: &Element, dimension: usize) 
         crosses: vec![vec![zero; count]; count],
     };
     let mut symbols = Vec::new();
-    let names: Vec<String> = element.fields.iter().map(|field| field.name.to_string()).collect();
     for invariant in invariants(count, dimension) {
         let symbol = graph.symbol(invariant.name(&names));
         let (i, j) = (invariant.i, invariant.j);
@@ -65,13 +78,17 @@ pub fn field_invariants(graph: &mut Graph, element: &Element, dimension: usize) 
     (fields, symbols)
 }
 
-/// The terms in tensor form, or `None` where a density is not quadratic in the inner products.
+/// The terms in tensor form, or `None` where a density is not quadratic in the inner products, or the
+/// element has a cross-section (with six and more vectors points are cheaper, THEORY 4.3).
 pub fn tensor_terms(
     element: &Element,
     dimension: usize,
     options: &[usize],
     quadrature: Quadrature,
 ) -> Option<Vec<TensorTerm>> {
+    if element.has_section() {
+        return None;
+    }
     let mut graph = Graph::new();
     let (fields, symbols) = field_invariants(&mut graph, element, dimension);
     let terms = (element.energy)(&mut graph, &fields, options);
@@ -122,7 +139,8 @@ fn tensor_term(
         }
     };
     let power_of = |invariant: Invariant| element.fields[invariant.i].order + element.fields[invariant.j].order - 2;
-    let shapes = relative_shapes(element);
+    let vectors: Vec<&NodalVector> = element.vectors_in(dimension).collect();
+    let shapes = relative_shapes(&vectors);
     let relative = invariants(shapes.len(), dimension);
     let mut densities = vec![vec![Polynomial::zero(); relative.len()]; relative.len()];
     let mut power = None;
@@ -215,7 +233,7 @@ mod tests {
     /// The exact tensors against a second evaluation by floating-point Gauss sums, full and reduced.
     #[test]
     fn tensors_equal_floating_point_gauss_sums() {
-        let shapes = relative_shapes(&CABLE);
+        let shapes = relative_shapes(&CABLE.vectors_in(3).collect::<Vec<_>>());
         for (dimension, quadrature, points) in [
             (2, Quadrature::Exact, 5),
             (3, Quadrature::Exact, 5),

@@ -1,6 +1,6 @@
 //! Names, arguments and documentation of the kernels of an element.
 
-use super::elastic::{Form, Quantity, points};
+use super::elastic::{FieldKernels, Form, Quantity, points, rules};
 use super::kernel::{Kernel, PointLoop};
 use super::variant::Variant;
 use crate::elements::Library;
@@ -22,8 +22,8 @@ impl Signature<'_> {
         if coefficients {
             fields.extend(
                 element
-                    .coefficients
-                    .iter()
+                    .coefficients_in(self.variant.dimension, &self.variant.options)
+                    .into_iter()
                     .map(|c| c.name)
                     .filter(|&name| element.inertia.iter().all(|inertia| inertia.coefficient != name)),
             );
@@ -31,7 +31,12 @@ impl Signature<'_> {
                 fields.push("damping");
             }
         } else {
-            fields.extend(element.inertia.iter().map(|inertia| inertia.coefficient));
+            let vectors = self.variant.vectors(self.library);
+            let used = element
+                .inertia
+                .iter()
+                .filter(|inertia| vectors.iter().any(|vector| vector.of == inertia.of));
+            fields.extend(used.map(|inertia| inertia.coefficient));
         }
         let mut bindings = vec![format!("let {} {{ {}, .. }} = *row;", self.row(), fields.join(", "))];
         for (argument, prefix) in states {
@@ -52,6 +57,7 @@ impl Signature<'_> {
         match form {
             Form::Loop => self.references * points(element, self.variant.quadrature),
             Form::Tensor | Form::Points => self.references,
+            Form::Fields => self.references,
         }
     }
 
@@ -119,18 +125,155 @@ impl Signature<'_> {
         }
     }
 
+    /// Wraps the expressions of a kernel of the fields at a point: names of the fields, of their components
+    /// and rates, and how many blocks of stiffness and damping there are.
+    pub fn field_point(
+        &self,
+        points: usize,
+        quantity: Quantity,
+        graph: Graph,
+        outputs: Vec<(String, Id)>,
+        (names, inputs, blocks): (&[&str], [Vec<Vec<String>>; 2], [usize; 2]),
+    ) -> Kernel {
+        let (dimension, count) = (self.variant.dimension, names.len());
+        let with_rates = self.variant.damped && quantity != Quantity::Energy;
+        let mut arguments = vec![format!("row: &{}", self.row())];
+        if self.variant.curved {
+            arguments.push(format!("reference: &[f64; {}]", self.references));
+        }
+        let mut bindings = self.bindings(true, &[]);
+        for (argument, components) in ["fields", "rates"].into_iter().zip(&inputs) {
+            if argument == "fields" || with_rates {
+                arguments.push(format!("{argument}: &[[f64; {dimension}]; {count}]"));
+                let vectors: Vec<String> = components.iter().map(|c| format!("[{}]", c.join(", "))).collect();
+                bindings.push(format!("let [{}] = *{argument};", vectors.join(", ")));
+            }
+        }
+        let matrix = |name: &str, count: usize| format!("{name}: &mut [[f64; {}]; {count}]", dimension * dimension);
+        let (word, what) = match quantity {
+            Quantity::Force => {
+                arguments.push(format!("forces: &mut [[f64; {dimension}]; {count}]"));
+                ("force", "the forces on the fields")
+            }
+            Quantity::Tangent => {
+                arguments.push(matrix("stiffness", blocks[0]));
+                if with_rates {
+                    arguments.push(matrix("damping_matrix", blocks[1]));
+                }
+                ("tangent", "the blocks of the tangent on the fields")
+            }
+            Quantity::Energy | Quantity::Reference => {
+                arguments.push("energy: &mut f64".to_string());
+                ("energy", "the strain energy")
+            }
+        };
+        let name = self.variant.name(self.library);
+        Kernel {
+            name: format!("{name}_points{points}_{word}"),
+            doc: vec![format!(
+                "Writes {what} {} at a point of weight one on the unit element, for the terms that are integrated with \
+                 {points} points; fields are derivatives on the unit element.",
+                names.join(", ")
+            )],
+            arguments,
+            bindings,
+            graph,
+            points: None,
+            outputs,
+            assign: true,
+        }
+    }
+
+    /// A kernel that calls those of the fields at the points.
+    pub fn by_fields(&self, quantity: Quantity, fields: &FieldKernels) -> Kernel {
+        let empty = self.elastic(Form::Fields, quantity, Graph::new(), None, Vec::new());
+        let mut kernel = empty;
+        kernel.doc.push(format!("Operations: {}.", fields.cost(quantity, self.variant.dimension)));
+        kernel.bindings = self.calls(quantity, fields);
+        kernel
+    }
+
+    /// Statements that sum over the points of all rules.
+    fn calls(&self, quantity: Quantity, fields: &FieldKernels) -> Vec<String> {
+        let name = self.variant.name(self.library);
+        let upper = name.to_uppercase();
+        let damped = self.variant.damped && quantity != Quantity::Energy;
+        let dd = self.variant.dimension * self.variant.dimension;
+        let ss = fields.groups.size() * fields.groups.size();
+        let mut out = vec![format!("let vectors = {upper}_VECTORS.relative(row.length, q);")];
+        if damped {
+            out.push(format!("let rates = {upper}_VECTORS.relative(row.length, v);"));
+        }
+        let sums = |name: &str, symmetric: bool| {
+            format!("let mut {name} = [[[0.0; {ss}]; {dd}]; {}];", fields.tiles(symmetric))
+        };
+        match quantity {
+            Quantity::Force => out.push("let mut sums = Default::default();".to_string()),
+            Quantity::Tangent => {
+                out.push(sums("tiles", !damped));
+                if damped {
+                    out.push(sums("viscous", true));
+                }
+            }
+            Quantity::Energy | Quantity::Reference => {}
+        }
+        let mut passed = 0;
+        for rule in &fields.rules {
+            let (at, count) = (format!("{upper}_POINTS{}", rule.points), rule.references);
+            let kernel = |word: &str| format!("{name}_points{}_{word}", rule.points);
+            let reference = if self.variant.curved {
+                format!("::rncf::mesh::array(&reference[{passed} + {count} * point..][..{count}]), ")
+            } else {
+                String::new()
+            };
+            passed += rule.references * rule.points;
+            out.push(match quantity {
+                Quantity::Force => format!(
+                    "{at}.force(&vectors, {}, |point, fields, rates, forces| {}(row, {reference}fields, {}forces), &mut sums);",
+                    if damped { "&rates" } else { "&vectors" },
+                    kernel("force"),
+                    if damped { "rates, " } else { "" },
+                ),
+                Quantity::Tangent if damped => format!(
+                    "{at}.damped_tangent((&vectors, &rates), (&{at}_STIFFNESS, &mut tiles), (&{at}_DAMPING, &mut viscous), \
+                     |point, fields, rates, stiffness, damping_matrix| {}(row, {reference}fields, rates, stiffness, damping_matrix));",
+                    kernel("tangent")
+                ),
+                Quantity::Tangent => format!(
+                    "{at}.tangent(&vectors, (&{at}_STIFFNESS, &mut tiles), \
+                     |point, fields, stiffness| {}(row, {reference}fields, stiffness));",
+                    kernel("tangent")
+                ),
+                Quantity::Energy | Quantity::Reference => format!(
+                    "*energy += {at}.integral(&vectors, |point, fields| {{ let mut density = 0.0; {}(row, {reference}fields, \
+                     &mut density); density }});",
+                    kernel("energy")
+                ),
+            });
+        }
+        match quantity {
+            Quantity::Force => out.push(format!("{upper}_VECTORS.add_force(row.length, &sums, force);")),
+            Quantity::Tangent => {
+                let add = if damped { "add_general" } else { "add_symmetric" };
+                out.push(format!("{upper}_VECTORS.{add}(row.length, &tiles, stiffness);"));
+                if damped {
+                    out.push(format!("{upper}_VECTORS.add_symmetric(row.length, &viscous, damping_matrix);"));
+                }
+            }
+            Quantity::Energy | Quantity::Reference => {}
+        }
+        out
+    }
+
     /// Wraps the expressions of an inertia kernel.
     pub fn inertia(&self, suffix: &str, doc: Vec<String>, graph: Graph, outputs: Vec<(String, Id)>) -> Kernel {
         let size = self.variant.size(self.library);
-        let element = self.variant.declaration(self.library);
         let mut arguments = vec![format!("row: &{}", self.row())];
         let mut bindings = self.bindings(false, &[]);
         let assign = suffix == "mass";
         if assign {
-            arguments.push(format!(
-                "mass: &mut [f64; {}]",
-                element.vectors.len() * element.vectors.len()
-            ));
+            let count = self.variant.vectors(self.library).len();
+            arguments.push(format!("mass: &mut [f64; {}]", count * count));
         } else {
             arguments.push("frame: &::rncf::mesh::FrameAction".to_string());
             bindings.extend(frame_bindings(self.variant.dimension, suffix));
@@ -189,6 +332,10 @@ impl Signature<'_> {
             Form::Tensor => format!("{tensor} integrated with {count} Gauss points, unrolled."),
             Form::Points => format!("{points} {count} Gauss points, unrolled."),
             Form::Loop => format!("{points} {count} Gauss points, in a loop."),
+            Form::Fields => {
+                let rules: Vec<String> = rules(self.variant, element).iter().map(usize::to_string).collect();
+                format!("{points} {} Gauss points, one kernel of the fields at a point for each rule.", rules.join(" and "))
+            }
         }
     }
 }

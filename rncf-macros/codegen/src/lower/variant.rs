@@ -19,7 +19,7 @@ pub struct Variant {
     pub evaluation: Evaluation,
     /// Whether the material has damping that may differ from zero.
     pub damped: bool,
-    /// Whether the stress-free axis is curved.
+    /// Whether the stress-free axis is curved, or its section twisted.
     pub curved: bool,
 }
 
@@ -37,7 +37,7 @@ impl Variant {
             quadrature: body.quadrature,
             evaluation: body.evaluation,
             damped: damping.is_some_and(|value| *value != Expr::Number(0.0)),
-            curved: matches!(body.line, Line::Arc { .. }),
+            curved: matches!(body.line, Line::Arc { .. }) || body.twist != Expr::Number(0.0),
         }
     }
 

@@ -138,6 +138,12 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
             ItemKind::Motion(assignment(cursor)?)
         }
         Keyword::Material => ItemKind::Material(fields(cursor, area, errors)?),
+        Keyword::Section if cursor.is_punct('=') => {
+            ItemKind::NamedSection(assigned_call(cursor, "`circle(..)`, `tube(..)` or `rectangle(..)`")?)
+        }
+        Keyword::Section if cursor.group(Delimiter::Brace).is_none() => {
+            return Err(cursor.expected("`{` and fields, or `=` and a shape such as `circle(radius = 5 mm)`"));
+        }
         Keyword::Section => ItemKind::Section(fields(cursor, area, errors)?),
         Keyword::Joint => ItemKind::Joint(assigned_call(cursor, "`clamp(..)`, `clamp_full(..)` or `pin(..)`")?),
         Keyword::Constraint => ItemKind::Constraint(assignment(cursor)?),
@@ -263,6 +269,8 @@ const STATEMENTS: &[&str] = &[
     "spatial",
     "line",
     "arc",
+    "section_y",
+    "twist",
     "mesh",
     "initial",
     "mean_axes",
@@ -327,6 +335,10 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
             let from = expr::expression(cursor)?;
             cursor.expect_word("direction")?;
             let direction = Box::new(expr::expression(cursor)?);
+            let normal = match cursor.eat_word("normal") {
+                true => Some(Box::new(expr::expression(cursor)?)),
+                false => None,
+            };
             cursor.expect_word("radius")?;
             let radius = Box::new(expr::expression(cursor)?);
             cursor.expect_word("angle")?;
@@ -334,10 +346,19 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
                 area,
                 from,
                 direction,
+                normal,
                 radius,
                 angle: Box::new(expr::expression(cursor)?),
             }
         }
+        "section_y" => Statement::SectionY {
+            area,
+            value: expr::expression(cursor)?,
+        },
+        "twist" => Statement::Twist {
+            area,
+            value: expr::right_side(cursor)?,
+        },
         "initial" => {
             let of = cursor.expect_name("`position` or `velocity`")?;
             if !["position", "velocity"].contains(&of.text.as_str()) {

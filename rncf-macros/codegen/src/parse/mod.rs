@@ -7,8 +7,9 @@
 //!                       | fixture | joint | constraint | spring | load | output | run )
 //! param       = "param" NAME [ ":" "count" ] "=" right ";"
 //! const       = "const" NAME "=" right ";"
-//! material    = "material" NAME fields          // density young poisson damping
-//! section     = "section" NAME fields           // area second_moment
+//! material    = "material" NAME fields          // density young poisson damping yield energy
+//! section     = "section" NAME fields           // area second_moment torsion_constant shear_factor extent_y ..
+//!             | "section" NAME "=" call ";"     // circle(radius = ..), tube(radius = .., thickness = ..), rectangle(y = .., z = ..)
 //! motion      = "motion" NAME "(" "t" ")" "=" right ";"
 //! frame       = "frame" NAME [ "in" FRAME ] "=" call ";"
 //!                   // rotating(axis = x|y|z|vector, angle = expr [, origin = vector])
@@ -23,7 +24,8 @@
 //! statement   = "planar" ( "xy" | "yz" | "zx" ) ";"
 //!             | "spatial" ";"
 //!             | "line" "from" vector "to" vector ";"
-//!             | "arc" "from" vector "direction" vector "radius" expr "angle" expr ";"
+//!             | "arc" "from" vector "direction" vector [ "normal" vector ] "radius" expr "angle" expr ";"
+//!             | "section_y" vector ";" | "twist" right ";"
 //!             | "mean_axes" ";"
 //!             | ( "modal" | "small" ) "(" expr ")" ";" | "rigid" ";"
 //!             | "mesh" primary "*" call ";"     // element(section, material [, option = value])

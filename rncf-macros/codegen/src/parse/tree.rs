@@ -146,6 +146,8 @@ pub enum ItemKind {
     Material(Fields),
     /// `section name { field = value; .. }`
     Section(Fields),
+    /// `section name = circle(..);`
+    NamedSection(Call),
     /// `motion name(t) = value;`
     Motion(Expr),
     /// `frame name [in parent] = call;`
@@ -231,7 +233,7 @@ pub enum Statement {
         /// End.
         to: Expr,
     },
-    /// `arc from a direction d radius r angle phi;`
+    /// `arc from a direction d [normal n] radius r angle phi;`
     Arc {
         /// The word `arc`.
         area: Area,
@@ -239,10 +241,26 @@ pub enum Statement {
         from: Expr,
         /// Tangent at the start.
         direction: Box<Expr>,
+        /// Normal of its plane, where given.
+        normal: Option<Box<Expr>>,
         /// Radius.
         radius: Box<Expr>,
         /// Subtended angle.
         angle: Box<Expr>,
+    },
+    /// `section_y [..];`
+    SectionY {
+        /// The word.
+        area: Area,
+        /// Direction of the section's y axis at the start.
+        value: Expr,
+    },
+    /// `twist 30 deg;`
+    Twist {
+        /// The word.
+        area: Area,
+        /// Angle from the start to the end.
+        value: Expr,
     },
     /// `modal(n);`, `small(n);` or `rigid;`
     Fidelity {

@@ -228,6 +228,7 @@ impl<P: Parts> MeshScene<P> {
                     cross(crate::vector::subtract(z[place], about), pull)
                 }
                 Marker::Turn { .. } => pull,
+                Marker::Constant(_) => [0.0; 3],
                 Marker::Angle { free } => {
                     let frame = &self.free[*free];
                     let turn = frame.directions[frame.angle().unwrap_or(0)].turn;

@@ -1,17 +1,18 @@
 //! Forces on markers, and declared loads where frames are free: the frame feels them, too.
 
+use super::super::frame::FrameMotion;
 use super::super::parts::{LoadKind, Parts};
-use super::super::scene::MeshScene;
+use super::super::scene::{MeshPoint, MeshScene};
 use super::constraints::{block_product, part};
 use super::jets::{Column, Marker};
-use crate::vector::{Vector, cross, dot};
+use crate::vector::{Matrix, Vector, apply, cross, dot};
 
 /// A declared load on a body whose frame is free, or along the axes of a free frame.
 pub(in super::super) struct MarkedLoad {
     /// Load.
     pub load: usize,
-    /// Where it acts: a point, or the slope for a moment.
-    pub marker: Marker,
+    /// What it acts on at its place: the point, or the slope or section's axes for a moment.
+    pub markers: Vec<Marker>,
 }
 
 impl<P: Parts> MeshScene<P> {
@@ -30,10 +31,13 @@ impl<P: Parts> MeshScene<P> {
             }
         }
         for index in 0..self.marked_loads.len() {
-            let force = self.marked_force(index, t, load_scale);
-            let columns = self.columns(&self.marked_loads[index].marker);
-            for column in columns {
-                self.buffers.force[column.component] -= dot(force, column.value);
+            let forces = self.on_markers(index, self.marked_value(index, t, load_scale));
+            for (place, force) in forces.into_iter().enumerate() {
+                let marker = &self.marked_loads[index].markers[place];
+                let force = self.buffers.frames[self.marker_frame(marker)].direction_to_inertial(force);
+                for column in self.columns(marker) {
+                    self.buffers.force[column.component] -= dot(force, column.value);
+                }
             }
         }
     }
@@ -88,101 +92,104 @@ impl<P: Parts> MeshScene<P> {
         }
     }
 
-    /// Components of a marked load in the axes of its marker's frame.
+    /// Frame of the body that a marked load acts on.
+    fn marked_frame(&self, index: usize) -> &FrameMotion {
+        let marker = &self.marked_loads[index].markers[0];
+        &self.buffers.frames[self.marker_frame(marker)]
+    }
+
+    /// Components of a marked load in the axes of its body's frame.
     fn marked_value(&self, index: usize, t: f64, load_scale: f64) -> Vector {
         let marked = &self.marked_loads[index];
-        let frames = &self.buffers.frames;
         let load = self.parts.load(marked.load, t).map(|x| load_scale * x);
-        let inertial = frames[self.loads[marked.load].frame].direction_to_inertial(load);
-        frames[self.marker_frame(&marked.marker)].direction_to_frame(inertial)
+        let inertial = self.buffers.frames[self.loads[marked.load].frame].direction_to_inertial(load);
+        self.marked_frame(index).direction_to_frame(inertial)
     }
 
-    /// Force on the marker in frame axes that a load with these components makes: a moment is one on
-    /// the slope, linear in its components.
-    fn on_marker(&self, index: usize, value: Vector) -> Vector {
+    /// Place and axes of the body that a marked moment acts on; `None` for forces.
+    fn marked_moment(&self, index: usize) -> Option<(&MeshPoint, &'static [usize])> {
         let marked = &self.marked_loads[index];
-        let Some((axes, slope)) = self.marked_slope(index) else {
-            return value;
-        };
-        let mut force = [0.0; 3];
-        self.parts.moment(
-            axes.len(),
-            &slope[..axes.len()],
-            moment_in(axes, value),
-            &mut force[..axes.len()],
-        );
-        self.bodies[self.body_of(&marked.marker)].spread(force)
-    }
-
-    /// Axes and slope (in their order) of the body that a marked moment acts on.
-    fn marked_slope(&self, index: usize) -> Option<(&'static [usize], Vector)> {
-        let marked = &self.marked_loads[index];
-        let LoadKind::Moment { body, .. } = self.loads[marked.load].kind else {
+        let point = self.load_points[marked.load].as_ref()?;
+        let LoadKind::Moment { .. } = self.loads[marked.load].kind else {
             return None;
         };
-        let axes = self.bodies[body].spec.axes;
-        let frame = &self.buffers.frames[self.bodies[body].frame];
-        let inertial = self.jet(&marked.marker)[0];
-        let slope = frame.direction_to_frame(inertial);
-        let mut ordered = [0.0; 3];
-        for (place, &axis) in axes.iter().enumerate() {
-            ordered[place] = slope[axis];
-        }
-        Some((axes, ordered))
+        Some((point, self.bodies[point.body].spec.axes))
     }
 
-    fn body_of(&self, marker: &Marker) -> usize {
-        match marker {
-            Marker::Body { point, .. } => point.body,
-            _ => 0,
-        }
+    /// Forces on the markers in frame axes that a load with these components makes: those of a moment are
+    /// linear in its components.
+    fn on_markers(&self, index: usize, value: Vector) -> Vec<Vector> {
+        let Some((point, axes)) = self.marked_moment(index) else {
+            return vec![value];
+        };
+        let forces = self.moment_at(point, moment_in(axes, value));
+        let count = self.marked_loads[index].markers.len();
+        let vector = |part: &[f64]| {
+            let mut force = [0.0; 3];
+            for (value, &axis) in part.iter().zip(axes) {
+                force[axis] = *value;
+            }
+            force
+        };
+        forces.chunks_exact(axes.len()).take(count).map(vector).collect()
     }
 
-    /// Force on the marker, inertial axes.
-    fn marked_force(&self, index: usize, t: f64, load_scale: f64) -> Vector {
-        let frame = self.marker_frame(&self.marked_loads[index].marker);
-        let force = self.on_marker(index, self.marked_value(index, t, load_scale));
-        self.buffers.frames[frame].direction_to_inertial(force)
+    /// Derivatives of those forces with respect to the markers, frame axes; the forces are objective.
+    fn by_markers(&self, index: usize, value: Vector) -> Vec<Vec<Matrix>> {
+        let count = self.marked_loads[index].markers.len();
+        let mut blocks = vec![vec![[[0.0; 3]; 3]; count]; count];
+        let Some((point, axes)) = self.marked_moment(index) else {
+            return blocks;
+        };
+        let tangent = self.moment_tangent_at(point, moment_in(axes, value));
+        let width = count * axes.len();
+        for (m, row) in blocks.iter_mut().enumerate() {
+            for (n, block) in row.iter_mut().enumerate() {
+                for (i, &first) in axes.iter().enumerate() {
+                    for (j, &second) in axes.iter().enumerate() {
+                        block[first][second] = tangent[(m * axes.len() + i) * width + n * axes.len() + j];
+                    }
+                }
+            }
+        }
+        blocks
     }
 
     fn add_marked_tangent(&self, index: usize, t: f64, load_scale: f64, stiffness: &mut [f64]) {
         let marked = &self.marked_loads[index];
-        let frame = &self.buffers.frames[self.marker_frame(&marked.marker)];
+        let frame = self.marked_frame(index);
         let value = self.marked_value(index, t, load_scale);
-        let force = self.on_marker(index, value);
-        let columns = self.columns(&marked.marker);
-        // The force depends on the slope; its derivative is that in frame axes, since it is objective.
-        let mut by_slope = [[0.0; 3]; 3];
-        if let Some((axes, slope)) = self.marked_slope(index) {
-            let dimension = axes.len();
-            let mut block = [0.0; 9];
-            self.parts.moment_tangent(
-                dimension,
-                &slope[..dimension],
-                moment_in(axes, value),
-                &mut block[..dimension * dimension],
-            );
-            for (i, &row) in axes.iter().enumerate() {
-                for (j, &column) in axes.iter().enumerate() {
-                    by_slope[row][column] = block[i * dimension + j];
-                }
-            }
-        }
+        let (forces, blocks) = (self.on_markers(index, value), self.by_markers(index, value));
+        let columns: Vec<Vec<Column>> = marked.markers.iter().map(|marker| self.columns(marker)).collect();
         let load_frame = self.loads[marked.load].frame;
         let load = self.parts.load(marked.load, t).map(|x| load_scale * x);
-        for i in &columns {
-            let row = frame.direction_to_frame(i.value);
-            for j in &columns {
-                let change = frame.direction_to_frame(j.value);
-                let value = dot(row, crate::vector::apply(&by_slope, change)) + i.second(j, force);
-                self.add_entry(i.component, j.component, -value, stiffness);
-            }
-            if self.free_of[load_frame].is_some() {
-                let axes = &self.buffers.frames[load_frame];
-                for j in self.columns(&Marker::Turn { frame: load_frame }) {
-                    let turned = axes.direction_to_inertial(cross(j.turn(), load));
-                    let change = self.on_marker(index, frame.direction_to_frame(turned));
-                    self.add_entry(i.component, j.component, -dot(row, change), stiffness);
+        let turns = match self.free_of[load_frame] {
+            Some(_) => self.columns(&Marker::Turn { frame: load_frame }),
+            None => Vec::new(),
+        };
+        let axes = &self.buffers.frames[load_frame];
+        let with_load: Vec<(usize, Vec<Vector>)> = turns
+            .iter()
+            .map(|turn| {
+                let turned = axes.direction_to_inertial(cross(turn.turn(), load));
+                (turn.component, self.on_markers(index, frame.direction_to_frame(turned)))
+            })
+            .collect();
+        for (m, rows) in columns.iter().enumerate() {
+            for i in rows {
+                let row = frame.direction_to_frame(i.value);
+                for (n, others) in columns.iter().enumerate() {
+                    for j in others {
+                        let change = frame.direction_to_frame(j.value);
+                        let mut value = dot(row, apply(&blocks[m][n], change));
+                        if m == n {
+                            value += i.second(j, forces[m]);
+                        }
+                        self.add_entry(i.component, j.component, -value, stiffness);
+                    }
+                }
+                for (component, changes) in &with_load {
+                    self.add_entry(i.component, *component, -dot(row, changes[m]), stiffness);
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use super::super::frame::FrameMotion;
 use super::super::parts::Parts;
-use super::super::scene::{MeshPoint, MeshScene};
+use super::super::scene::{MeshPoint, MeshScene, PlaceVector};
 use crate::vector::{Vector, add, apply, cross, dot};
 
 /// A marker with what it needs at run time.
@@ -10,8 +10,10 @@ use crate::vector::{Vector, add, apply, cross, dot};
 pub(in super::super) enum Marker {
     /// Fixed in a frame: a point, else a direction.
     Fixed { frame: usize, at: Vector, is_point: bool },
-    /// A place on a body: its position, else its slope.
-    Body { point: MeshPoint, is_point: bool },
+    /// A vector at a place on a body.
+    Body { point: MeshPoint, of: PlaceVector },
+    /// Numbers that neither change nor depend on anything.
+    Constant(Vector),
     /// The turning of a frame.
     Turn { frame: usize },
     /// The angle of a free frame (index among the free ones).
@@ -23,7 +25,11 @@ impl Marker {
     pub fn is_point(&self) -> bool {
         matches!(
             self,
-            Self::Fixed { is_point: true, .. } | Self::Body { is_point: true, .. }
+            Self::Fixed { is_point: true, .. }
+                | Self::Body {
+                    of: PlaceVector::Position,
+                    ..
+                }
         )
     }
 }
@@ -90,19 +96,19 @@ impl<P: Parts> MeshScene<P> {
             Marker::Fixed { frame, .. } | Marker::Turn { frame } => *frame,
             Marker::Body { point, .. } => self.bodies[point.body].frame,
             Marker::Angle { free } => self.free[*free].spec.frame,
+            Marker::Constant(_) => 0,
         }
     }
 
     /// Vector of a marker in its frame, with derivatives there.
     fn within(&self, marker: &Marker) -> [Vector; 4] {
         match marker {
-            Marker::Fixed { at, .. } => [*at, [0.0; 3], [0.0; 3], [0.0; 3]],
-            Marker::Body { point, is_point } => {
+            Marker::Fixed { at, .. } | Marker::Constant(at) => [*at, [0.0; 3], [0.0; 3], [0.0; 3]],
+            Marker::Body { point, of } => {
                 let buffers = &self.buffers;
-                let weights = if *is_point { &point.values } else { &point.slopes };
                 let full = [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks];
-                let mut jet = full.map(|full| self.at_point(point, weights, full));
-                if *is_point {
+                let mut jet = full.map(|full| self.at_point(point, *of, full));
+                if *of == PlaceVector::Position {
                     jet[0] = add(jet[0], self.bodies[point.body].offset);
                 }
                 jet
@@ -199,9 +205,9 @@ impl<P: Parts> MeshScene<P> {
                 });
             }
         }
-        if let Marker::Body { point, is_point } = marker {
+        if let Marker::Body { point, of } = marker {
             let body = &self.bodies[point.body];
-            let weights = if *is_point { &point.values } else { &point.slopes };
+            let weights = point.weights(*of);
             let dimension = body.spec.dimension();
             for (place, &component) in body.connectivity.element(point.element).iter().enumerate() {
                 let mut within = [0.0; 3];

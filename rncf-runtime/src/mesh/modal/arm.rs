@@ -3,6 +3,7 @@
 use super::invariants::{Action, Invariants, Motion};
 use super::tests::{Cable, element_mass};
 use super::{Elements, picked};
+use crate::mesh::tests::scenery::{NODAL, along_slope};
 use crate::mesh::*;
 use crate::model::{Formulation, Joints};
 use crate::system::ConstraintLevel;
@@ -67,7 +68,8 @@ impl Arm {
         }
         let (mass, whole) = match of {
             Carried::Fixture {
-                constants: [m, s, j], ..
+                constants: [m, s, _, _, j, ..],
+                ..
             } => (vec![m, s, s, j], vec![1.0, 0.0]),
             _ => (element_mass(self.cable.length).concat(), vec![1.0, 0.0, 1.0, 0.0]),
         };
@@ -104,10 +106,12 @@ impl Parts for Arm {
                 to: [1.2, 0.0, 0.0],
             },
             count: COUNT,
-            meanings: &["position", "slope", "position", "slope"],
-            orders: &[0, 1, 0, 1],
+            nodal: &NODAL,
             connectivity: &[0, 1, 2, 3],
             vectors_per_node: 2,
+            stride: 2,
+            section_y: None,
+            twist: 0.0,
             fidelity: self.fidelity,
             mean_axes: false,
         }]
@@ -219,15 +223,51 @@ impl Parts for Arm {
     fn energy(&self, _body: usize, _element: usize, _q: &[f64]) -> f64 {
         0.0
     }
-    fn shapes(&self, _body: usize, x: f64, values: &mut [f64], slopes: &mut [f64]) {
+    fn shapes(&self, _body: usize, _of: Interpolant, order: usize, xi: f64, weights: &mut [f64]) {
         let l = self.cable.length;
-        values.copy_from_slice(&[
-            1.0 - 3.0 * x * x + 2.0 * x * x * x,
-            l * (x - 2.0 * x * x + x * x * x),
-            3.0 * x * x - 2.0 * x * x * x,
-            l * (x * x * x - x * x),
-        ]);
-        slopes.copy_from_slice(&self.cable.slopes(x)[0]);
+        let (x2, x3) = (xi * xi, xi * xi * xi);
+        let rows = [
+            [
+                1.0 - 3.0 * x2 + 2.0 * x3,
+                l * (xi - 2.0 * x2 + x3),
+                3.0 * x2 - 2.0 * x3,
+                l * (x3 - x2),
+            ],
+            [
+                6.0 * (x2 - xi) / l,
+                1.0 - 4.0 * xi + 3.0 * x2,
+                6.0 * (xi - x2) / l,
+                3.0 * x2 - 2.0 * xi,
+            ],
+            [
+                (12.0 * xi - 6.0) / (l * l),
+                (6.0 * xi - 4.0) / l,
+                (6.0 - 12.0 * xi) / (l * l),
+                (6.0 * xi - 2.0) / l,
+            ],
+        ];
+        weights.copy_from_slice(&rows[order]);
+    }
+    fn section(&self, _body: usize) -> SectionSpec {
+        SectionSpec {
+            shape: SectionShape::Circle { radius: 0.05 },
+            area: 8e-3,
+            second_moments: [5e-6, 5e-6],
+            torsion_constant: 1e-5,
+            yield_stress: None,
+            material: "steel",
+        }
+    }
+    fn fields(&self, _body: usize) -> &'static [(Interpolant, usize)] {
+        &[(Interpolant::Position, 1), (Interpolant::Position, 2)]
+    }
+    /// Of the strain energies EA (r_x . r_x - 1)^2 / 8 and EI r_xx . r_xx / 2 per unit length.
+    fn field_forces(&self, _body: usize, _free: &[f64], fields: &[f64], _rates: &[f64], forces: &mut [f64]) {
+        let (slope, bend) = fields.split_at(fields.len() / 2);
+        let strain = 0.5 * (slope.iter().map(|a| a * a).sum::<f64>() - 1.0);
+        let stretch = slope.iter().map(|a| self.cable.axial * strain * a);
+        let all = stretch.chain(bend.iter().map(|b| self.cable.bending * b));
+        forces.iter_mut().zip(all).for_each(|(force, value)| *force = value);
     }
     fn moment(&self, dimension: usize, slope: &[f64], moment: [f64; 3], force: &mut [f64]) {
         // m x s / |s|^2, here at |s| = 1.
@@ -328,7 +368,7 @@ impl Parts for Arm {
             name: "unit",
             body: 0,
             at: Place::End,
-            constants: TIP,
+            constants: along_slope(TIP[0], TIP[1], TIP[2]),
         };
         if self.linked { vec![unit] } else { Vec::new() }
     }
@@ -367,7 +407,8 @@ impl Parts for Arm {
     fn fixture_force(
         &self,
         dimension: usize,
-        constants: [f64; 3],
+        vectors: usize,
+        constants: [f64; 10],
         _absolute: bool,
         frame: &FrameAction,
         q: &[f64],
@@ -375,19 +416,28 @@ impl Parts for Arm {
         a: &[f64],
         force: &mut [f64],
     ) {
-        let inertia = self.inertia(Carried::Fixture { dimension, constants });
+        let inertia = self.inertia(Carried::Fixture {
+            dimension,
+            vectors,
+            constants,
+        });
         inertia.modal_force(&Action::new(frame, dimension), Motion { p: q, v, a }, force);
     }
     fn fixture_tangent(
         &self,
         dimension: usize,
-        constants: [f64; 3],
+        vectors: usize,
+        constants: [f64; 10],
         _absolute: bool,
         frame: &FrameAction,
         stiffness: &mut [f64],
         damping: &mut [f64],
     ) {
-        let inertia = self.inertia(Carried::Fixture { dimension, constants });
+        let inertia = self.inertia(Carried::Fixture {
+            dimension,
+            vectors,
+            constants,
+        });
         inertia.modal_tangent(&Action::new(frame, dimension), stiffness, damping);
     }
     fn marker_constraint(

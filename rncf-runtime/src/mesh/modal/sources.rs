@@ -88,11 +88,11 @@ impl<P: Parts> MeshScene<P> {
         let after = |range: std::ops::Range<usize>| unknowns(range).map(|(unknown, _)| unknown + 1).max();
         let first = after(0..offset).unwrap_or(0);
         let map = components.clone().map(|component| self.layout.unknown(component));
-        let count = spec.orders.len();
+        let count = spec.nodal.len();
         let mut mass = vec![0.0; vectors * vectors];
         let mut fixtures = mass.clone();
         let add = |sum: &mut [f64], element: usize, local: &[f64]| {
-            let place = |a: usize| element * spec.vectors_per_node + spec.connectivity[a];
+            let place = |a: usize| element * spec.stride + spec.connectivity[a];
             for (entry, value) in local.iter().enumerate() {
                 sum[place(entry / count) * vectors + place(entry % count)] += value;
             }
@@ -101,7 +101,7 @@ impl<P: Parts> MeshScene<P> {
         for fixture in self.fixtures.iter().filter(|fixture| fixture.point.body == index) {
             add(&mut fixtures, fixture.point.element, &fixture.mass());
         }
-        let order = |vector: usize| spec.orders[spec.locate(vector).1];
+        let is_position = |vector: usize| spec.nodal[spec.locate(vector).1].is_position();
         let nodal = Nodal {
             name: spec.name.to_string(),
             dimension,
@@ -113,7 +113,7 @@ impl<P: Parts> MeshScene<P> {
             mass,
             fixtures,
             whole: (0..vectors)
-                .map(|vector| if order(vector) == 0 { 1.0 } else { 0.0 })
+                .map(|vector| if is_position(vector) { 1.0 } else { 0.0 })
                 .collect(),
             map: map
                 .map(|entry| entry.map(|(unknown, factor)| (unknown - first, factor)))

@@ -5,7 +5,7 @@ use super::super::parts::{JointKind, LoadKind, LoadSpec, ObservedSpec, Place};
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, MeshScene, When};
 use super::model::{Hand, Law, Quadratic};
 use super::random::Random;
-use super::scenery::{body, everything, free, joint, stone};
+use super::scenery::{along_slope, body, everything, free, hold, joint, stone};
 use crate::linalg::{Lu, Pattern};
 use crate::model::{Formulation, Scene};
 use crate::system::{ConstraintLevel, State, System};
@@ -194,7 +194,7 @@ fn flyer(mean_axes: bool) -> Hand {
         } else {
             vec![
                 joint("step", JointKind::Clamp, 0, false, 1),
-                joint("stay", JointKind::Hold { order: 0, axis: 2 }, 0, true, 1),
+                joint("stay", hold(0, 2), 0, true, 1),
             ]
         },
         bodies: vec![mast],
@@ -265,7 +265,7 @@ fn flyer(mean_axes: bool) -> Hand {
             name: "ball",
             body: 0,
             at: Place::End,
-            constants: [0.4, 0.1, 0.05],
+            constants: along_slope(0.4, 0.1, 0.05),
         }],
         observed: [watch(0, 2), watch(2, 2), watch(7, 2)].concat(),
         ..Hand::default()
@@ -322,7 +322,7 @@ fn planar_flyer() -> Hand {
     frame.motions = Motions::Planar { normal: 2 };
     (frame.velocity, frame.spin) = ([0.3, 0.2, 0.0], [0.0, 0.0, 1.7]);
     hand.joints[0].kind = JointKind::Pin;
-    hand.joints[1].kind = JointKind::Hold { order: 0, axis: 1 };
+    hand.joints[1].kind = hold(0, 1);
     let (spec, rows) = &mut hand.constraints[0];
     spec.rows = &["position x", "position y", "held"];
     let held = Quadratic {

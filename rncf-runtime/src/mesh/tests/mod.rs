@@ -7,5 +7,5 @@ mod levels;
 mod model;
 mod random;
 mod refusals;
-mod scenery;
+pub(super) mod scenery;
 mod uniform;

@@ -2,7 +2,8 @@
 
 use super::super::free::FreeSpec;
 use super::super::parts::{
-    BodySpec, Carried, CarriedTangent, JointData, JointKind, JointSpec, LoadSpec, ObservedSpec, Parts, Prescribed,
+    BodySpec, Carried, CarriedTangent, Interpolant, JointData, JointKind, JointSpec, LoadSpec, ObservedSpec, Parts,
+    Prescribed, SectionShape, SectionSpec,
 };
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, FrameAction, FrameMotion, MarkerSpec, MeshScene};
 use super::inertia::{self, Inertia};
@@ -124,13 +125,15 @@ impl Hand {
     fn with_inertia(&self, of: Carried, run: impl FnOnce(Inertia)) {
         match of {
             Carried::Element { body } => run(self.inertia(&self.masses(body), self.bodies[body].dimension())),
-            Carried::Fixture { dimension, constants } => run(self.inertia(&fixture_mass(constants), dimension)),
+            Carried::Fixture {
+                dimension, constants, ..
+            } => run(self.inertia(&fixture_mass(constants), dimension)),
             Carried::Rigid(_) => {}
         }
     }
 }
 
-fn fixture_mass([mass, first, second]: [f64; 3]) -> [f64; 4] {
+fn fixture_mass([mass, first, _, _, second, ..]: [f64; 10]) -> [f64; 4] {
     [mass, first, first, second]
 }
 
@@ -273,23 +276,53 @@ impl Parts for Hand {
             .map(|(k, form, zero)| 0.5 * k * self.strain(q, &form, zero).0.powi(2))
             .sum()
     }
-    fn shapes(&self, body: usize, xi: f64, values: &mut [f64], slopes: &mut [f64]) {
+    fn shapes(&self, body: usize, _of: Interpolant, order: usize, xi: f64, weights: &mut [f64]) {
         let l = self.lengths[body];
         let (x2, x3) = (xi * xi, xi * xi * xi);
-        let s = [
-            1.0 - 3.0 * x2 + 2.0 * x3,
-            l * (xi - 2.0 * x2 + x3),
-            3.0 * x2 - 2.0 * x3,
-            l * (x3 - x2),
+        let rows = [
+            [
+                1.0 - 3.0 * x2 + 2.0 * x3,
+                l * (xi - 2.0 * x2 + x3),
+                3.0 * x2 - 2.0 * x3,
+                l * (x3 - x2),
+            ],
+            [
+                6.0 * (x2 - xi) / l,
+                1.0 - 4.0 * xi + 3.0 * x2,
+                6.0 * (xi - x2) / l,
+                3.0 * x2 - 2.0 * xi,
+            ],
+            [
+                (12.0 * xi - 6.0) / (l * l),
+                (6.0 * xi - 4.0) / l,
+                (6.0 - 12.0 * xi) / (l * l),
+                (6.0 * xi - 2.0) / l,
+            ],
         ];
-        let d = [
-            6.0 * (x2 - xi) / l,
-            1.0 - 4.0 * xi + 3.0 * x2,
-            6.0 * (xi - x2) / l,
-            3.0 * x2 - 2.0 * xi,
-        ];
-        values.copy_from_slice(&s);
-        slopes.copy_from_slice(&d);
+        weights.copy_from_slice(&rows[order]);
+    }
+    fn section(&self, _body: usize) -> SectionSpec {
+        SectionSpec {
+            shape: SectionShape::Circle { radius: 0.1 },
+            area: 0.03,
+            second_moments: [7e-5, 7e-5],
+            torsion_constant: 1.4e-4,
+            yield_stress: None,
+            material: "rubber",
+        }
+    }
+    fn fields(&self, _body: usize) -> &'static [(Interpolant, usize)] {
+        &[(Interpolant::Position, 1), (Interpolant::Position, 2)]
+    }
+    /// Of the strain energies 3/2 (r_x . r_x - 1)^2 and r_xx . r_xx per unit length.
+    fn field_forces(&self, _body: usize, _free: &[f64], fields: &[f64], _rates: &[f64], forces: &mut [f64]) {
+        let (slope, bend) = fields.split_at(fields.len() / 2);
+        let strain = slope.iter().map(|a| a * a).sum::<f64>() - 1.0;
+        let all = slope
+            .iter()
+            .map(|a| 6.0 * strain * a)
+            .chain(bend.iter().map(|b| 2.0 * b));
+        forces.iter_mut().zip(all).for_each(|(force, value)| *force = value);
     }
     fn moment(&self, dimension: usize, slope: &[f64], moment: [f64; 3], force: &mut [f64]) {
         let [slope, moment] = spread(dimension, slope, moment);
@@ -400,7 +433,8 @@ impl Parts for Hand {
     fn fixture_force(
         &self,
         dimension: usize,
-        constants: [f64; 3],
+        _vectors: usize,
+        constants: [f64; 10],
         absolute: bool,
         frame: &FrameAction,
         q: &[f64],
@@ -415,7 +449,8 @@ impl Parts for Hand {
     fn fixture_tangent(
         &self,
         dimension: usize,
-        constants: [f64; 3],
+        _vectors: usize,
+        constants: [f64; 10],
         _absolute: bool,
         frame: &FrameAction,
         stiffness: &mut [f64],

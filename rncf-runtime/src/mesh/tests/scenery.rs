@@ -1,10 +1,44 @@
 //! A scene by hand with frames of every kind, bodies in them, and everything that acts.
 
 use super::super::free::{FreeSpec, Motions, RigidSpec};
-use super::super::parts::{BodySpec, Fidelity, JointKind, JointSpec, LoadKind, LoadSpec, Place};
+use super::super::parts::{
+    BodySpec, Fidelity, Interpolant, JointKind, JointSpec, LoadKind, LoadSpec, NodalSpec, Place,
+};
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, When};
 use super::model::{Hand, Law, Quadratic};
 use crate::vector::{Vector, scale};
+
+/// Nodal vectors of a centre line with slopes at both ends.
+pub const NODAL: [NodalSpec; 4] = {
+    const fn vector(meaning: &'static str, order: usize, xi: f64) -> NodalSpec {
+        NodalSpec {
+            meaning,
+            of: Interpolant::Position,
+            order,
+            xi,
+        }
+    }
+    [
+        vector("position", 0, 0.0),
+        vector("slope", 1, 0.0),
+        vector("position", 0, 1.0),
+        vector("slope", 1, 1.0),
+    ]
+};
+
+/// Holds one component of a position (0) or slope (1).
+pub fn hold(order: usize, axis: usize) -> JointKind {
+    JointKind::Hold {
+        of: Interpolant::Position,
+        order,
+        axis,
+    }
+}
+
+/// Constants of a fixture with its mass along the slope.
+pub fn along_slope(mass: f64, first: f64, second: f64) -> [f64; 10] {
+    [mass, first, 0.0, 0.0, second, 0.0, 0.0, 0.0, 0.0, 0.0]
+}
 
 /// A body of two elements along a line of its frame.
 pub fn body(name: &'static str, frame: usize, axes: &'static [usize], to: Vector) -> BodySpec {
@@ -14,10 +48,12 @@ pub fn body(name: &'static str, frame: usize, axes: &'static [usize], to: Vector
         axes,
         line: Line::Straight { from: [0.0; 3], to },
         count: 2,
-        meanings: &["position", "slope", "position", "slope"],
-        orders: &[0, 1, 0, 1],
+        nodal: &NODAL,
         connectivity: &[0, 1, 2, 3],
         vectors_per_node: 2,
+        stride: 2,
+        section_y: None,
+        twist: 0.0,
         fidelity: Fidelity::Full,
         mean_axes: false,
     }
@@ -95,9 +131,9 @@ pub fn everything() -> Hand {
         joints: vec![
             joint("step", JointKind::Clamp, 0, false, 3),
             joint("grip", JointKind::Pin, 1, false, 6),
-            joint("rest", JointKind::Hold { order: 0, axis: 1 }, 1, true, 6),
+            joint("rest", hold(0, 1), 1, true, 6),
             joint("root", JointKind::Pin, 2, false, 0),
-            joint("tip", JointKind::Hold { order: 1, axis: 2 }, 2, true, 2),
+            joint("tip", hold(1, 2), 2, true, 2),
         ],
         loads: vec![
             (load("gravity", LoadKind::Gravity, 2), [0.5, -1.0, -3.0]),
@@ -193,19 +229,19 @@ pub fn everything() -> Hand {
                 name: "ball",
                 body: 0,
                 at: Place::End,
-                constants: [0.4, 0.1, 0.05],
+                constants: along_slope(0.4, 0.1, 0.05),
             },
             FixtureSpec {
                 name: "disc",
                 body: 1,
                 at: DEAD,
-                constants: [0.3, -0.1, 0.06],
+                constants: along_slope(0.3, -0.1, 0.06),
             },
             FixtureSpec {
                 name: "lamp",
                 body: 2,
                 at: Place::End,
-                constants: [0.2, 0.05, 0.04],
+                constants: along_slope(0.2, 0.05, 0.04),
             },
         ],
         ..Hand::default()

@@ -2,6 +2,7 @@
 
 use super::model;
 use crate::check::ties::{self, Untied};
+use crate::elements::Library;
 use crate::model::{
     BodyId, Constraint, Expr, Fidelity, FrameId, Free, Held, INERTIAL, Joint, JointKind, Location, Marker, MarkerId,
     Model, Motions, Observable, ParamId,
@@ -166,7 +167,7 @@ fn six_ties_are_counted() {
     use Location::{End, Start};
     let check = |joints: &[(JointKind, Location)]| {
         let model = tied_by(joints);
-        ties::check(&model, model.bodies[0].frame)
+        ties::check(&model, &Library::standard(), model.bodies[0].frame)
     };
     let twice = |tie: &str| Err(Untied::Twice { tie: tie.into() });
     assert_eq!(check(&[(Clamp, Start)]), loose("turning about the x axis"));
@@ -212,7 +213,7 @@ fn planar_ties_are_counted() {
                 point: None,
             });
         }
-        ties::check(&model, flat)
+        ties::check(&model, &Library::standard(), flat)
     };
     assert_eq!(check(&[(Clamp, Location::Start)]), Ok(()));
     assert_eq!(check(&[(Pin, Location::Start)]), loose("turning about the z axis"));
@@ -270,12 +271,12 @@ fn constraints_that_turn_the_frame_count() {
     let mut model = clamped();
     let markers = vec![direction(id, [0.0, 1.0, 0.0]), direction(INERTIAL, [0.0, 0.0, 1.0])];
     constrained(&mut model, markers.clone(), |first| product(first, first + 1), None);
-    assert_eq!(ties::check(&model, id), Ok(()));
+    assert_eq!(ties::check(&model, &Library::standard(), id), Ok(()));
 
     let mut model = clamped();
     constrained(&mut model, markers, |first| product(first, first + 1), Some(BodyId(0)));
     assert_eq!(
-        ties::check(&model, id),
+        ties::check(&model, &Library::standard(), id),
         turning_x,
         "not there where the body is relative"
     );
@@ -284,7 +285,7 @@ fn constraints_that_turn_the_frame_count() {
     let mut model = clamped();
     let markers = vec![direction(id, [1.0, 0.0, 0.0]), direction(INERTIAL, [0.0, 0.0, 1.0])];
     constrained(&mut model, markers, |first| product(first, first + 1), None);
-    assert_eq!(ties::check(&model, id), turning_x);
+    assert_eq!(ties::check(&model, &Library::standard(), id), turning_x);
 
     // Places of the body stay where they are when the frame turns.
     let mut model = clamped();
@@ -293,7 +294,7 @@ fn constraints_that_turn_the_frame_count() {
         at: Location::End,
     };
     constrained(&mut model, vec![end], |first| observed(first, 2), None);
-    assert_eq!(ties::check(&model, id), turning_x);
+    assert_eq!(ties::check(&model, &Library::standard(), id), turning_x);
 
     // Fixed in the frame, and given by other directions at t = 0.
     for (which, want) in [(0, Ok(())), (1, Ok(()))] {
@@ -315,7 +316,7 @@ fn constraints_that_turn_the_frame_count() {
             },
         ];
         constrained(&mut model, markers, |first| product(first + 1, first + 2), None);
-        assert_eq!(ties::check(&model, id), want);
+        assert_eq!(ties::check(&model, &Library::standard(), id), want);
     }
 }
 
@@ -325,11 +326,11 @@ fn angles_count() {
     let mut model = model(FREE);
     let hinge = FrameId(model.frames.iter().position(|frame| frame.name == "hinge").unwrap());
     model.bodies[3].fidelity = Fidelity::Full;
-    assert_eq!(ties::check(&model, hinge), loose("turning about the z axis"));
+    assert_eq!(ties::check(&model, &Library::standard(), hinge), loose("turning about the z axis"));
     let mut driven = model.clone();
     let angle = Marker::Angle { frame: hinge };
     constrained(&mut driven, vec![angle.clone()], |first| observed(first, 0), None);
-    assert_eq!(ties::check(&driven, hinge), Ok(()));
+    assert_eq!(ties::check(&driven, &Library::standard(), hinge), Ok(()));
     model.joints.push(Joint {
         name: "root".into(),
         doc: String::new(),
@@ -339,9 +340,9 @@ fn angles_count() {
         frame: hinge,
         point: None,
     });
-    assert_eq!(ties::check(&model, hinge), Ok(()));
+    assert_eq!(ties::check(&model, &Library::standard(), hinge), Ok(()));
     constrained(&mut model, vec![angle], |first| observed(first, 0), None);
-    assert_eq!(ties::check(&model, hinge), Ok(()));
+    assert_eq!(ties::check(&model, &Library::standard(), hinge), Ok(()));
 }
 
 /// A point mass does not hold the frame that it is fixed to.
@@ -361,10 +362,10 @@ fn mass_without_inertia_needs_ties() {
     free.parts[0].inertia = [0.0; 6].map(Number);
     free.parts[0].center = [0.0; 3].map(Number);
     // Its clamped body leaves the turning about the own axis.
-    assert_eq!(ties::check(&model, arm), loose("turning about the x axis"));
+    assert_eq!(ties::check(&model, &Library::standard(), arm), loose("turning about the x axis"));
     let free = model.frames[arm.0].free.as_mut().unwrap();
     free.parts[0].inertia[0] = Number(1e-6);
-    assert_eq!(ties::check(&model, arm), Ok(()));
+    assert_eq!(ties::check(&model, &Library::standard(), arm), Ok(()));
 }
 
 /// A cable that is tied to its frame by a clamp and by what its end holds.
@@ -400,10 +401,10 @@ fn initial_shapes_are_functions_of_the_arclength() {
 #[test]
 fn ties_are_those_of_the_initial_shape() {
     let bent = model(FLIGHT);
-    assert_eq!(ties::check(&bent, FrameId(1)), Ok(()));
+    assert_eq!(ties::check(&bent, &Library::standard(), FrameId(1)), Ok(()));
     let mut straight = bent;
     straight.bodies[0].initial.position = None;
     // Of a straight body the end's height is fixed by the direction at its start.
     let tie = "twist".to_string();
-    assert_eq!(ties::check(&straight, FrameId(1)), Err(Untied::Twice { tie }));
+    assert_eq!(ties::check(&straight, &Library::standard(), FrameId(1)), Err(Untied::Twice { tie }));
 }

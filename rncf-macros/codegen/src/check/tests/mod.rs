@@ -2,6 +2,7 @@ mod free;
 mod joints;
 mod precedence;
 mod right;
+mod sections;
 mod start;
 mod tied;
 mod truncated;

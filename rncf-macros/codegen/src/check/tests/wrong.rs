@@ -1,9 +1,10 @@
-//! Wrong models, listed in wrong.txt, free.txt and joints.txt: what is underlined, and what is said.
+//! Wrong models, listed in wrong.txt, free.txt, joints.txt and sections.txt: what is underlined, and what is said.
 //!
 //! `BLESS=1 cargo test -p rncf-codegen wrong` rewrites the expectations; read the difference.
 
 use super::free::FREE;
 use super::joints::JOINTS;
+use super::sections::SECTIONS;
 use super::{SPIN_UP, run};
 
 /// The model of a block: the model with snippets exchanged, or a whole one.
@@ -54,6 +55,11 @@ fn wrong_free_frames_say_what_would_be_right() {
 #[test]
 fn wrong_joints_say_what_would_be_right() {
     check(include_str!("joints.txt"), "joints.txt", JOINTS);
+}
+
+#[test]
+fn wrong_sections_say_what_would_be_right() {
+    check(include_str!("sections.txt"), "sections.txt", SECTIONS);
 }
 
 fn check(list: &str, name: &str, model: &str) {

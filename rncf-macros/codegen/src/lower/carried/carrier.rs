@@ -1,7 +1,7 @@
 //! What moves with nodal vectors in a frame: residual, force and moment on the frame, derivatives.
 
 use super::{FrameSymbols, fixture, turns};
-use crate::elements::Library;
+use crate::elements::{Interpolant, Library};
 use crate::lower::inertia::{Inertia, cross, unit_mass};
 use crate::lower::kernel::{block, derivatives};
 use crate::lower::variant::Variant;
@@ -26,8 +26,8 @@ pub(super) struct Carrier {
     moments: Vec<Id>,
     /// M_ab.
     mass: Vec<Vec<Id>>,
-    /// Order of each nodal vector: 0 position, 1 slope.
-    orders: Vec<usize>,
+    /// Whether each nodal vector is a position, on which forces add up.
+    is_place: Vec<bool>,
     /// q, q', q''.
     pub states: [Vec<Vector>; 3],
     frame: FrameSymbols,
@@ -37,7 +37,7 @@ impl Carrier {
     /// An element.
     pub fn element(variant: &Variant, library: &Library) -> Self {
         let mut inertia = Inertia::new(variant, library);
-        let vectors = variant.declaration(library).vectors;
+        let vectors = variant.vectors(library);
         let unit = unit_mass(variant, library);
         let count = unit.len();
         let mass = (0..count).map(|a| (0..count).map(|b| inertia.entry(&unit, a, b)).collect());
@@ -46,22 +46,27 @@ impl Carrier {
         let states = ["", "v_", "a_"].map(|prefix| inertia.symbols(prefix));
         let frame = FrameSymbols::new(&mut inertia.graph, variant.dimension);
         Self {
-            total: inertia.mass,
+            total: inertia.mass_of(Interpolant::Position),
             graph: inertia.graph,
             moments,
             mass,
-            orders: vectors.iter().map(|vector| vector.order).collect(),
+            is_place: vectors
+                .iter()
+                .map(|vector| vector.of == Interpolant::Position && vector.order == 0)
+                .collect(),
             states,
             frame,
         }
     }
 
-    /// Position and slope with m, m1 and m2 (THEORY 5.4).
-    pub fn fixture(dimension: usize) -> Self {
+    /// Position, slope and, with a section, its axes, with mass, first and second moments (THEORY 5.4).
+    pub fn fixture(dimension: usize, vectors: usize) -> Self {
         let mut graph = Graph::new();
-        let [m, m1, m2] = ["m", "m1", "m2"].map(|name| graph.symbol(name));
+        let mass: Vec<Vec<Id>> = (0..vectors)
+            .map(|a| (0..vectors).map(|b| graph.symbol(fixture::constant(a, b))).collect())
+            .collect();
         let states = ["", "v_", "a_"].map(|prefix| {
-            fixture::names(dimension, prefix)
+            fixture::names(dimension, vectors, prefix)
                 .chunks(dimension)
                 .map(|names| names.iter().map(|name| graph.symbol(name.as_str())).collect())
                 .collect()
@@ -69,10 +74,10 @@ impl Carrier {
         let frame = FrameSymbols::new(&mut graph, dimension);
         Self {
             graph,
-            total: m,
-            moments: vec![m, m1],
-            mass: vec![vec![m, m1], vec![m1, m2]],
-            orders: vec![0, 1],
+            total: mass[0][0],
+            moments: mass[0].clone(),
+            mass,
+            is_place: (0..vectors).map(|vector| vector == 0).collect(),
             states,
             frame,
         }
@@ -85,7 +90,7 @@ impl Carrier {
 
     /// Components of all nodal vectors.
     pub fn size(&self) -> usize {
-        self.orders.len() * self.dimension()
+        self.is_place.len() * self.dimension()
     }
 
     /// Relative, Coriolis, Euler and centrifugal acceleration of every nodal vector.
@@ -176,7 +181,7 @@ impl Carrier {
                 cross(graph, &self.frame.spin, &inner),
             ];
             let row = terms.iter().fold(relative, |sum, term| graph.add_vectors(&sum, term));
-            if self.orders[a] == 0 {
+            if self.is_place[a] {
                 force = graph.add_vectors(&force, &row);
             }
             let part = moment(graph, place, &row);

@@ -1,6 +1,7 @@
 //! Elastic kernels of an element: force, tangent, energy and reference values, as a constant tensor
 //! or by integration points, unrolled or in a loop.
 
+mod fields;
 mod nodal;
 mod points;
 mod stress;
@@ -8,10 +9,12 @@ mod tensor;
 
 use std::collections::HashMap;
 
-use crate::elements::{Element, Library};
+pub use fields::{FieldBlocks, FieldKernels, FieldRule, Groups, field_kernels};
+
+use crate::elements::{Element, Field, Library, NodalVector};
 use crate::lower::invariants::{Blocks, Invariant};
 use crate::lower::kernel::{Kernel, PointLoop};
-use crate::lower::quadratic::base_vector;
+use crate::lower::quadratic::{base_vector, is_position};
 use crate::lower::signature::Signature;
 use crate::lower::variant::Variant;
 use crate::model::Quadrature;
@@ -26,6 +29,8 @@ pub enum Form {
     Points,
     /// Integration points in a loop.
     Loop,
+    /// Integration points in a loop of the runtime, unrolled at one point as functions of the fields.
+    Fields,
 }
 
 /// What a kernel computes.
@@ -49,8 +54,23 @@ pub fn points(element: &Element, quadrature: Quadrature) -> usize {
     }
 }
 
+/// Numbers of integration points that the terms of the energy ask for, each once, in the order of the terms.
+pub fn rules(variant: &Variant, element: &Element) -> Vec<usize> {
+    let default = points(element, variant.quadrature);
+    let (_, terms) = element.terms_in(variant.dimension, &variant.options);
+    let mut rules = Vec::new();
+    for term in terms {
+        let points = term.points.unwrap_or(default);
+        if !rules.contains(&points) {
+            rules.push(points);
+        }
+    }
+    rules
+}
+
 /// The kernel of one quantity in one form; `None` where the form does not exist (a tensor of an
-/// energy that is not quadratic).
+/// energy that is not quadratic; one loop over points of several rules; the form by
+/// fields, see [`field_kernels`]).
 pub fn kernel(variant: &Variant, library: &Library, form: Form, quantity: Quantity) -> Option<Kernel> {
     // Reference values are computed once, so that nothing is gained by a loop.
     let form = if (form, quantity) == (Form::Loop, Quantity::Reference) {
@@ -58,10 +78,14 @@ pub fn kernel(variant: &Variant, library: &Library, form: Form, quantity: Quanti
     } else {
         form
     };
+    if form == Form::Loop && rules(variant, variant.declaration(library)).len() > 1 {
+        return None;
+    }
     let mut builder = Builder::new(variant, library, form, quantity);
     match form {
         Form::Tensor => builder.tensor()?,
         Form::Points | Form::Loop => builder.points(),
+        Form::Fields => return None,
     }
     Some(builder.finish())
 }
@@ -79,6 +103,9 @@ struct Builder<'a> {
     variant: &'a Variant,
     library: &'a Library,
     element: &'a Element,
+    /// Nodal vectors and fields in the plane or in space.
+    nodal: Vec<&'static NodalVector>,
+    declared: Vec<&'static Field>,
     form: Form,
     quantity: Quantity,
     graph: Graph,
@@ -94,6 +121,10 @@ struct Builder<'a> {
     viscosity: Option<Blocks>,
     energy: Id,
     references: Vec<Id>,
+    /// Number of points of the rule whose terms are integrated.
+    rule: usize,
+    /// Measures at the points before.
+    passed: usize,
     points: Option<PointLoop>,
 }
 
@@ -115,6 +146,8 @@ impl<'a> Builder<'a> {
             variant,
             library,
             element,
+            nodal: variant.vectors(library),
+            declared: element.fields_in(variant.dimension).collect(),
             form,
             quantity,
             inverse_length,
@@ -128,6 +161,8 @@ impl<'a> Builder<'a> {
             viscosity: None,
             energy: graph.zero(),
             references: Vec::new(),
+            rule: 0,
+            passed: 0,
             points: None,
             graph,
         };
@@ -145,13 +180,13 @@ impl<'a> Builder<'a> {
             .iter()
             .map(|list| list.iter().map(|name| self.graph.symbol(name.clone())).collect())
             .collect();
-        let base = base_vector(self.element);
+        let base = base_vector(&self.nodal);
         let mut relative = Vec::new();
-        for (index, vector) in self.element.vectors.iter().enumerate() {
+        for (index, vector) in self.nodal.iter().enumerate() {
             if index == base {
                 continue;
             }
-            if vector.order == 0 {
+            if is_position(vector) {
                 let difference = self.graph.subtract_vectors(&nodal[index], &nodal[base]);
                 let scaled = self.graph.scale(self.inverse_length, &difference);
                 for (c, &id) in scaled.iter().enumerate() {
@@ -167,16 +202,11 @@ impl<'a> Builder<'a> {
 
     /// Names of the relative vectors for documentation and variables.
     fn relative_names(&self) -> Vec<String> {
-        let base = base_vector(self.element);
-        let vectors = self
-            .element
-            .vectors
-            .iter()
-            .enumerate()
-            .filter(|&(index, _)| index != base);
+        let base = base_vector(&self.nodal);
+        let vectors = self.nodal.iter().enumerate().filter(|&(index, _)| index != base);
         vectors
             .map(|(_, vector)| {
-                if vector.order == 0 {
+                if is_position(vector) {
                     "d".to_string()
                 } else {
                     vector.name.to_string()

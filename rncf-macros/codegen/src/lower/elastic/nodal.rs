@@ -2,18 +2,18 @@
 
 use super::Builder;
 use crate::lower::invariants::Blocks;
-use crate::lower::quadratic::base_vector;
+use crate::lower::quadratic::{base_vector, is_position};
 use crate::symbolic::Id;
 
 impl Builder<'_> {
     /// For every nodal vector the relative vectors that it moves and the factor.
     fn nodal_map(&mut self) -> Vec<Vec<(usize, Id)>> {
-        let base = base_vector(self.element);
-        let relative: Vec<usize> = (0..self.element.vectors.len()).filter(|&index| index != base).collect();
-        let mut map = vec![Vec::new(); self.element.vectors.len()];
+        let base = base_vector(&self.nodal);
+        let relative: Vec<usize> = (0..self.nodal.len()).filter(|&index| index != base).collect();
+        let mut map = vec![Vec::new(); self.nodal.len()];
         let minus = self.graph.negate(self.inverse_length);
         for (place, &index) in relative.iter().enumerate() {
-            if self.element.vectors[index].order == 0 {
+            if is_position(self.nodal[index]) {
                 map[index].push((place, self.inverse_length));
                 map[base].push((place, minus));
             } else {

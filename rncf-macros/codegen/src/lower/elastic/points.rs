@@ -2,12 +2,12 @@
 
 use std::collections::HashMap;
 
-use super::{Builder, Form, Quantity, points};
+use super::{Builder, Form, Quantity, rules};
 use crate::lower::invariants::{Blocks, Response, mirror, zero_blocks};
 use crate::lower::kernel::PointLoop;
-use crate::lower::quadratic::relative_shapes;
+use crate::lower::quadratic::{length_power, relative_shapes};
 use crate::symbolic::{Graph, Id, linear::Vector};
-use crate::tensors::{Rule, gauss_rule};
+use crate::tensors::gauss_rule;
 
 /// What one point adds.
 struct Contribution {
@@ -19,41 +19,32 @@ struct Contribution {
 
 impl Builder<'_> {
     pub(super) fn points(&mut self) {
-        let rule = gauss_rule(points(self.element, self.variant.quadrature));
-        let shapes = relative_shapes(self.element);
-        // table[point] = weight, then for each field the shape derivatives of the relative vectors.
-        let row = |rule: &Rule, point: usize| {
-            let mut row = vec![rule.weights[point]];
-            for field in self.element.fields {
-                row.extend(
-                    shapes
-                        .iter()
-                        .map(|(_, shape)| shape.derivative(field.order).at(rule.points[point])),
-                );
-            }
-            row
-        };
-        let table: Vec<Vec<f64>> = (0..rule.points.len()).map(|point| row(&rule, point)).collect();
         self.start_sums();
+        let rules = rules(self.variant, self.element);
         if self.form == Form::Points {
-            for (point, row) in table.iter().enumerate() {
-                let row: Vec<Id> = row.iter().map(|&value| self.graph.number(value)).collect();
-                let partial = self.point(&row, point);
-                self.add_point(partial);
+            for &points in &rules {
+                self.rule = points;
+                for row in self.table(points) {
+                    let row: Vec<Id> = row.iter().map(|&value| self.graph.number(value)).collect();
+                    let partial = self.point(&row);
+                    self.add_point(partial);
+                }
             }
             return;
         }
+        self.rule = rules[0];
+        let table = self.table(rules[0]);
         let row: Vec<Id> = (0..table[0].len())
             .map(|k| self.graph.symbol(format!("table[{k}]")))
             .collect();
-        let partial = self.point(&row, 0);
+        let partial = self.point(&row);
         let mut varying = row;
         if self.quantity != Quantity::Reference {
             varying.extend(self.references.iter().copied());
         }
         let names = self.relative_names();
         let mut columns = vec!["weight".to_string()];
-        for field in self.element.fields {
+        for field in &self.declared {
             columns.extend(names.iter().map(|name| format!("{}[{name}]", field.name)));
         }
         self.points = Some(PointLoop {
@@ -66,6 +57,26 @@ impl Builder<'_> {
         self.add_point(partial);
     }
 
+    /// For each point its weight, then for each field the shape derivatives of the relative vectors.
+    fn table(&self, points: usize) -> Vec<Vec<f64>> {
+        let rule = gauss_rule(points);
+        let shapes = relative_shapes(&self.nodal);
+        let row = |point: usize| {
+            let mut row = vec![rule.weights[point]];
+            for field in &self.declared {
+                row.extend(shapes.iter().map(|(index, shape)| {
+                    if self.nodal[*index].of == field.of {
+                        shape.derivative(field.order).at(rule.points[point])
+                    } else {
+                        0.0
+                    }
+                }));
+            }
+            row
+        };
+        (0..points).map(row).collect()
+    }
+
     fn start_sums(&mut self) {
         let (count, dimension) = (self.vectors.len(), self.variant.dimension);
         self.force = vec![vec![self.graph.zero(); dimension]; count];
@@ -76,7 +87,7 @@ impl Builder<'_> {
     }
 
     /// Contribution of one point: fields, stress, and its projection on the relative vectors.
-    fn point(&mut self, row: &[Id], point: usize) -> Contribution {
+    fn point(&mut self, row: &[Id]) -> Contribution {
         let count = self.vectors.len();
         let weight = self.graph.multiply(row[0], self.length);
         let shape = |field: usize, vector: usize| row[1 + field * count + vector];
@@ -87,7 +98,7 @@ impl Builder<'_> {
         } else {
             self.fields(&rates, &shape, "v_")
         };
-        let state = self.field_state(&fields, &field_rates, point, weight);
+        let state = self.field_state(&fields, &field_rates, weight);
         let response = Response {
             invariants: &state.invariants,
             stress: &state.stress,
@@ -129,13 +140,14 @@ impl Builder<'_> {
     /// Fields `r_x, r_xx, ..` at a point from relative vectors.
     fn fields(&mut self, vectors: &[Vector], shape: &impl Fn(usize, usize) -> Id, prefix: &str) -> Vec<Vector> {
         let mut fields = Vec::new();
-        for (index, field) in self.element.fields.iter().enumerate() {
+        let declared = self.declared.clone();
+        for (index, field) in declared.into_iter().enumerate() {
             let mut sum = vec![self.graph.zero(); self.variant.dimension];
             for (place, vector) in vectors.iter().enumerate() {
                 let term = self.graph.scale(shape(index, place), vector);
                 sum = self.graph.add_vectors(&sum, &term);
             }
-            let scale = self.length_power(1 - field.order as i32);
+            let scale = self.length_power(length_power(field));
             let scaled = self.graph.scale(scale, &sum);
             for (c, &id) in scaled.iter().enumerate() {
                 if self.form == Form::Loop {
@@ -149,10 +161,10 @@ impl Builder<'_> {
     }
 
     /// Powers of the length that belong to the fields, applied to forces on them.
-    fn scale_by_order(&mut self, force: Vec<Vector>) -> Vec<Vector> {
+    pub(super) fn scale_by_order(&mut self, force: Vec<Vector>) -> Vec<Vector> {
         let mut scaled = Vec::new();
-        for (field, force) in self.element.fields.iter().zip(force) {
-            let scale = self.length_power(1 - field.order as i32);
+        for (field, force) in self.declared.clone().into_iter().zip(force) {
+            let scale = self.length_power(length_power(field));
             scaled.push(self.graph.scale(scale, &force));
         }
         scaled
@@ -161,14 +173,14 @@ impl Builder<'_> {
     /// Blocks on fields projected on relative vectors.
     fn project(&mut self, blocks: &Blocks, shape: &impl Fn(usize, usize) -> Id, symmetric: bool) -> Blocks {
         let (count, dimension) = (self.vectors.len(), self.variant.dimension);
-        let fields = self.element.fields.len();
+        let fields = self.declared.len();
         let mut result = zero_blocks(&mut self.graph, count, dimension);
         for f in 0..fields {
             // half[j] = sum_g l^.. block(f, g) shape(g, j)
             let mut half = vec![vec![vec![self.graph.zero(); dimension]; dimension]; count];
             for g in 0..fields {
-                let orders = self.element.fields[f].order + self.element.fields[g].order;
-                let scale = self.length_power(2 - orders as i32);
+                let power = length_power(self.declared[f]) + length_power(self.declared[g]);
+                let scale = self.length_power(power);
                 for r in 0..dimension {
                     for c in 0..dimension {
                         let entry = self.graph.multiply(scale, blocks[f][g][r][c]);

@@ -3,10 +3,10 @@
 
 use std::collections::HashMap;
 
-use super::{Builder, Form, Quantity, State};
+use super::{Builder, Form, Quantity, State, points};
 use crate::elements::{Density, Term};
 use crate::lower::invariants::Invariant;
-use crate::lower::quadratic::field_invariants;
+use crate::lower::quadratic::{field_invariants, length_power};
 use crate::symbolic::{Id, linear::Vector};
 
 /// Symbols of a point and what they stand for.
@@ -30,8 +30,10 @@ struct Response {
 
 impl Builder<'_> {
     /// Stress on the invariants of the fields, times the weight.
-    pub(super) fn field_state(&mut self, fields: &[Vector], rates: &[Vector], point: usize, weight: Id) -> State {
-        let (symbols, terms) = self.point_symbols(fields, rates);
+    pub(super) fn field_state(&mut self, fields: &[Vector], rates: &[Vector], weight: Id) -> State {
+        let (symbols, mut terms) = self.point_symbols(fields, rates);
+        let default = points(self.element, self.variant.quadrature);
+        terms.retain(|term| term.points.unwrap_or(default) == self.rule);
         if self.quantity == Quantity::Reference {
             self.add_references(&symbols, &terms);
         }
@@ -53,7 +55,7 @@ impl Builder<'_> {
                         .position(|other| std::ptr::eq(*other, term))
                         .unwrap_or(0);
                     let reference = if self.variant.curved && self.quantity != Quantity::Reference {
-                        self.point_reference(measures.len(), index, point)
+                        self.point_reference(measures.len(), index)
                     } else {
                         self.graph.substitute(measure, &symbols.straight)
                     };
@@ -62,11 +64,13 @@ impl Builder<'_> {
                 Density::Energy(density) => self.add_energy(&symbols, density, factor, &mut response),
             }
         }
+        self.passed += measures.len();
         self.replace(&symbols, &response)
     }
 
     fn point_symbols(&mut self, fields: &[Vector], rates: &[Vector]) -> (Symbols, Vec<Term>) {
         let (element, graph) = (self.element, &mut self.graph);
+        let is_unit = |field: usize| length_power(self.declared[field]) == 0;
         let (declared, list) = field_invariants(graph, element, self.variant.dimension);
         let terms = (element.energy)(graph, &declared, &self.variant.options);
         let mut symbols = Symbols {
@@ -84,9 +88,13 @@ impl Builder<'_> {
                     .real
                     .insert(symbols.rates[place], invariant.rate(graph, fields, rates));
             }
-            // Of a straight axis only the tangent differs from zero.
-            let tangents = element.fields[invariant.i].order == 1 && element.fields[invariant.j].order == 1;
-            let value = if tangents { invariant.straight() } else { 0.0 };
+            // Of a straight, untwisted body the tangent and the directors alone differ from zero.
+            let (i, j) = (self.declared[invariant.i].of, self.declared[invariant.j].of);
+            let value = if is_unit(invariant.i) && is_unit(invariant.j) {
+                invariant.orthonormal(i == j)
+            } else {
+                0.0
+            };
             symbols.straight.insert(symbol, graph.number(value));
         }
         (symbols, terms)
@@ -103,9 +111,9 @@ impl Builder<'_> {
     }
 
     /// Reference value of measure `index` at a point.
-    fn point_reference(&mut self, measures: usize, index: usize, point: usize) -> Id {
-        if self.form == Form::Points {
-            return self.reference_symbol(point * measures + index);
+    fn point_reference(&mut self, measures: usize, index: usize) -> Id {
+        if self.form != Form::Loop {
+            return self.reference_symbol(self.passed + index);
         }
         while self.references.len() <= index {
             let next = self.references.len();

@@ -96,7 +96,7 @@ fn elements() {
 #[test]
 fn fixtures() {
     for dimension in [2, 3] {
-        let kernels = fixture_kernels(dimension);
+        let kernels = fixture_kernels(dimension, 2);
         let mut inputs = Inputs::new();
         fill(&kernels.referenced, &mut inputs, &mut Random(6));
         let states = ["", "v_", "a_"].map(|prefix| {

@@ -58,7 +58,7 @@ fn third_derivatives_of_frames() {
 #[test]
 fn third_derivatives_of_what_joints_prescribe() {
     let model = swinging();
-    let kernel = joint_kernels(&model, &model.joints[0], true).prescribed;
+    let kernel = joint_kernels(&model, &model.joints[0], false, true).prescribed;
     let mut inputs = Inputs::new();
     fill(&kernel, &mut inputs, &mut Random(9));
     for what in ["position", "slope"] {

@@ -1,0 +1,282 @@
+//! Stress-free axes of bodies, and how their sections lie along them.
+
+use super::body::Known;
+use super::expr::Scope;
+use super::plane::{AXES, is_zero, normal, plane};
+use super::quantity::{Vector, Wanted};
+use super::start::{cross, norm};
+use super::{Check, fold, say};
+use crate::elements::Element;
+use crate::errors::Area;
+use crate::joints::algebra;
+use crate::model::{Expr as Value, Line, Space};
+use crate::parse::tree::{Expr, Item, Statement};
+
+const FROM: Wanted = Wanted {
+    what: "the start of the axis",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+const TO: Wanted = Wanted {
+    what: "the end of the axis",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+const RADIUS: Wanted = Wanted {
+    what: "the radius",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+const NORMAL: Wanted = Wanted {
+    what: "the normal of an arc",
+    dimension: [0; 6],
+    unit: "1",
+};
+const SECTION_Y: Wanted = Wanted {
+    what: "the section's y axis",
+    dimension: [0; 6],
+    unit: "1",
+};
+const DIRECTION: Wanted = Wanted {
+    what: "a direction",
+    dimension: [0; 6],
+    unit: "1",
+};
+
+/// Sine of the angle below which two directions count as parallel.
+const PARALLEL: f64 = 1e-6;
+
+/// How the section of a body lies along its axis.
+pub struct SectionAxes {
+    /// Direction of its y axis at the start, where given.
+    pub y: Option<[Value; 3]>,
+    /// Angle from the start to the end, rad.
+    pub twist: Value,
+}
+
+impl<'a> Check<'a> {
+    pub(super) fn line(&mut self, item: &Item, statements: &'a [Statement], complete: bool, known: &mut Known) -> Option<Line> {
+        let missing = "its stress-free axis: `line from [..] m to [..] m;` or `arc ..;`";
+        let statement = self.single(
+            item,
+            statements,
+            complete,
+            "`line` or `arc`",
+            missing,
+            |statement| match statement {
+                Statement::Line { area, .. } | Statement::Arc { area, .. } => Some(*area),
+                _ => None,
+            },
+        )?;
+        match statement {
+            Statement::Line { area, from, to } => self.straight(*area, from, to, known),
+            Statement::Arc { .. } => self.arc(statement, known),
+            _ => None,
+        }
+    }
+
+    fn straight(&mut self, area: Area, from: &'a Expr, to: &'a Expr, known: &mut Known) -> Option<Line> {
+        let from_vector = self.vector(from, Scope::Parameter, FROM);
+        let to_vector = self.vector(to, Scope::Parameter, TO);
+        let (from_vector, to_vector) = (from_vector?, to_vector?);
+        for vector in [&from_vector, &to_vector] {
+            self.in_space(vector, known.space, "the axis");
+        }
+        if let (Some(a), Some(b)) = (from_vector.constant(), to_vector.constant()) {
+            let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+            let length = d[0].hypot(d[1]).hypot(d[2]);
+            if !(length > 0.0 && length.is_finite()) {
+                self.errors.at(area.to(to.area), say::ZERO_LENGTH);
+                return None;
+            }
+            known.length = Some(length);
+            known.tangent = Some(d.map(|x| x / length));
+        }
+        Some(Line::Straight {
+            from: from_vector.values,
+            to: to_vector.values,
+        })
+    }
+
+    fn in_space(&mut self, vector: &Vector, space: Option<Space>, what: &str) {
+        if let Some(space) = space {
+            self.in_plane(vector, space, what, true);
+        }
+    }
+
+    fn arc(&mut self, statement: &'a Statement, known: &mut Known) -> Option<Line> {
+        let Statement::Arc {
+            from,
+            direction,
+            normal: declared,
+            radius,
+            angle,
+            ..
+        } = statement
+        else {
+            return None;
+        };
+        let from = self.vector(from, Scope::Parameter, FROM);
+        let direction_vector = self.vector(direction, Scope::Parameter, DIRECTION);
+        let normal = self.arc_normal(declared.as_deref(), known.space);
+        let radius_value = self.quantity(radius, Scope::Parameter, RADIUS);
+        let angle_value = self.angle(angle, Scope::Parameter, "the angle of an arc");
+        let radius_constant = radius_value.as_ref().and_then(fold::constant);
+        let angle_constant = angle_value.as_ref().and_then(fold::constant);
+        if radius_constant.is_some_and(|radius| radius.is_nan() || radius <= 0.0) {
+            self.errors.at(radius.area, say::positive("the radius"));
+        }
+        if angle_constant == Some(0.0) {
+            self.errors.at(angle.area, say::ZERO_ANGLE);
+        }
+        let (from, direction_vector) = (from?, direction_vector?);
+        if is_zero(&direction_vector.values) {
+            self.errors.at(direction.area, say::ZERO_DIRECTION);
+        } else if let (Some(normal), Some(declared)) = (&normal, declared)
+            && is_along(normal, &direction_vector.values)
+        {
+            self.errors.at(declared.area, say::NORMAL_ALONG);
+        }
+        self.in_space(&from, known.space, "the axis");
+        self.in_space(&direction_vector, known.space, "the direction");
+        known.length = radius_constant
+            .zip(angle_constant)
+            .map(|(radius, angle)| (radius * angle).abs());
+        Some(Line::Arc {
+            from: from.values,
+            direction: direction_vector.values,
+            normal: normal?,
+            radius: radius_value?,
+            angle: angle_value?,
+        })
+    }
+
+
+    /// The normal of an arc's plane: that of the body's plane, or what is declared.
+    fn arc_normal(&mut self, declared: Option<&'a Expr>, space: Option<Space>) -> Option<[Value; 3]> {
+        let own = space.and_then(normal);
+        let axis = |normal: usize| std::array::from_fn(|axis| Value::Number(f64::from(u8::from(axis == normal))));
+        let Some(expr) = declared else {
+            // That it is missing in space is reported with the element.
+            return Some(axis(own.unwrap_or(2)));
+        };
+        if let Some(own) = own {
+            self.errors
+                .at(expr.area, say::normal_in_plane(plane(own), AXES[own]));
+            return Some(axis(own));
+        }
+        let vector = self.vector(expr, Scope::Parameter, NORMAL)?;
+        if is_zero(&vector.values) {
+            self.errors.at(expr.area, say::ZERO_DIRECTION);
+            return None;
+        }
+        Some(vector.values)
+    }
+
+    /// An arc in space: its element must be able to be curved there, and its plane be known.
+    pub(super) fn curved_in_space(&mut self, element: &Element, statements: &[Statement], space: Option<Space>) {
+        if space != Some(Space::Spatial) {
+            return;
+        }
+        for statement in statements {
+            let Statement::Arc { area, normal, .. } = statement else {
+                continue;
+            };
+            match (element.curved_in_space, normal) {
+                (Some(refusal), _) => self.errors.at(*area, refusal),
+                (None, None) => self.errors.at(*area, say::MISSING_NORMAL),
+                (None, Some(_)) => {}
+            }
+        }
+    }
+
+    /// `section_y [..];` and `twist ..;`, for elements with a section in space; `None`: reported.
+    pub(super) fn section_axes(
+        &mut self,
+        statements: &'a [Statement],
+        space: Option<Space>,
+        line: Option<&Line>,
+    ) -> Option<SectionAxes> {
+        let mut axes = SectionAxes {
+            y: None,
+            twist: Value::Number(0.0),
+        };
+        let mut is_whole = true;
+        let mut lines: [Option<usize>; 2] = [None, None];
+        for statement in statements {
+            let (which, area, value) = match statement {
+                Statement::SectionY { area, value } => (0, *area, value),
+                Statement::Twist { area, value } => (1, *area, value),
+                _ => continue,
+            };
+            let word = ["section_y", "twist"][which];
+            if let Some(line) = lines[which] {
+                let message = say::duplicate_statement(&format!("`{word}`"), &line.to_string());
+                self.errors.at(area, message);
+                is_whole = false;
+                continue;
+            }
+            lines[which] = Some(area.line());
+            is_whole &= self.may_lie(statements, word, area, space);
+            if which == 1 {
+                match self.angle(value, Scope::Parameter, "the twist") {
+                    Some(twist) => axes.twist = twist,
+                    None => is_whole = false,
+                }
+                continue;
+            }
+            axes.y = self.section_y(value, line);
+            is_whole &= axes.y.is_some();
+        }
+        is_whole.then_some(axes)
+    }
+
+    fn section_y(&mut self, value: &'a Expr, line: Option<&Line>) -> Option<[Value; 3]> {
+        let vector = self.vector(value, Scope::Parameter, SECTION_Y)?;
+        let tangent = line.map(|line| match line {
+            Line::Straight { from, to } => {
+                std::array::from_fn(|axis| algebra::subtract(to[axis].clone(), from[axis].clone()))
+            }
+            Line::Arc { direction, .. } => direction.clone(),
+        });
+        let message = if is_zero(&vector.values) {
+            say::ZERO_DIRECTION
+        } else if tangent.is_some_and(|tangent| is_along(&vector.values, &tangent)) {
+            say::SECTION_Y_ALONG
+        } else {
+            return Some(vector.values);
+        };
+        self.errors.at(value.area, message);
+        None
+    }
+
+    /// Only sections in space can be turned about the axis.
+    fn may_lie(&mut self, statements: &[Statement], word: &str, area: Area, space: Option<Space>) -> bool {
+        let element = statements.iter().find_map(|statement| match statement {
+            Statement::Mesh { element, .. } => Some(element.name.text.as_str()),
+            _ => None,
+        });
+        let known = element.and_then(|name| Some((name, self.library.find(name)?)));
+        let message = match (known, space) {
+            (Some((name, id)), _) if !self.library.elements[id].has_section() => {
+                say::no_section_axes(name, word)
+            }
+            (_, Some(Space::Planar { .. })) => say::section_in_plane(word),
+            _ => return true,
+        };
+        self.errors.at(area, message);
+        false
+    }
+}
+
+/// Whether two constant vectors are parallel.
+fn is_along(a: &[Value; 3], b: &[Value; 3]) -> bool {
+    let constant = |vector: &[Value; 3]| -> Option<[f64; 3]> {
+        let [x, y, z] = vector.each_ref().map(fold::constant);
+        Some([x?, y?, z?])
+    };
+    let (Some(a), Some(b)) = (constant(a), constant(b)) else {
+        return false;
+    };
+    norm(cross(a, b)) <= PARALLEL * norm(a) * norm(b)
+}

@@ -1,0 +1,311 @@
+//! Sections: a block of properties, or a shape that has all of them.
+
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+use super::expr::Scope;
+use super::quantity::Wanted;
+use super::{Arguments, Check, Shape, fold, say};
+use crate::errors::Area;
+use crate::joints::algebra::{add, call, divide, multiply, number, subtract};
+use crate::model::{Binary, Comparison, Expr as Value, Function, SectionShape};
+use crate::parse::tree::{Call, Fields, Item, ItemKind, Keyword};
+use crate::suggest;
+use crate::vocabulary::{BOTH_AXES, Property, SECTION, SIZES};
+
+/// What is known of a section.
+#[derive(Clone, Debug, Default)]
+pub struct Section {
+    pub shape: SectionShape,
+    /// By their vocabulary names; of a circle or tube without shear factors, which depend on the material.
+    pub properties: BTreeMap<&'static str, Value>,
+    /// Whether all of it could be read: only then something can be missing.
+    pub is_whole: bool,
+}
+
+impl Section {
+    /// A property of a section of this material; `None` where it is not known.
+    pub fn property(&self, name: &str, poisson: Option<&Value>) -> Option<Value> {
+        if let Some(value) = self.properties.get(name) {
+            return Some(value.clone());
+        }
+        if !["shear_factor_y", "shear_factor_z"].contains(&name) {
+            return None;
+        }
+        let factor = match &self.shape {
+            SectionShape::General { .. } => return None,
+            SectionShape::Rectangle { .. } => number(5.0 / 6.0),
+            SectionShape::Circle { .. } => shear_factor(poisson?, &number(0.0)),
+            SectionShape::Tube { radius, .. } => {
+                let inner = self.properties.get("inner_radius")?;
+                shear_factor(poisson?, &square(&divide(inner.clone(), radius.clone())))
+            }
+        };
+        Some(folded(factor))
+    }
+
+    /// Whether the shear factors depend on Poisson's ratio.
+    pub fn needs_poisson(&self) -> bool {
+        matches!(self.shape, SectionShape::Circle { .. } | SectionShape::Tube { .. })
+    }
+}
+
+/// The shapes and their arguments: the size that is asked for, and its name as a property.
+const KINDS: &[(&str, &[(&str, &str)], &str)] = &[
+    ("circle", &[("radius", "radius")], "circle(radius = 5 mm)"),
+    (
+        "tube",
+        &[("radius", "radius"), ("thickness", "thickness")],
+        "tube(radius = 50 mm, thickness = 2 mm)",
+    ),
+    (
+        "rectangle",
+        &[("y", "size_y"), ("z", "size_z")],
+        "rectangle(y = 20 mm, z = 5 mm)",
+    ),
+];
+
+impl<'a> Check<'a> {
+    /// Checks all sections, also those that nothing uses.
+    pub(super) fn sections(&mut self) {
+        for item in self.items(Keyword::Section) {
+            let section = match &item.kind {
+                ItemKind::Section(fields) => Some(self.block(item, fields)),
+                ItemKind::NamedSection(call) => self.named_section(call),
+                _ => None,
+            };
+            if let Some(section) = section {
+                self.sections.insert(item.name.text.as_str(), section);
+            }
+        }
+    }
+
+    /// `section odd { area = ..; .. }`
+    fn block(&mut self, item: &Item, fields: &'a Fields) -> Section {
+        let vocabulary = || SECTION.iter().filter(|property| !SIZES.contains(&property.name));
+        let words = vocabulary().map(|property| property.name).chain(["shear_factor"]);
+        let (values, is_whole) = self.property_fields(item, fields, words.collect(), |word| property(word));
+        let mut section = Section {
+            is_whole,
+            ..Section::default()
+        };
+        for (name, (value, area)) in &values {
+            match BOTH_AXES.iter().find(|(word, _)| *word == *name) {
+                Some((_, axes)) => {
+                    if let Some(other) = axes.iter().find(|axis| values.contains_key(*axis)) {
+                        self.errors.at(*area, say::sets_both(name, other));
+                        section.is_whole = false;
+                    }
+                    section.properties.extend(axes.map(|axis| (axis, value.clone())));
+                }
+                None => drop(section.properties.insert(name, value.clone())),
+            }
+        }
+        let extent = |name| section.properties.get(name).cloned();
+        section.shape = SectionShape::General {
+            extent: ["extent_y", "extent_z"].map(extent),
+        };
+        section
+    }
+
+    /// `section shaft = circle(radius = 50 mm);`
+    fn named_section(&mut self, call: &'a Call) -> Option<Section> {
+        let word = call.name.text.as_str();
+        let Some((_, sizes, usage)) = KINDS.iter().find(|(kind, ..)| *kind == word) else {
+            let kinds = KINDS.iter().map(|(kind, ..)| *kind);
+            let message = suggest::unknown("shape of a section", word, kinds);
+            self.errors.at(call.name.span, message);
+            return None;
+        };
+        let named: &'static [&'static str] = match sizes {
+            [_] => &["radius"],
+            [("y", _), _] => &["y", "z"],
+            _ => &["radius", "thickness"],
+        };
+        let shape = Shape {
+            positional: 0,
+            named,
+            required: named,
+            usage,
+        };
+        let arguments = self.arguments(call, &shape)?;
+        let mut values = BTreeMap::new();
+        let mut is_whole = true;
+        for (argument, name) in *sizes {
+            match self.size(&arguments, argument, name) {
+                Some(value) => drop(values.insert(*name, value)),
+                None => is_whole = false,
+            }
+        }
+        if !is_whole {
+            return None;
+        }
+        let size = |name: &str| values[name].clone();
+        let shape = match word {
+            "circle" => SectionShape::Circle { radius: size("radius") },
+            "rectangle" => SectionShape::Rectangle {
+                sizes: [size("size_y"), size("size_z")],
+            },
+            _ => SectionShape::Tube {
+                radius: size("radius"),
+                thickness: size("thickness"),
+            },
+        };
+        if let SectionShape::Tube { radius, thickness } = &shape {
+            let inner = folded(subtract(radius.clone(), thickness.clone()));
+            if fold::constant(&inner).is_some_and(|inner| inner.is_nan() || inner <= 0.0) {
+                let area = arguments.named.get("thickness").map_or(call.area, |expr| expr.area);
+                self.errors.at(area, say::THICKNESS);
+                return None;
+            }
+            values.insert("inner_radius", inner);
+        }
+        values.extend(of_shape(&shape).into_iter().map(|(name, value)| (name, folded(value))));
+        Some(Section {
+            shape,
+            properties: values,
+            is_whole: true,
+        })
+    }
+
+    fn size(&mut self, arguments: &Arguments<'a>, argument: &'static str, name: &str) -> Option<Value> {
+        let expr = *arguments.named.get(argument)?;
+        let wanted = Wanted {
+            what: match argument {
+                "radius" => "the radius",
+                "thickness" => "the thickness",
+                "y" => "the size along y",
+                _ => "the size along z",
+            },
+            dimension: [1, 0, 0, 0, 0, 0],
+            unit: "m",
+        };
+        let value = self.quantity(expr, Scope::Parameter, wanted)?;
+        let property = property(name)?;
+        match fold::constant(&value) {
+            Some(constant) => self
+                .range(wanted.what, property.range, constant, expr.area)
+                .then_some(value),
+            None => Some(value),
+        }
+    }
+
+    /// The second moment of an element that bends alike in all directions: in a plane with the section's y
+    /// axis in it, in space that of both axes.
+    pub(super) fn one_moment(
+        &mut self,
+        section: &Section,
+        (name, element): (&str, &str),
+        is_planar: bool,
+        area: Area,
+    ) -> Option<Value> {
+        let [y, z] = ["second_moment_y", "second_moment_z"].map(|name| section.properties.get(name));
+        if is_planar {
+            return z.cloned();
+        }
+        let (y, z) = (y?, z?);
+        if y != z {
+            self.errors.at(area, say::unequal_moments(name, element));
+        }
+        Some(z.clone())
+    }
+}
+
+/// A property of a section, or one that stands for both axes.
+fn property(word: &str) -> Option<&'static Property> {
+    let axis = BOTH_AXES.iter().find(|(name, _)| *name == word).map(|(_, [y, _])| *y);
+    SECTION
+        .iter()
+        .find(|property| property.name == word)
+        .or_else(|| SECTION.iter().find(|property| Some(property.name) == axis))
+}
+
+/// A number where it is one.
+fn folded(value: Value) -> Value {
+    fold::constant(&value).map_or(value, Value::Number)
+}
+
+fn square(value: &Value) -> Value {
+    power(value, 2.0)
+}
+
+fn power(value: &Value, exponent: f64) -> Value {
+    Value::Power(Box::new(value.clone()), Box::new(number(exponent)))
+}
+
+fn product(factors: impl IntoIterator<Item = Value>) -> Value {
+    factors.into_iter().fold(number(1.0), multiply)
+}
+
+/// Area, second moments and torsion constant of a shape.
+fn of_shape(shape: &SectionShape) -> Vec<(&'static str, Value)> {
+    let (area, [y, z], torsion) = match shape {
+        SectionShape::General { .. } => return Vec::new(),
+        SectionShape::Circle { radius } => {
+            let area = product([number(PI), square(radius)]);
+            let quarter = product([number(PI / 4.0), power(radius, 4.0)]);
+            let torsion = product([number(PI / 2.0), power(radius, 4.0)]);
+            (area, [quarter.clone(), quarter], torsion)
+        }
+        SectionShape::Tube { radius, thickness } => {
+            let inner = subtract(radius.clone(), thickness.clone());
+            // pi (R^2 - r^2) without the difference of squares, which loses digits where the wall is thin.
+            let area = product([number(PI), thickness.clone(), add(radius.clone(), inner.clone())]);
+            let squares = add(square(radius), square(&inner));
+            let half = product([area.clone(), divide(squares, number(2.0))]);
+            let quarter = divide(half.clone(), number(2.0));
+            (area, [quarter.clone(), quarter], half)
+        }
+        SectionShape::Rectangle { sizes: [y, z] } => {
+            let cubed = |along: &Value, across: &Value| divide(product([across.clone(), power(along, 3.0)]), number(12.0));
+            let area = product([y.clone(), z.clone()]);
+            let torsion = Value::If(
+                Comparison::Less,
+                Box::new(y.clone()),
+                Box::new(z.clone()),
+                Box::new(rectangle_torsion(z, y)),
+                Box::new(rectangle_torsion(y, z)),
+            );
+            (area, [cubed(z, y), cubed(y, z)], torsion)
+        }
+    };
+    vec![
+        ("area", area),
+        ("second_moment_y", y),
+        ("second_moment_z", z),
+        ("torsion_constant", torsion),
+    ]
+}
+
+/// Torsion constant of a rectangle with the sides a >= b (Saint-Venant's series):
+/// `a b^3 (1/3 - 64/pi^5 b/a sum over odd n of tanh(n pi a / 2 b) / n^5)`.
+///
+/// With `tanh x = 1 - 2 / (e^2x + 1)` the sum is `31/32 zeta(5)` less terms of which two are enough for a
+/// relative error below 1e-9.
+fn rectangle_torsion(a: &Value, b: &Value) -> Value {
+    const ALL: f64 = 1.004_523_762_795_139_6;
+    let ratio = divide(a.clone(), b.clone());
+    let rest = |n: f64| {
+        let growth = call(Function::Exp, multiply(number(n * PI), ratio.clone()));
+        divide(number(2.0 / n.powi(5)), add(growth, number(1.0)))
+    };
+    let sum = subtract(number(ALL), add(rest(1.0), rest(3.0)));
+    let series = divide(product([number(64.0 / PI.powi(5)), sum]), ratio.clone());
+    product([a.clone(), power(b, 3.0), subtract(number(1.0 / 3.0), series)])
+}
+
+/// Cowper's shear factor of a circular tube with the square m of the ratio of its radii; 0 of a full circle:
+/// `6 (1 + nu) (1 + m)^2 / ((7 + 6 nu) (1 + m)^2 + (20 + 12 nu) m)`.
+fn shear_factor(poisson: &Value, squared_ratio: &Value) -> Value {
+    let linear = |constant: f64, slope: f64| add(number(constant), multiply(number(slope), poisson.clone()));
+    let whole = match squared_ratio {
+        Value::Number(0.0) => number(1.0),
+        other => square(&add(number(1.0), other.clone())),
+    };
+    let above = product([linear(6.0, 6.0), whole.clone()]);
+    let below = add(
+        product([linear(7.0, 6.0), whole]),
+        product([linear(20.0, 12.0), squared_ratio.clone()]),
+    );
+    Value::Binary(Binary::Divide, Box::new(above), Box::new(below))
+}

@@ -1,0 +1,60 @@
+//! The constants of an element in the form by fields: its vectors, rules and blocks.
+
+use super::number::number;
+use crate::lower::elastic::{FieldBlocks, FieldKernels, FieldRule};
+
+/// Statics `{NAME}_VECTORS`, and for each rule `{NAME}_POINTS{n}`, `.._STIFFNESS`, `.._DAMPING`.
+pub fn tables(name: &str, dimension: usize, fields: &FieldKernels) -> String {
+    let name = name.to_uppercase();
+    let groups = &fields.groups;
+    let (count, size, vectors) = (groups.of.len(), groups.size(), groups.positions.len());
+    let filled = |group: &Vec<usize>| -> Vec<usize> {
+        let missing = std::iter::repeat_n(vectors, size - group.len());
+        group.iter().copied().chain(missing).collect()
+    };
+    let nodal: Vec<Vec<usize>> = groups.nodal.iter().map(filled).collect();
+    let is_position = |&nodal: &usize| groups.positions.get(nodal).copied().unwrap_or(false);
+    let positions: Vec<Vec<bool>> = nodal.iter().map(|group| group.iter().map(is_position).collect()).collect();
+    let mut text = format!(
+        "/// Nodal vectors by what they interpolate: {}.\n\
+         static {name}_VECTORS: ::rncf::mesh::Vectors<{vectors}, {dimension}, {count}, {size}> = ::rncf::mesh::Vectors {{\n\
+         base: {}, nodal: {nodal:?}, positions: {positions:?} }};\n",
+        groups.of.iter().map(|of| format!("{of:?}")).collect::<Vec<_>>().join(", "),
+        groups.base,
+    );
+    for rule in &fields.rules {
+        text += &rule_table(&name, size, rule);
+    }
+    text
+}
+
+fn rule_table(name: &str, size: usize, rule: &FieldRule) -> String {
+    let (points, fields) = (rule.points, rule.fields.len());
+    let list = |values: &[f64]| format!("[{}]", values.iter().map(|&value| number(value)).collect::<Vec<_>>().join(", "));
+    let point = |shapes: &Vec<Vec<f64>>| {
+        let fields: Vec<String> = shapes.iter().map(|values| list(values)).collect();
+        format!("[{}]", fields.join(", "))
+    };
+    let shapes: Vec<String> = rule.shapes.iter().map(point).collect();
+    let mut text = format!(
+        "/// Gauss rule with {points} points, and derivatives of the shape functions there.\n\
+         static {name}_POINTS{points}: ::rncf::mesh::Rule<{points}, {fields}, {size}> = ::rncf::mesh::Rule {{\n\
+         groups: {:?}, weights: {}, shapes: [{}] }};\n",
+        rule.groups,
+        list(&rule.weights),
+        shapes.join(",\n"),
+    );
+    let blocks = [("STIFFNESS", Some(&rule.stiffness)), ("DAMPING", rule.damping.as_ref())];
+    for (word, blocks) in blocks {
+        if let Some(FieldBlocks { pairs, tiles }) = blocks {
+            text += &format!(
+                "/// Blocks that the tangent's kernel writes, by pairs of fields.\n\
+                 static {name}_POINTS{points}_{word}: ::rncf::mesh::Blocks<{points}, {}, {}> =\n\
+                 {name}_POINTS{points}.blocks(&{pairs:?}, &{tiles:?});\n",
+                size * size,
+                pairs.len(),
+            );
+        }
+    }
+    text
+}

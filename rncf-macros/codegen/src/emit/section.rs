@@ -1,0 +1,149 @@
+//! The methods of `Parts` for cross-sections: properties of bodies, and the forces on their fields.
+
+use std::fmt::Write;
+
+use super::parts::Parts;
+use crate::elements::Coefficient;
+use crate::model::{Body, Expr, SectionShape};
+use crate::vocabulary::{DERIVED, Derived, MATERIAL, Property, Range, SECTION};
+
+/// Variable with a property's value.
+fn variable(name: &str) -> &str {
+    // `yield` is a word of Rust.
+    if name == "yield" { "yield_stress" } else { name }
+}
+
+/// Whether a body has a property, or those that it follows from.
+fn has(body: &Body, name: &str) -> bool {
+    let derived = DERIVED.iter().find(|derived| derived.name == name);
+    let from = |derived: &Derived| derived.from.iter().all(|name| body.properties.contains_key(name));
+    body.properties.contains_key(name) || derived.is_some_and(from)
+}
+
+/// What a model without bodies says of their sections.
+const NO_SECTION: &str = "::rncf::mesh::SectionSpec { shape: ::rncf::mesh::SectionShape::General { extent: [None, None] }, \
+                          area: 0.0, second_moments: [0.0; 2], torsion_constant: 0.0, yield_stress: None, material: \"\" }\n";
+
+impl Parts<'_> {
+    /// Statements that bind the properties of a body, each checked, and those that its coefficients derive.
+    pub fn properties(&self, body: &Body) -> String {
+        let mut text = String::new();
+        let vocabularies = [
+            (MATERIAL, "material", &body.material_name),
+            (SECTION, "section", &body.section_name),
+        ];
+        for (vocabulary, kind, owner) in vocabularies {
+            for property in vocabulary {
+                if let Some(value) = body.properties.get(property.name) {
+                    let value = check(property, kind, owner, &self.expr(value));
+                    let _ = writeln!(text, "let {} = {value};", variable(property.name));
+                }
+            }
+        }
+        let element = &self.library.elements[body.element.0];
+        let coefficients = element.coefficients_in(body.space.dimension(), &body.options);
+        for derived in DERIVED {
+            let used = coefficients
+                .iter()
+                .any(|coefficient| coefficient.factors.contains(&derived.name));
+            if used && has(body, derived.name) {
+                let _ = writeln!(text, "let {} = {};", derived.name, derived.value);
+            }
+        }
+        text
+    }
+
+    /// Constants of a body's sections, its fields, and the forces on them.
+    pub fn sections(&self) -> String {
+        let section = self.by_body(|_, body| self.section(body));
+        let fields = self.by_body(|_, body| {
+            let element = &self.library.elements[body.element.0];
+            let fields = element.fields_in(body.space.dimension());
+            let fields: Vec<String> = fields
+                .map(|field| format!("(::rncf::mesh::Interpolant::{:?}, {})", field.of, field.order))
+                .collect();
+            format!("&[{}]", fields.join(", "))
+        });
+        let forces = self.by_body(|index, body| {
+            let variant = self.variant(index);
+            let array = "::rncf::mesh::array";
+            let rates = if variant.variant.damped {
+                format!("{array}(rates), ")
+            } else {
+                String::new()
+            };
+            format!(
+                "{}(&self.row_{}, {array}(stress_free), {array}(fields), {rates}{array}_mut(forces));",
+                variant.field_forces.name, body.name
+            )
+        });
+        // Of a model without bodies nothing is asked.
+        let (section, fields) = if self.model.bodies.is_empty() {
+            (NO_SECTION.to_string(), "&[]\n".to_string())
+        } else {
+            (section, fields)
+        };
+        format!(
+            "fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {{\nlet model = &self.model;\n{section}}}\n\
+             fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {{\n{fields}}}\n\
+             fn field_forces(&self, body: usize, stress_free: &[f64], fields: &[f64], rates: &[f64], forces: &mut [f64]) {{\n{forces}}}\n"
+        )
+    }
+
+    fn section(&self, body: &Body) -> String {
+        let given = |name: &str| body.properties.get(name).map(|value| self.expr(value));
+        let property = |names: &[&str]| {
+            names
+                .iter()
+                .find_map(|name| given(name))
+                .unwrap_or_else(|| "0.0".to_string())
+        };
+        let option = |value: &Option<Expr>| match value {
+            Some(value) => format!("Some({})", self.expr(value)),
+            None => "None".to_string(),
+        };
+        let shape = match &body.shape {
+            SectionShape::General { extent: [y, z] } => {
+                format!("General {{ extent: [{}, {}] }}", option(y), option(z))
+            }
+            SectionShape::Circle { radius } => format!("Circle {{ radius: {} }}", self.expr(radius)),
+            SectionShape::Tube { radius, thickness } => format!(
+                "Tube {{ radius: {}, thickness: {} }}",
+                self.expr(radius),
+                self.expr(thickness)
+            ),
+            SectionShape::Rectangle { sizes } => format!("Rectangle {{ sizes: {} }}", self.array(sizes)),
+        };
+        let yield_stress = option(&body.properties.get("yield").cloned());
+        format!(
+            "::rncf::mesh::SectionSpec {{ shape: ::rncf::mesh::SectionShape::{shape}, area: {}, second_moments: [{}, {}], torsion_constant: {}, yield_stress: {yield_stress}, material: {:?} }}",
+            property(&["area"]),
+            property(&["second_moment_y", "second_moment"]),
+            property(&["second_moment_z", "second_moment"]),
+            property(&["torsion_constant"]),
+            body.material_name
+        )
+    }
+}
+
+/// A coefficient of an element; zero where the body's material has other properties instead.
+pub(super) fn coefficient(body: &Body, coefficient: &Coefficient) -> String {
+    if coefficient.factors.iter().all(|factor| has(body, factor)) {
+        coefficient.factors.join(" * ")
+    } else {
+        "0.0".to_string()
+    }
+}
+
+/// A property's value, checked when the model is built.
+fn check(property: &Property, kind: &str, owner: &str, value: &str) -> String {
+    let function = match property.range {
+        Range::Positive => "positive",
+        Range::NonNegative => "non_negative",
+        Range::Poisson => "poisson",
+    };
+    format!(
+        "::rncf::mesh::{function}(\"{kind} `{owner}`\", \"{}\", {value}, \"{}\")?",
+        property.name, property.unit
+    )
+}

@@ -1,0 +1,354 @@
+//! Elastic kernels of elements with many nodal vectors: for each integration rule one straight-line
+//! kernel of the fields at a point; the runtime carries nodal vectors there and back (`mesh/points.rs`).
+
+use super::{Builder, Form, Quantity, State, rules};
+use crate::elements::{Interpolant, Library, NodalVector};
+use crate::lower::invariants::{Blocks, Response};
+use crate::lower::kernel::Kernel;
+use crate::lower::quadratic::{base_vector, is_position, length_power, relative_shapes};
+use crate::lower::signature::Signature;
+use crate::lower::variant::Variant;
+use crate::symbolic::{Cost, Id, linear::Vector};
+use crate::tensors::gauss_rule;
+
+/// Nodal vectors by what they interpolate.
+#[derive(Clone, Debug)]
+pub struct Groups {
+    /// Interpolants, one a group.
+    pub of: Vec<Interpolant>,
+    /// Nodal vectors of each group, the base left out.
+    pub nodal: Vec<Vec<usize>>,
+    /// The vector that positions are relative to.
+    pub base: usize,
+    /// Whether a nodal vector is a position.
+    pub positions: Vec<bool>,
+}
+
+impl Groups {
+    fn of(vectors: &[&NodalVector]) -> Self {
+        let base = base_vector(vectors);
+        let mut groups = Self {
+            of: Vec::new(),
+            nodal: Vec::new(),
+            base,
+            positions: vectors.iter().map(|vector| is_position(vector)).collect(),
+        };
+        for (index, vector) in vectors.iter().enumerate() {
+            if index == base {
+                continue;
+            }
+            let group = groups.of.iter().position(|&of| of == vector.of).unwrap_or_else(|| {
+                groups.of.push(vector.of);
+                groups.nodal.push(Vec::new());
+                groups.of.len() - 1
+            });
+            groups.nodal[group].push(index);
+        }
+        groups
+    }
+
+    /// Relative vectors of a group, the shorter ones filled up.
+    pub fn size(&self) -> usize {
+        self.nodal.iter().map(Vec::len).max().unwrap_or(0)
+    }
+
+    fn group(&self, of: Interpolant) -> usize {
+        self.of.iter().position(|&group| group == of).unwrap_or(0)
+    }
+}
+
+/// Blocks of a tangent on fields that a kernel writes, in the order of its output.
+#[derive(Clone, Debug)]
+pub struct FieldBlocks {
+    /// Fields of each block, as indices into [`FieldRule::fields`].
+    pub pairs: Vec<(usize, usize)>,
+    /// Blocks `from..to` of each tile (pair of groups): `(tile, from, to)`.
+    pub tiles: Vec<(usize, usize, usize)>,
+}
+
+/// The terms of an energy that are integrated by one rule.
+#[derive(Clone, Debug)]
+pub struct FieldRule {
+    /// Number of Gauss points.
+    pub points: usize,
+    /// Fields that the terms depend on, as indices into the element's fields.
+    pub fields: Vec<usize>,
+    /// Group of each field.
+    pub groups: Vec<usize>,
+    /// Weights, and `[point][field][vector of its group]` derivatives of the shape functions.
+    pub weights: Vec<f64>,
+    /// See [`FieldRule::weights`].
+    pub shapes: Vec<Vec<Vec<f64>>>,
+    /// Kernels at a point: force, tangent, energy.
+    pub kernels: [Kernel; 3],
+    /// Blocks of the stiffness.
+    pub stiffness: FieldBlocks,
+    /// Blocks of the damping matrix, where damped.
+    pub damping: Option<FieldBlocks>,
+    /// Values in the stress-free shape at a point.
+    pub references: usize,
+}
+
+/// Everything that the form by fields consists of.
+#[derive(Clone, Debug)]
+pub struct FieldKernels {
+    /// Nodal vectors by what they interpolate.
+    pub groups: Groups,
+    /// One entry for each rule.
+    pub rules: Vec<FieldRule>,
+}
+
+/// Derives the kernels at a point.
+pub fn field_kernels(variant: &Variant, library: &Library) -> FieldKernels {
+    let groups = Groups::of(&variant.vectors(library));
+    let rules = rules(variant, variant.declaration(library));
+    let rules = rules.into_iter().map(|points| {
+        let [force, tangent, energy] = [Quantity::Force, Quantity::Tangent, Quantity::Energy].map(|quantity| {
+            let mut builder = Builder::new(variant, library, Form::Fields, quantity);
+            builder.rule = points;
+            builder.field_point(&groups)
+        });
+        let shapes = shapes(variant, library, &groups, &tangent.fields, points);
+        FieldRule {
+            points,
+            groups: tangent.groups,
+            fields: tangent.fields,
+            weights: gauss_rule(points).weights,
+            shapes,
+            stiffness: tangent.stiffness.unwrap_or_else(no_blocks),
+            damping: tangent.damping,
+            references: tangent.references,
+            kernels: [force.kernel, tangent.kernel, energy.kernel],
+        }
+    });
+    FieldKernels {
+        rules: rules.collect(),
+        groups,
+    }
+}
+
+fn no_blocks() -> FieldBlocks {
+    FieldBlocks {
+        pairs: Vec::new(),
+        tiles: Vec::new(),
+    }
+}
+
+fn shapes(variant: &Variant, library: &Library, groups: &Groups, fields: &[usize], points: usize) -> Vec<Vec<Vec<f64>>> {
+    let declared: Vec<_> = variant.declaration(library).fields_in(variant.dimension).collect();
+    let vectors = variant.vectors(library);
+    let relative = relative_shapes(&vectors);
+    let rule = gauss_rule(points);
+    let at = |field: usize, xi: f64| {
+        let field = declared[field];
+        let mut values = vec![0.0; groups.size()];
+        for (place, nodal) in groups.nodal[groups.group(field.of)].iter().enumerate() {
+            let shape = relative.iter().find(|(index, _)| index == nodal);
+            values[place] = shape.map_or(0.0, |(_, shape)| shape.derivative(field.order).at(xi));
+        }
+        values
+    };
+    let points = rule.points.iter();
+    points.map(|&xi| fields.iter().map(|&field| at(field, xi)).collect()).collect()
+}
+
+/// One kernel and what it turned out to depend on.
+struct Point {
+    kernel: Kernel,
+    fields: Vec<usize>,
+    groups: Vec<usize>,
+    stiffness: Option<FieldBlocks>,
+    damping: Option<FieldBlocks>,
+    references: usize,
+}
+
+impl Builder<'_> {
+    /// The kernel of one quantity at a point of the rule.
+    fn field_point(mut self, groups: &Groups) -> Point {
+        let fields = self.field_symbols("");
+        let rates = if self.rates.is_empty() {
+            Vec::new()
+        } else {
+            self.field_symbols("v_")
+        };
+        let state = self.field_state(&fields, &rates, self.length);
+        let used: Vec<usize> = (0..fields.len())
+            .filter(|&field| state.invariants.iter().any(|it| it.i == field || it.j == field))
+            .collect();
+        let group_of: Vec<usize> = used.iter().map(|&field| groups.group(self.declared[field].of)).collect();
+        let (outputs, stiffness, damping) = self.field_outputs(&state, &fields, &rates, &used, (&group_of, groups.of.len()));
+        let names: Vec<&str> = used.iter().map(|&field| self.declared[field].name).collect();
+        let inputs = ["", "v_"].map(|prefix| self.input_names(prefix, &used));
+        let blocks = [&stiffness, &damping].map(|blocks| blocks.as_ref().map_or(0, |blocks| blocks.pairs.len()));
+        let references = self.references.len();
+        let signature = Signature {
+            variant: self.variant,
+            library: self.library,
+            references,
+        };
+        let kernel = signature.field_point(self.rule, self.quantity, self.graph, outputs, (&names, inputs, blocks));
+        Point {
+            kernel,
+            fields: used,
+            groups: group_of,
+            stiffness,
+            damping,
+            references,
+        }
+    }
+
+    /// Text of the input for a component of a field: its derivative on the unit element.
+    fn input_name(&self, prefix: &str, field: usize, c: usize) -> String {
+        let declared = self.declared[field];
+        let unit = if length_power(declared) == 0 { "" } else { "unit_" };
+        format!("{prefix}{unit}{}_{}", declared.name, ["x", "y", "z"][c])
+    }
+
+    fn input_names(&self, prefix: &str, fields: &[usize]) -> Vec<Vec<String>> {
+        let names = |&field: &usize| {
+            (0..self.variant.dimension)
+                .map(|c| self.input_name(prefix, field, c))
+                .collect()
+        };
+        fields.iter().map(names).collect()
+    }
+
+    /// The fields, from their derivatives on the unit element.
+    fn field_symbols(&mut self, prefix: &str) -> Vec<Vector> {
+        let mut fields = Vec::new();
+        for (index, field) in self.declared.clone().into_iter().enumerate() {
+            let scale = self.length_power(length_power(field));
+            let mut vector = Vec::new();
+            for c in 0..self.variant.dimension {
+                let input = self.graph.symbol(self.input_name(prefix, index, c));
+                let value = self.graph.multiply(scale, input);
+                vector.push(self.graph.name(value, format!("{prefix}{}_{}", field.name, ["x", "y", "z"][c])));
+            }
+            fields.push(vector);
+        }
+        fields
+    }
+
+    #[allow(clippy::type_complexity)]
+    fn field_outputs(
+        &mut self,
+        state: &State,
+        fields: &[Vector],
+        rates: &[Vector],
+        used: &[usize],
+        groups: (&[usize], usize),
+    ) -> (Vec<(String, Id)>, Option<FieldBlocks>, Option<FieldBlocks>) {
+        let response = Response {
+            invariants: &state.invariants,
+            stress: &state.stress,
+            stiffness: &state.stiffness,
+            viscosity: &state.viscosity,
+            vectors: fields,
+            rates,
+        };
+        match self.quantity {
+            Quantity::Energy | Quantity::Reference => (vec![("*energy".to_string(), state.energy)], None, None),
+            Quantity::Force => {
+                let force = response.force(&mut self.graph);
+                let force = self.scale_by_order(force);
+                let mut outputs = Vec::new();
+                for (place, &field) in used.iter().enumerate() {
+                    for (c, &value) in force[field].iter().enumerate() {
+                        outputs.push((format!("forces[{place}][{c}]"), value));
+                    }
+                }
+                (outputs, None, None)
+            }
+            Quantity::Tangent => {
+                let symmetric = state.viscosity.is_empty();
+                let (stiffness, viscosity) = response.tangent(&mut self.graph);
+                let (mut outputs, stiffness) = self.blocks(&stiffness, "stiffness", symmetric, used, groups);
+                let damping = viscosity.map(|viscosity| {
+                    let (more, damping) = self.blocks(&viscosity, "damping_matrix", true, used, groups);
+                    outputs.extend(more);
+                    damping
+                });
+                (outputs, Some(stiffness), damping)
+            }
+        }
+    }
+
+    /// Blocks that do not vanish, ordered by tile; of a symmetric tangent those of tiles on and above the
+    /// diagonal.
+    fn blocks(
+        &mut self,
+        blocks: &Blocks,
+        name: &str,
+        symmetric: bool,
+        used: &[usize],
+        (groups, count): (&[usize], usize),
+    ) -> (Vec<(String, Id)>, FieldBlocks) {
+        let all = (0..count).flat_map(|g| (0..count).map(move |h| (g, h)));
+        let all = all.filter(|&(g, h)| !symmetric || g <= h);
+        let (mut outputs, mut list) = (Vec::new(), no_blocks());
+        for (tile, (g, h)) in all.enumerate() {
+            let from = list.pairs.len();
+            for i in (0..used.len()).filter(|&i| groups[i] == g) {
+                for j in (0..used.len()).filter(|&j| groups[j] == h) {
+                    let block = &blocks[used[i]][used[j]];
+                    if block.iter().flatten().all(|&entry| self.graph.is_zero(entry)) {
+                        continue;
+                    }
+                    let power = length_power(self.declared[used[i]]) + length_power(self.declared[used[j]]);
+                    let scale = self.length_power(power);
+                    for (place, &entry) in block.iter().flatten().enumerate() {
+                        let value = self.graph.multiply(scale, entry);
+                        outputs.push((format!("{name}[{}][{place}]", list.pairs.len()), value));
+                    }
+                    list.pairs.push((i, j));
+                }
+            }
+            if from < list.pairs.len() {
+                list.tiles.push((tile, from, list.pairs.len()));
+            }
+        }
+        (outputs, list)
+    }
+}
+
+impl FieldKernels {
+    /// Pairs of groups of a symmetric tangent, or of any.
+    pub fn tiles(&self, symmetric: bool) -> usize {
+        let count = self.groups.of.len();
+        if symmetric { count * (count + 1) / 2 } else { count * count }
+    }
+
+    /// Counted operations of a quantity, the way to the fields and back included.
+    pub fn cost(&self, quantity: Quantity, dimension: usize) -> Cost {
+        let size = self.groups.size();
+        let pairs = |count: usize| Cost {
+            additions: count,
+            multiplications: count,
+            ..Cost::default()
+        };
+        let mut cost = Cost::default();
+        for rule in &self.rules {
+            let kernel = match quantity {
+                Quantity::Force => &rule.kernels[0],
+                Quantity::Tangent => &rule.kernels[1],
+                Quantity::Energy | Quantity::Reference => &rule.kernels[2],
+            };
+            let states = if rule.damping.is_some() && quantity != Quantity::Energy { 2 } else { 1 };
+            let to = rule.fields.len() * size * dimension;
+            let blocks = rule.stiffness.pairs.len() + rule.damping.as_ref().map_or(0, |blocks| blocks.pairs.len());
+            let back = match quantity {
+                Quantity::Force => to,
+                Quantity::Tangent => blocks * dimension * dimension * size * size,
+                Quantity::Energy | Quantity::Reference => 1,
+            };
+            cost = cost + (kernel.cost() + pairs(states * to + back)) * rule.points;
+        }
+        cost
+    }
+
+    /// Statements in the kernels of one quantity: what the compiler has to work on.
+    pub fn size(&self) -> usize {
+        let kernels = self.rules.iter().flat_map(|rule| &rule.kernels);
+        kernels.map(Kernel::size).sum()
+    }
+}

@@ -1,0 +1,104 @@
+//! Forces on the fields of an element at a point of its axis: what section forces follow from.
+
+use super::kernel::Kernel;
+use super::signature::Signature;
+use super::variant::Variant;
+use crate::elements::{Density, Invariants, Library};
+use crate::symbolic::{Graph, Id, linear::Vector};
+
+/// Symbols of the fields, one vector each.
+fn symbols(graph: &mut Graph, name: &str, count: usize, dimension: usize) -> Vec<Vector> {
+    let vector = |graph: &mut Graph, field: usize| {
+        (0..dimension)
+            .map(|c| graph.symbol(format!("{name}[{}]", field * dimension + c)))
+            .collect()
+    };
+    (0..count).map(|field| vector(graph, field)).collect()
+}
+
+/// Inner products of vectors, as an energy takes them.
+fn invariants(graph: &mut Graph, fields: &[Vector], dimension: usize) -> Invariants {
+    let mut table = |product: &dyn Fn(&mut Graph, &[Id], &[Id]) -> Id| -> Vec<Vec<Id>> {
+        let row = |left: &Vector, graph: &mut Graph| fields.iter().map(|right| product(graph, left, right)).collect();
+        fields.iter().map(|left| row(left, graph)).collect()
+    };
+    let dots = table(&|graph, a, b| graph.dot(a, b));
+    let crosses = table(&|graph, a, b| {
+        if dimension == 3 {
+            return graph.zero();
+        }
+        let (left, right) = (graph.multiply(a[0], b[1]), graph.multiply(a[1], b[0]));
+        graph.subtract(left, right)
+    });
+    Invariants {
+        dimension,
+        dots,
+        crosses,
+    }
+}
+
+/// Writes dU/d(field) per unit length, all terms of the energy together.
+pub fn field_forces_kernel(variant: &Variant, library: &Library) -> Kernel {
+    let element = variant.declaration(library);
+    let dimension = variant.dimension;
+    let count = element.fields_in(dimension).count();
+    let mut graph = Graph::new();
+    let fields = symbols(&mut graph, "fields", count, dimension);
+    let rates = symbols(&mut graph, "rates", count, dimension);
+    let stress_free = symbols(&mut graph, "stress_free", count, dimension);
+    let now = invariants(&mut graph, &fields, dimension);
+    let before: Vec<(Id, Id)> = fields.concat().into_iter().zip(stress_free.concat()).collect();
+    let before = before.into_iter().collect();
+    let rates = fields.concat().into_iter().zip(rates.concat()).collect();
+    let damping = graph.symbol("damping");
+    let terms = (element.energy)(&mut graph, &now, &variant.options);
+    let mut forces = vec![graph.zero(); count * dimension];
+    for term in terms {
+        let coefficient = graph.symbol(term.coefficient);
+        let (density, stress) = match term.density {
+            Density::Energy(density) => (density, coefficient),
+            Density::Measure(measure) => {
+                let reference = graph.substitute(measure, &before);
+                let mut strain = graph.subtract(measure, reference);
+                if variant.damped {
+                    let rate = graph.differentiate(measure, &rates);
+                    let viscous = graph.multiply(damping, rate);
+                    strain = graph.add(strain, viscous);
+                }
+                (measure, graph.multiply(coefficient, strain))
+            }
+        };
+        for (force, &symbol) in forces.iter_mut().zip(fields.concat().iter()) {
+            let slope = graph.partial(density, symbol);
+            let part = graph.multiply(stress, slope);
+            *force = graph.add(*force, part);
+        }
+    }
+    let signature = Signature {
+        variant,
+        library,
+        references: 0,
+    };
+    let mut arguments = vec![format!("row: &{}", signature.row())];
+    for name in ["stress_free", "fields", "rates"] {
+        if name != "rates" || variant.damped {
+            arguments.push(format!("{name}: &[f64; {}]", count * dimension));
+        }
+    }
+    arguments.push(format!("forces: &mut [f64; {}]", count * dimension));
+    let names: Vec<&str> = element.fields_in(dimension).map(|field| field.name).collect();
+    Kernel {
+        name: format!("{}_field_forces", variant.name(library)),
+        doc: vec![format!(
+            "Writes the forces on the fields {} at a point, dU/d(field) per unit length, from their values in the \
+             stress-free shape and at present.",
+            names.join(", ")
+        )],
+        arguments,
+        bindings: signature.bindings(true, &[]),
+        outputs: super::kernel::values(&forces, "forces"),
+        graph,
+        points: None,
+        assign: true,
+    }
+}
