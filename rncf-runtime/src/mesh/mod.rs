@@ -48,7 +48,7 @@ pub use parts::{
     BodySpec, Carried, CarriedTangent, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec,
     NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed, SectionQuantity, SectionShape, SectionSpec,
 };
-pub use points::{Blocks, Relative, Rule, Tile, Vectors};
+pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
 pub use scene::MeshScene;
 pub use section::SectionState;
 
