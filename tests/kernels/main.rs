@@ -1,6 +1,7 @@
 //! Compiled kernels against the expression graphs that they were written from, and the checked-in
 //! expansion against the generator.
 
+mod beams;
 mod by_hand;
 mod complex;
 mod elements;
