@@ -19,7 +19,8 @@ fn symbols(graph: &mut Graph, name: &str, count: usize, dimension: usize) -> Vec
 
 /// Inner products of vectors, as an energy takes them.
 fn invariants(graph: &mut Graph, fields: &[Vector], dimension: usize) -> Invariants {
-    let mut table = |product: &dyn Fn(&mut Graph, &[Id], &[Id]) -> Id| -> Vec<Vec<Id>> {
+    type Product = dyn Fn(&mut Graph, &[Id], &[Id]) -> Id;
+    let mut table = |product: &Product| -> Vec<Vec<Id>> {
         let row = |left: &Vector, graph: &mut Graph| fields.iter().map(|right| product(graph, left, right)).collect();
         fields.iter().map(|left| row(left, graph)).collect()
     };

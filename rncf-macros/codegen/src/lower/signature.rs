@@ -6,6 +6,16 @@ use super::variant::Variant;
 use crate::elements::Library;
 use crate::symbolic::{Graph, Id};
 
+/// Fields at a point in generated code.
+pub(super) struct FieldNames<'a> {
+    /// Names of the fields.
+    pub names: &'a [&'a str],
+    /// Names of their components, and of those of their rates, field by field.
+    pub inputs: [Vec<Vec<String>>; 2],
+    /// Numbers of blocks of stiffness and damping.
+    pub blocks: [usize; 2],
+}
+
 /// What the signatures of an element's kernels depend on.
 pub(super) struct Signature<'a> {
     pub variant: &'a Variant,
@@ -133,7 +143,7 @@ impl Signature<'_> {
         quantity: Quantity,
         graph: Graph,
         outputs: Vec<(String, Id)>,
-        (names, inputs, blocks): (&[&str], [Vec<Vec<String>>; 2], [usize; 2]),
+        FieldNames { names, inputs, blocks }: FieldNames,
     ) -> Kernel {
         let (dimension, count) = (self.variant.dimension, names.len());
         let with_rates = self.variant.damped && quantity != Quantity::Energy;
@@ -191,9 +201,10 @@ impl Signature<'_> {
         quantity: Quantity,
         graph: Graph,
         outputs: Vec<(String, Id)>,
-        (names, inputs, before, blocks): (&[&str], [Vec<Vec<String>>; 2], &[String], [usize; 2]),
+        fields: FieldNames,
+        before: &[String],
     ) -> [Kernel; 2] {
-        let mut particle = self.field_point(points, quantity, graph, outputs, (names, inputs, blocks));
+        let mut particle = self.field_point(points, quantity, graph, outputs, fields);
         let mut sum = particle.clone();
         let words: Vec<&str> = particle.arguments.iter().filter_map(|text| text.split(':').next()).collect();
         let call = format!("{}(y, z, weight, {});", particle.name.replace("_points", "_particle"), words.join(", "));

@@ -7,7 +7,7 @@ use crate::elements::{Interpolant, Library, NodalVector};
 use crate::lower::invariants::{Blocks, Invariant, Response};
 use crate::lower::kernel::Kernel;
 use crate::lower::quadratic::{base_vector, is_position, length_power, relative_shapes};
-use crate::lower::signature::Signature;
+use crate::lower::signature::{FieldNames, Signature};
 use crate::lower::variant::Variant;
 use crate::symbolic::{Cost, Id, linear::Vector};
 use crate::tensors::gauss_rule;
@@ -193,7 +193,7 @@ impl Builder<'_> {
             self.field_symbols("v_")
         };
         let mut state = self.field_state(&fields, &rates, self.length);
-        self.to_unit(&mut state);
+        self.refer_to_unit_element(&mut state);
         let on_fields = self.respond(&state, &inputs, &input_rates);
         let used: Vec<usize> = (0..fields.len())
             .filter(|&field| state.invariants.iter().any(|it| it.i == field || it.j == field))
@@ -213,7 +213,12 @@ impl Builder<'_> {
             library: self.library,
             references,
         };
-        let kernel = signature.field_point(self.rule, self.quantity, self.graph, outputs, (&names, inputs, blocks));
+        let fields = FieldNames {
+            names: &names,
+            inputs,
+            blocks,
+        };
+        let kernel = signature.field_point(self.rule, self.quantity, self.graph, outputs, fields);
         Point {
             kernel,
             particle: None,
@@ -263,7 +268,7 @@ impl Builder<'_> {
     }
 
     /// The stress on invariants of the fields as one on those of their derivatives on the unit element.
-    fn to_unit(&mut self, state: &mut State) {
+    fn refer_to_unit_element(&mut self, state: &mut State) {
         let power = |builder: &Self, it: &Invariant| {
             length_power(builder.declared[it.i]) + length_power(builder.declared[it.j])
         };
