@@ -95,7 +95,7 @@ impl<P: Parts> MeshScene<P> {
     fn try_screw(&mut self, at: &Uniform, screw: Screw, moved: &[bool], is_own: bool, found: &mut Vec<Vec<f64>>) {
         let mut direction = self.direction(screw, moved);
         let whole: f64 = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if !(whole > 0.0) || reduce(&mut direction, found) < 1e-6 * whole {
+        if whole == 0.0 || !whole.is_finite() || reduce(&mut direction, found) < 1e-6 * whole {
             return;
         }
         let size = self.sizes.iter().fold(0.0, |size: f64, other| size.max(*other));

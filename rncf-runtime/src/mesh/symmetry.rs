@@ -67,7 +67,9 @@ impl Displacement {
 
 /// Whether two lists of numbers differ by more than round-off of the given size.
 fn differ(a: &[f64], b: &[f64], size: f64) -> bool {
-    a.iter().zip(b).any(|(a, b)| !((a - b).abs() <= ROUND_OFF * size))
+    a.iter()
+        .zip(b)
+        .any(|(a, b)| (a - b).abs() > ROUND_OFF * size || (a - b).is_nan())
 }
 
 fn largest(values: &[f64]) -> f64 {
