@@ -165,7 +165,10 @@ impl Equations {
         let mut add = |kernel: &Kernel| text += &function(kernel);
         for variant in &self.variants {
             if let Some(fields) = &variant.elastic.fields {
-                let kernels = fields.rules.iter().flat_map(|rule| rule.particles.iter().chain(&rule.kernels));
+                let kernels = fields
+                    .rules
+                    .iter()
+                    .flat_map(|rule| rule.particles.iter().chain(&rule.kernels));
                 kernels.for_each(&mut add);
             }
             for kernel in [

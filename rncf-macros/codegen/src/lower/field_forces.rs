@@ -19,8 +19,8 @@ fn symbols(graph: &mut Graph, name: &str, count: usize, dimension: usize) -> Vec
 
 /// Inner products of vectors, as an energy takes them.
 fn invariants(graph: &mut Graph, fields: &[Vector], dimension: usize) -> Invariants {
-    type Product = dyn Fn(&mut Graph, &[Id], &[Id]) -> Id;
-    let mut table = |product: &Product| -> Vec<Vec<Id>> {
+    type Product<'a> = dyn Fn(&mut Graph, &[Id], &[Id]) -> Id + 'a;
+    let mut table = |product: &Product<'_>| -> Vec<Vec<Id>> {
         let row = |left: &Vector, graph: &mut Graph| fields.iter().map(|right| product(graph, left, right)).collect();
         fields.iter().map(|left| row(left, graph)).collect()
     };
@@ -50,7 +50,10 @@ fn of_material(variant: &Variant, library: &Library) -> Kernel {
         library,
         references: 0,
     };
-    let scales: Vec<String> = powers.iter().map(|power| format!("row.length.powi({})", -power)).collect();
+    let scales: Vec<String> = powers
+        .iter()
+        .map(|power| format!("row.length.powi({})", -power))
+        .collect();
     let mut inputs = vec!["fields"];
     if variant.curved {
         inputs.push("stress_free");
@@ -70,7 +73,11 @@ fn of_material(variant: &Variant, library: &Library) -> Kernel {
     bindings.push(format!(
         "{name}_points{}_force(row, {}&fields, {}&mut sums);",
         element.default_points,
-        if variant.curved { "::rncf::mesh::array(stress_free.as_flattened()), " } else { "" },
+        if variant.curved {
+            "::rncf::mesh::array(stress_free.as_flattened()), "
+        } else {
+            ""
+        },
         if variant.damped { "&rates, " } else { "" },
     ));
     bindings.push(format!(
