@@ -254,7 +254,7 @@ impl Tracker {
         if station.spin > 0.0 {
             diagram.is_round &= is_round(&seen);
         }
-        let partners = modes::matched(&self.last, &found, &weights);
+        let partners = partners(&self.last, &found, &weights);
         let new = diagram.add(&seen, &partners, count);
         for (last, partner) in self.last.iter_mut().zip(&partners) {
             if let Some(index) = *partner {
@@ -283,6 +283,25 @@ impl Tracker {
         let critical = found.into_iter().map(|(value, change)| Critical { value, change });
         diagram.critical.extend(critical);
     }
+}
+
+/// For every mode before, its index among those after. A frequency that passes zero comes back as the
+/// conjugate of its mode: what is left is compared with that.
+fn partners(before: &[Mode], after: &[Mode], weights: &[f64]) -> Vec<Option<usize>> {
+    let mut partners = modes::matched(before, after, weights);
+    let lost: Vec<usize> = (0..before.len()).filter(|&index| partners[index].is_none()).collect();
+    let new: Vec<usize> = (0..after.len()).filter(|&index| !partners.contains(&Some(index))).collect();
+    let conjugate = |index: &usize| {
+        let mut mode = before[*index].clone();
+        mode.shape.iter_mut().for_each(|value| value[1] = -value[1]);
+        mode
+    };
+    let turned: Vec<Mode> = lost.iter().map(conjugate).collect();
+    let rest: Vec<Mode> = new.iter().map(|&index| after[index].clone()).collect();
+    for (&index, partner) in lost.iter().zip(modes::matched(&turned, &rest, weights)) {
+        partners[index] = partner.map(|place| new[place]);
+    }
+    partners
 }
 
 #[cfg(test)]
