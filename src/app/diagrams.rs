@@ -6,7 +6,7 @@ use super::campbell::Campbell;
 use super::charts::{Chart, Line};
 use super::command::Frequency;
 use super::history::Column;
-use super::modes::{Modes, SeenMode, growth};
+use super::modes::{Modes, SeenMode, growth, neutral};
 use super::parameters::digits;
 use super::report::{escape, figure};
 use crate::modes::{Critical, Whirl};
@@ -65,13 +65,18 @@ fn mode_rows(result: &Modes, frequency: Frequency) -> Vec<[String; COLUMNS]> {
         [
             (index + 1).to_string(),
             digits(frequency.of(mode.im), 7),
-            digits(mode.re, 5),
-            mode.damping_ratio().map_or("-".into(), |ratio| digits(ratio, 4)),
+            digits(without_noise(mode.re, mode), 5),
+            mode.damping_ratio().map_or("-".into(), |ratio| digits(without_noise(ratio, mode), 4)),
             sense(mode.whirl).into(),
             inertial.collect::<Vec<_>>().join(", "),
         ]
     };
     result.modes.iter().enumerate().map(row).collect()
+}
+
+/// 0 for what the mode's growth is but round-off of its frequency.
+fn without_noise(value: f64, mode: &SeenMode) -> f64 {
+    if mode.re.abs() > 1e-13 * mode.im { value } else { 0.0 }
 }
 
 fn sense(whirl: Whirl) -> &'static str {
@@ -100,6 +105,9 @@ fn readings(result: &Modes) -> Vec<String> {
             "The equilibrium is UNSTABLE: a disturbance grows by the factor e in {} s (largest re {margin} 1/s).",
             digits(1.0 / growth, 4)
         ),
+        None if result.margin.is_some_and(|margin| margin.abs() <= neutral(&result.modes)) => {
+            "No mode grows: neutrally stable, largest re 0 to round-off.".into()
+        }
         None => format!("No mode grows: stability margin (largest re) {margin} 1/s."),
     });
     lines

@@ -96,11 +96,16 @@ pub(super) fn is_round(modes: &[SeenMode]) -> bool {
     first.is_some_and(|first| first.abs() > ROUND) && across.all(|circulation| circulation.abs() > ROUND)
 }
 
+/// Rates of growth up to this are round-off beside these modes, 1/s.
+pub(super) fn neutral(modes: &[SeenMode]) -> f64 {
+    let largest = modes.iter().map(|mode| mode.re.hypot(mode.im)).fold(0.0, f64::max);
+    NEUTRAL * largest
+}
+
 /// The rate of growth of an unstable equilibrium, 1/s; `None` where it is stable, or neutral to round-off.
 pub(super) fn growth(modes: &[SeenMode]) -> Option<f64> {
-    let largest = modes.iter().map(|mode| mode.re.hypot(mode.im)).fold(0.0, f64::max);
     let margin = modes.iter().map(|mode| mode.re).reduce(f64::max)?;
-    (margin > NEUTRAL * largest).then_some(margin)
+    (margin > neutral(modes)).then_some(margin)
 }
 
 /// The modes of a model about its relative equilibrium at the time of the settings; where a parameter is
