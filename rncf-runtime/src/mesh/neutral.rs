@@ -3,7 +3,7 @@
 //! what acts on the frames, at the loaded state.
 
 use super::linked::Marker;
-use super::parts::{LoadKind, Parts};
+use super::parts::LoadKind;
 use super::scene::MeshScene;
 use super::symmetry::{Displacement, normalise, reduce};
 use crate::equilibrium::{Spin, Uniform};
@@ -57,7 +57,7 @@ impl Screw {
     }
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Directions of the unknowns that change nothing in the uniform motion at the state.
     pub(super) fn neutral(&mut self, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
         let mut found: Vec<Vec<f64>> = Vec::new();

@@ -3,13 +3,13 @@
 use super::evaluate::MAX_SIZE;
 use super::linked::Linked;
 use super::markers::When;
-use super::parts::{JointKind, JointSpec, LoadKind, ObservedSpec, Parts, PointQuantity};
+use super::parts::{JointKind, JointSpec, LoadKind, ObservedSpec, PointQuantity};
 use super::scene::{MeshBody, MeshScene, PlaceVector};
 use crate::model::Scene;
 use crate::system::{State, System};
 use crate::vector::{Vector, add, cross, dot, subtract};
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Energy of a conservative model: kinetic, strain, and potential of gravity and dead forces.
     pub(super) fn total_energy(&mut self, state: &State) -> Option<f64> {
         if !self.parts.conservative() {

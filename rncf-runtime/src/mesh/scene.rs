@@ -143,9 +143,10 @@ pub(super) enum Regime {
     Uniform(f64),
 }
 
-/// The scene of a model with emitted parts `P`.
-pub struct MeshScene<P> {
-    pub(super) parts: P,
+/// The scene of a model with emitted parts. They stand behind a pointer, so that the runtime is compiled once and
+/// not for every model.
+pub struct MeshScene {
+    pub(super) parts: Box<dyn Parts>,
     pub(super) formulation: Formulation,
     pub(super) bodies: Vec<MeshBody>,
     pub(super) joints: Vec<JointSpec>,
@@ -194,7 +195,7 @@ pub(super) enum Row {
     Linked { linked: usize, row: usize },
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Whether the elements of a body are left out at present.
     pub(super) fn is_left_to_modes(&self, body: &MeshBody) -> bool {
         self.in_modes && body.modes.is_some()
@@ -287,7 +288,7 @@ impl<P: Parts> MeshScene<P> {
     }
 
     pub(super) fn point(&self, body: usize, at: Place, user: &str) -> Result<MeshPoint, ModelError> {
-        place_on(&self.parts, &self.bodies[body].spec, body, at, user)
+        place_on(&*self.parts, &self.bodies[body].spec, body, at, user)
     }
 
     /// A vector at a point in one of the full arrays, `sum_a weight_a q_a`, frame axes.
@@ -299,8 +300,8 @@ impl<P: Parts> MeshScene<P> {
 }
 
 /// The place of a marker on a body.
-pub(super) fn mesh_point<P: Parts>(
-    parts: &P,
+pub(super) fn mesh_point(
+    parts: &dyn Parts,
     bodies: &[BodySpec],
     body: usize,
     at: Place,
@@ -310,7 +311,7 @@ pub(super) fn mesh_point<P: Parts>(
 }
 
 /// Element and weights of a place on a body.
-fn place_on<P: Parts>(parts: &P, spec: &BodySpec, body: usize, at: Place, user: &str) -> Result<MeshPoint, ModelError> {
+fn place_on(parts: &dyn Parts, spec: &BodySpec, body: usize, at: Place, user: &str) -> Result<MeshPoint, ModelError> {
     let length = spec.line.length();
     let (element, xi) = match at {
         Place::Start => (0, 0.0),
@@ -331,7 +332,7 @@ fn place_on<P: Parts>(parts: &P, spec: &BodySpec, body: usize, at: Place, user: 
 }
 
 /// The point of an element at `xi` in [0, 1].
-pub(super) fn point_of<P: Parts>(parts: &P, spec: &BodySpec, body: usize, element: usize, xi: f64) -> MeshPoint {
+pub(super) fn point_of(parts: &dyn Parts, spec: &BodySpec, body: usize, element: usize, xi: f64) -> MeshPoint {
     let vectors = [
         PlaceVector::Position,
         PlaceVector::Slope,

@@ -1,7 +1,7 @@
 //! What sections carry: forces and moments that the part of a body beyond a place exerts on the part
 //! before it, from the strain energy and damping at points of an element (THEORY 5.1, 5.2).
 
-use super::parts::{Interpolant, Parts};
+use super::parts::Interpolant;
 use super::scene::{MeshPoint, MeshScene};
 use super::section_spec::SectionQuantity;
 use super::stress::largest_stress;
@@ -124,7 +124,7 @@ fn section_axes(y: Vector, z: Vector) -> [Vector; 3] {
     [along, y, cross(along, y)]
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// What the section of a body carries at `xi` in [0, 1] of an element, at the loaded state.
     pub fn section_state(&self, body: usize, element: usize, xi: f64) -> SectionState {
         let spec = &self.bodies[body].spec;

@@ -4,7 +4,6 @@
 
 use super::frame::FrameMotion;
 use super::linked::{Linked, Marker};
-use super::parts::Parts;
 use super::scene::MeshScene;
 use crate::rotation::Rotation;
 use crate::system::ConstraintLevel;
@@ -76,7 +75,7 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Whether the moved free frames can follow a displacement at the loaded state.
     pub(super) fn follows(&self, displacement: &Displacement) -> bool {
         let turn = displacement.turn;

@@ -3,7 +3,7 @@
 use super::conditions::{row_count, width};
 use super::evaluate::MOST;
 use super::layout::VectorKind;
-use super::parts::{Interpolant, JointKind, Parts};
+use super::parts::{Interpolant, JointKind};
 use super::scene::{MeshScene, Regime, Row};
 use crate::linalg::Pattern;
 use crate::system::{ConstraintLevel, State, System, Tangent};
@@ -11,7 +11,7 @@ use crate::system::{ConstraintLevel, State, System, Tangent};
 /// Letters of the components.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-impl<P: Parts> System for MeshScene<P> {
+impl System for MeshScene {
     fn unknowns(&self) -> usize {
         self.layout.unknowns()
     }
@@ -224,7 +224,7 @@ impl<P: Parts> System for MeshScene<P> {
     }
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Fills the full state with the highest derivative of the level left out.
     fn load_level(&mut self, level: ConstraintLevel, state: &State) {
         let zeros = vec![0.0; state.x.len()];

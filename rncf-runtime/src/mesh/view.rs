@@ -1,13 +1,13 @@
 //! A scene as the application sees it.
 
-use super::parts::{ObservedSpec, Parts};
+use super::parts::ObservedSpec;
 use super::scene::MeshScene;
 use crate::equilibrium::Uniform;
 use crate::model::{FrameState, Scene};
 use crate::system::{State, Tangent};
 use crate::vector::norm;
 
-impl<P: Parts> Scene for MeshScene<P> {
+impl Scene for MeshScene {
     fn output_columns(&self) -> usize {
         self.parts.output_columns()
     }
