@@ -290,7 +290,9 @@ impl Tracker {
 fn partners(before: &[Mode], after: &[Mode], weights: &[f64]) -> Vec<Option<usize>> {
     let mut partners = modes::matched(before, after, weights);
     let lost: Vec<usize> = (0..before.len()).filter(|&index| partners[index].is_none()).collect();
-    let new: Vec<usize> = (0..after.len()).filter(|&index| !partners.contains(&Some(index))).collect();
+    let new: Vec<usize> = (0..after.len())
+        .filter(|&index| !partners.contains(&Some(index)))
+        .collect();
     let conjugate = |index: &usize| {
         let mut mode = before[*index].clone();
         mode.shape.iter_mut().for_each(|value| value[1] = -value[1]);
