@@ -268,9 +268,7 @@ impl Tracker {
         };
         diagram.keys.push(key);
         diagram.spins.push(station.spin);
-        if station.spin > 0.0 {
-            diagram.is_round &= is_round(&seen);
-        }
+        let is_spinning = station.spin > 0.0;
         let expected: Vec<Mode> = self
             .last
             .iter()
@@ -280,6 +278,11 @@ impl Tracker {
         let least = if is_turning { CLEAR } else { 0.0 };
         let partners = partners(&expected, &found, &weights, least);
         let new = diagram.add(&seen, &partners, count);
+        if is_spinning {
+            // The highest ones, which the mesh hardly shows, are not asked.
+            let shown: Vec<SeenMode> = diagram.row(diagram.keys.len() - 1).collect();
+            diagram.is_round &= is_round(&shown);
+        }
         for (last, partner) in self.last.iter_mut().zip(&partners) {
             if let Some(index) = *partner {
                 last.clone_from(&found[index]);
