@@ -235,7 +235,7 @@ pub(super) fn campbell_part(result: &Campbell, frequency: Frequency) -> Result<S
     if result.spins.iter().any(|&spin| spin > 0.0) {
         let chart = diagram(result, frequency, of_inertial, "frequency in the inertial frame");
         let rule = if result.is_round {
-            "nu + spin forward, |nu - spin| backward; critical where a mode meets 1x; colours: whirl in the reference frame"
+            "nu + spin forward, |nu - spin| backward; critical where a mode meets 1x"
         } else {
             "not axisymmetric: each mode appears at nu + spin and |nu - spin|"
         };
@@ -285,7 +285,7 @@ pub(super) fn marks(critical: &[Critical]) -> Vec<(f64, String)> {
 fn diagram(result: &Campbell, frequency: Frequency, seen: impl Fn(SeenMode, f64) -> Vec<f64>, axis: &str) -> Chart {
     let mut lines: Vec<Line> = Vec::new();
     for track in &result.tracks {
-        lines.extend(coloured(result, frequency, &seen, track));
+        lines.extend(coloured(result, frequency, &seen, track, axis.contains("inertial")));
     }
     let highest = lines
         .iter()
@@ -321,6 +321,7 @@ fn coloured(
     frequency: Frequency,
     seen: impl Fn(SeenMode, f64) -> Vec<f64>,
     track: &[Option<SeenMode>],
+    is_inertial: bool,
 ) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     let mut last: Option<(usize, SeenMode)> = None;
@@ -333,7 +334,11 @@ fn coloured(
         let place = (key, frequency.of(seen(mode, spin)[0]));
         // At rest the sense is that of the next row.
         let next = track.get(row + 1).copied().flatten();
-        let whirl = next.filter(|_| spin == 0.0).unwrap_or(mode).whirl;
+        let mut whirl = next.filter(|_| spin == 0.0).unwrap_or(mode).whirl;
+        // Faster than critical, a whirl that falls back in the frame still goes forward in space.
+        if is_inertial && whirl == Whirl::Backward && spin > mode.im {
+            whirl = Whirl::Forward;
+        }
         match (lines.last_mut(), last) {
             (Some(line), Some(_)) if line.color == color(whirl) => line.points.push(place),
             (Some(line), Some((earlier, before))) => {
