@@ -129,7 +129,9 @@ fn sweep(matches: &ArgMatches) -> Result<SweepSettings, String> {
     let spin = match (spin.transpose()?, axis) {
         (None, None) => None,
         (None, Some(axis)) => {
-            return Err(format!("`--axis {axis}` says about which axis `--spin` turns: give both"));
+            return Err(format!(
+                "`--axis {axis}` says about which axis `--spin` turns: give both"
+            ));
         }
         (Some(spin), axis) => {
             let index = ["x", "y", "z"].iter().position(|name| Some(*name) == axis).unwrap_or(2);
@@ -317,11 +319,7 @@ fn command_line<M: Model>(program: &Program<'_>) -> clap::Command {
             &["rest", "steady"],
             "rest (undeformed, default) or steady (in relative equilibrium with the spin at t = 0)",
         ))
-        .arg(value(
-            "t-end",
-            "TIME",
-            "End time (default: the model's)",
-        ))
+        .arg(value("t-end", "TIME", "End time (default: the model's)"))
         .arg(value(
             "every",
             "TIME",
@@ -424,7 +422,10 @@ mod tests {
         assert_eq!(fixed.method, Method::GeneralizedAlpha { rho_inf: 0.8 });
         let line = "campbell omega=0..60rpm --at 1s --steps 7 --modes 5 --frequency Hz --spin 2rad/s --axis x";
         let arguments = read(&line.split_whitespace().collect::<Vec<_>>()).unwrap();
-        assert_eq!((arguments.command, arguments.frequency), (Command::Campbell, Frequency::Hertz));
+        assert_eq!(
+            (arguments.command, arguments.frequency),
+            (Command::Campbell, Frequency::Hertz)
+        );
         let sweep = arguments.sweep;
         assert_eq!((sweep.at, sweep.steps, sweep.count), (Some(1.0), 7, 5));
         assert_eq!(sweep.spin.unwrap().velocity, [2.0, 0.0, 0.0]);
@@ -462,7 +463,10 @@ mod tests {
                 &["modes", "--stabilised"],
                 "`--stabilised` belongs to `run`, not to `modes`: it does not advance in time",
             ),
-            (&["modes", "--axis", "x"], "`--axis x` says about which axis `--spin` turns: give both"),
+            (
+                &["modes", "--axis", "x"],
+                "`--axis x` says about which axis `--spin` turns: give both",
+            ),
             (
                 &["omega=1..2 rad/s"],
                 "`omega` is given as a range, which `run` does not take: give one value, or use steady, campbell or static",

@@ -8,9 +8,9 @@ use super::history::Column;
 use super::modes::{SeenMode, is_round};
 use super::run::{Incomplete, RunError};
 use super::sweep::{Line, SweepProgress, SweepSettings};
-use crate::Model;
 use crate::equilibrium::Kind;
 use crate::modes::{self, Critical, Mode, Wanted};
+use crate::{Model, Scene, State};
 
 /// Modes over the first column.
 #[derive(Clone, Debug)]
@@ -128,6 +128,22 @@ impl Campbell {
         new
     }
 
+    /// The last mode of a track as it is expected next: its frequency on the secant, conjugate where that
+    /// passes zero.
+    fn expected(&self, mode: &Mode, track: &[Option<SeenMode>]) -> Mode {
+        // The keys have the next value already.
+        let [.., first, second, next] = self.keys[..] else {
+            return mode.clone();
+        };
+        let [.., Some(before), Some(last)] = track else {
+            return mode.clone();
+        };
+        let im = last.im + (last.im - before.im) * (next - second) / (second - first);
+        let mut expected = if im < 0.0 { conjugate(mode) } else { mode.clone() };
+        expected.im = im.abs();
+        expected
+    }
+
     /// Crossings with the spin and twice the spin in the last step.
     fn cross(&mut self) {
         let Some(row) = self.keys.len().checked_sub(2) else {
@@ -243,7 +259,8 @@ impl Tracker {
             .iter()
             .map(|mode| SeenMode::of(station.scene, &at, state, mode))
             .collect();
-        let weights: Vec<f64> = station.scene.sizes().iter().map(|size| size.powi(-2)).collect();
+        let weights = masses(station.scene, state);
+        let is_turning = station.spin > 0.0 && diagram.spins.last().is_some_and(|&spin| spin > 0.0);
         let negative = if state.x.len() <= Campbell::LARGEST {
             Some(modes::unstable_directions(station.scene, &at, state).map_err(told)?)
         } else {
@@ -251,11 +268,21 @@ impl Tracker {
         };
         diagram.keys.push(key);
         diagram.spins.push(station.spin);
-        if station.spin > 0.0 {
-            diagram.is_round &= is_round(&seen);
-        }
-        let partners = partners(&self.last, &found, &weights);
+        let is_spinning = station.spin > 0.0;
+        let expected: Vec<Mode> = self
+            .last
+            .iter()
+            .zip(&diagram.tracks)
+            .map(|(mode, track)| diagram.expected(mode, track))
+            .collect();
+        let least = if is_turning { CLEAR } else { 0.0 };
+        let partners = partners(&expected, &found, &weights, least);
         let new = diagram.add(&seen, &partners, count);
+        if is_spinning {
+            // The highest ones, which the mesh hardly shows, are not asked.
+            let shown: Vec<SeenMode> = diagram.row(diagram.keys.len() - 1).collect();
+            diagram.is_round &= is_round(&shown);
+        }
         for (last, partner) in self.last.iter_mut().zip(&partners) {
             if let Some(index) = *partner {
                 last.clone_from(&found[index]);
@@ -285,23 +312,46 @@ impl Tracker {
     }
 }
 
-/// For every mode before, its index among those after. A frequency that passes zero comes back as the
-/// conjugate of its mode: what is left is compared with that.
-fn partners(before: &[Mode], after: &[Mode], weights: &[f64]) -> Vec<Option<usize>> {
-    let mut partners = modes::matched(before, after, weights);
-    let lost: Vec<usize> = (0..before.len()).filter(|&index| partners[index].is_none()).collect();
-    let new: Vec<usize> = (0..after.len()).filter(|&index| !partners.contains(&Some(index))).collect();
-    let conjugate = |index: &usize| {
-        let mut mode = before[*index].clone();
-        mode.shape.iter_mut().for_each(|value| value[1] = -value[1]);
-        mode
+/// Assurance below this is another mode, unless the whirls part at the first spin.
+const CLEAR: f64 = 0.6;
+
+/// The diagonal of the mass matrix: shapes of different modes are nearly orthogonal with it.
+fn masses(scene: &mut dyn Scene, state: &State) -> Vec<f64> {
+    let mut values = vec![0.0; scene.pattern().entries()];
+    scene.mass(state, &mut values);
+    let pattern = scene.pattern();
+    (0..state.x.len())
+        .map(|row| pattern.find(row, row).map_or(0.0, |place| values[place].abs()))
+        .collect()
+}
+
+/// For every mode before, its index among those after. One that is not found may have passed zero and
+/// come back as its conjugate: what is left is compared with that.
+fn partners(before: &[Mode], after: &[Mode], weights: &[f64], least: f64) -> Vec<Option<usize>> {
+    let clear = |before: &[Mode], after: &[Mode]| {
+        let mut partners = modes::matched(before, after, weights);
+        for (mode, partner) in before.iter().zip(&mut partners) {
+            partner.take_if(|index| modes::assurance(&mode.shape, &after[*index].shape, weights) < least);
+        }
+        partners
     };
-    let turned: Vec<Mode> = lost.iter().map(conjugate).collect();
+    let mut partners = clear(before, after);
+    let lost: Vec<usize> = (0..before.len()).filter(|&index| partners[index].is_none()).collect();
+    let new: Vec<usize> = (0..after.len())
+        .filter(|&index| !partners.contains(&Some(index)))
+        .collect();
+    let turned: Vec<Mode> = lost.iter().map(|&index| conjugate(&before[index])).collect();
     let rest: Vec<Mode> = new.iter().map(|&index| after[index].clone()).collect();
-    for (&index, partner) in lost.iter().zip(modes::matched(&turned, &rest, weights)) {
+    for (&index, partner) in lost.iter().zip(clear(&turned, &rest)) {
         partners[index] = partner.map(|place| new[place]);
     }
     partners
+}
+
+fn conjugate(mode: &Mode) -> Mode {
+    let mut mode = mode.clone();
+    mode.shape.iter_mut().for_each(|value| value[1] = -value[1]);
+    mode
 }
 
 #[cfg(test)]

@@ -22,6 +22,8 @@ pub(super) struct Chart {
     pub marks: Vec<(f64, String)>,
     /// Single points on lines, with the index of their colour.
     pub dots: Vec<((f64, f64), usize)>,
+    /// Whether it is taller than others, for many lines.
+    pub is_tall: bool,
 }
 
 /// A line of a chart.
@@ -66,7 +68,9 @@ pub(super) const INK: RGBColor = RGBColor(0x33, 0x33, 0x33);
 pub(super) const GRID: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
 
 // The backend rounds to whole units: a drawing four times as large as shown keeps curves smooth.
-const SIZE: (u32, u32) = (3840, 1280);
+const WIDTH: u32 = 3840;
+const HEIGHT: u32 = 1280;
+const TALL: u32 = 2200;
 const TEXT: u32 = 64;
 const STROKE: u32 = 7;
 // More points than this are not told apart in the drawing.
@@ -82,7 +86,8 @@ impl Chart {
     /// The drawing library's reason, which names no place in the data: the lines are finite.
     pub fn to_svg(&self) -> Result<String, String> {
         let mut text = String::new();
-        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        let area =
+            SVGBackend::with_string(&mut text, (WIDTH, if self.is_tall { TALL } else { HEIGHT })).into_drawing_area();
         let (x, y) = (self.range(|point| point.0), self.range(|point| point.1));
         let x = padded(x, 0.0);
         let drawn = if self.logarithmic {
@@ -111,7 +116,11 @@ impl Chart {
         let mut chart = ChartBuilder::on(area)
             .margin(24)
             .margin_top(if self.marks.is_empty() { 24 } else { 100 })
-            .margin_right(if self.lines.iter().any(|line| line.guide.is_some()) { 160 } else { 72 })
+            .margin_right(if self.lines.iter().any(|line| line.guide.is_some()) {
+                160
+            } else {
+                120
+            })
             .x_label_area_size(168)
             .y_label_area_size(320)
             .build_cartesian_2d(x.clone(), scaled(y.clone()))
@@ -139,7 +148,11 @@ impl Chart {
             let series = DashedLineSeries::new(points, 36, 24, INK.stroke_width(5));
             chart.draw_series(series).map_err(|error| told(&error))?;
             // At the side where the line leaves it, else under the upper edge.
-            let position = if end.0 >= x.end { Pos::new(HPos::Left, VPos::Center) } else { Pos::new(HPos::Left, VPos::Top) };
+            let position = if end.0 >= x.end {
+                Pos::new(HPos::Left, VPos::Center)
+            } else {
+                Pos::new(HPos::Left, VPos::Top)
+            };
             let text = Text::new(format!(" {label}"), end, style.pos(position));
             chart.draw_series([text]).map_err(|error| told(&error))?;
         }
@@ -281,6 +294,7 @@ mod tests {
             lines: lines.into_iter().map(|points| Line::new(points, 0)).collect(),
             marks: Vec::new(),
             dots: Vec::new(),
+            is_tall: false,
         };
         chart.to_svg().unwrap()
     }
@@ -329,9 +343,13 @@ mod tests {
             ],
             marks: vec![(0.5, "critical".into())],
             dots: vec![((1.0, 2.0), 1)],
+            is_tall: true,
         };
         let svg = chart.to_svg().unwrap();
-        assert!(svg.contains("1x") && svg.contains("critical") && svg.contains("<circle"), "{svg}");
+        assert!(
+            svg.contains("1x") && svg.contains("critical") && svg.contains("<circle"),
+            "{svg}"
+        );
         // The guide does not stretch the axis.
         assert!(!svg.contains("\n50\n") && svg.contains("\n2\n"), "{svg}");
     }

@@ -88,7 +88,10 @@ impl Command {
         };
         let why = why.to_owned();
         let name = self.name();
-        Some(format!("`--{flag}` belongs to {}, not to `{name}`: {why}", owners.join(", ")))
+        Some(format!(
+            "`--{flag}` belongs to {}, not to `{name}`: {why}",
+            owners.join(", ")
+        ))
     }
 }
 

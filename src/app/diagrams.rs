@@ -66,7 +66,8 @@ fn mode_rows(result: &Modes, frequency: Frequency) -> Vec<[String; COLUMNS]> {
             (index + 1).to_string(),
             digits(frequency.of(mode.im), 7),
             digits(without_noise(mode.re, mode), 5),
-            mode.damping_ratio().map_or("-".into(), |ratio| digits(without_noise(ratio, mode), 4)),
+            mode.damping_ratio()
+                .map_or("-".into(), |ratio| digits(without_noise(ratio, mode), 4)),
             sense(mode.whirl).into(),
             inertial.collect::<Vec<_>>().join(", "),
         ]
@@ -105,7 +106,10 @@ fn readings(result: &Modes) -> Vec<String> {
             "The equilibrium is UNSTABLE: a disturbance grows by the factor e in {} s (largest re {margin} 1/s).",
             digits(1.0 / growth, 4)
         ),
-        None if result.margin.is_some_and(|margin| margin.abs() <= neutral(&result.modes)) => {
+        None if result
+            .margin
+            .is_some_and(|margin| margin.abs() <= neutral(&result.modes)) =>
+        {
             "No mode grows: neutrally stable, largest re 0 to round-off.".into()
         }
         None => format!("No mode grows: stability margin (largest re) {margin} 1/s."),
@@ -136,7 +140,11 @@ pub(super) fn modes_part(result: &Modes, frequency: Frequency) -> String {
 
 /// A value of the first column with its name and unit.
 pub(super) fn key_value(key: &Column, value: f64) -> String {
-    let unit = if key.unit == "1" { String::new() } else { format!(" {}", key.unit) };
+    let unit = if key.unit == "1" {
+        String::new()
+    } else {
+        format!(" {}", key.unit)
+    };
     format!("{} = {}{unit}", key.name, digits(value, 7))
 }
 
@@ -145,8 +153,16 @@ pub(super) fn critical_lines(key: &Column, critical: &[Critical], what: &str) ->
     let line = |critical: &Critical| {
         let count = critical.change.unsigned_abs();
         let directions = if count == 1 { "one direction" } else { "two directions" };
-        let sense = if critical.change > 0 { "becomes negative" } else { "becomes positive again" };
-        let directions = if count > 2 { format!("{count} directions") } else { directions.into() };
+        let sense = if critical.change > 0 {
+            "becomes negative"
+        } else {
+            "becomes positive again"
+        };
+        let directions = if count > 2 {
+            format!("{count} directions")
+        } else {
+            directions.into()
+        };
         format!(
             "{what} at {}: the stiffness of {directions} {sense}.",
             key_value(key, critical.value)
@@ -157,7 +173,11 @@ pub(super) fn critical_lines(key: &Column, critical: &[Critical], what: &str) ->
 
 /// What to read off a Campbell diagram, in sentences.
 pub(super) fn campbell_lines(result: &Campbell, frequency: Frequency) -> Vec<String> {
-    let mut lines = critical_lines(&result.key, &result.critical, "Critical speed (a frequency in the reference frame is zero)");
+    let mut lines = critical_lines(
+        &result.key,
+        &result.critical,
+        "Critical speed (a frequency in the reference frame is zero)",
+    );
     if lines.is_empty() {
         lines.push(if result.unknowns > Campbell::LARGEST {
             format!(
@@ -203,14 +223,19 @@ pub(super) fn campbell_lines(result: &Campbell, frequency: Frequency) -> Vec<Str
 /// A chart that cannot be drawn.
 pub(super) fn campbell_part(result: &Campbell, frequency: Frequency) -> Result<String, String> {
     let mut part = String::new();
-    let co_rotating = diagram(result, frequency, |mode, _| vec![mode.im], "frequency in the reference frame");
+    let co_rotating = diagram(
+        result,
+        frequency,
+        |mode, _| vec![mode.im],
+        "frequency in the reference frame",
+    );
     let caption = "Campbell diagram<span>in the reference frame, which turns with the system: 0 is the synchronous critical condition</span>";
     figure(&mut part, caption, &co_rotating, &legend(result, true))?;
     let of_inertial = |mode: SeenMode, spin: f64| mode.inertial(spin, result.is_round);
     if result.spins.iter().any(|&spin| spin > 0.0) {
         let chart = diagram(result, frequency, of_inertial, "frequency in the inertial frame");
         let rule = if result.is_round {
-            "nu + spin forward, |nu - spin| backward; critical where a mode meets 1x; colours: whirl in the reference frame"
+            "nu + spin forward, |nu - spin| backward; critical where a mode meets 1x"
         } else {
             "not axisymmetric: each mode appears at nu + spin and |nu - spin|"
         };
@@ -221,8 +246,14 @@ pub(super) fn campbell_part(result: &Campbell, frequency: Frequency) -> Result<S
             let _ = writeln!(part, "<p>The equilibria are {}.</p>", escape(rule));
         }
     }
-    let margins = result.keys.iter().zip(result.margins());
-    let points = margins.filter_map(|(&key, margin)| margin.map(|margin| (key, margin)));
+    let margin = |row: usize| {
+        let modes: Vec<SeenMode> = result.row(row).collect();
+        let margin = modes.iter().map(|mode| mode.re).reduce(f64::max)?;
+        // What is round-off would be drawn as if it were something.
+        let shown = if margin.abs() > neutral(&modes) { margin } else { 0.0 };
+        Some((result.keys[row], shown))
+    };
+    let points = (0..result.keys.len()).filter_map(margin);
     let margin = Chart {
         x: result.key.head(),
         y: "largest re [1/s]".into(),
@@ -230,8 +261,14 @@ pub(super) fn campbell_part(result: &Campbell, frequency: Frequency) -> Result<S
         lines: vec![Line::new(points, 3)],
         marks: marks(&result.critical),
         dots: Vec::new(),
+        is_tall: false,
     };
-    figure(&mut part, "Stability margin<span>largest rate of growth; unstable above 0</span>", &margin, "")?;
+    figure(
+        &mut part,
+        "Stability margin<span>largest rate of growth; unstable above 0</span>",
+        &margin,
+        "",
+    )?;
     for line in campbell_lines(result, frequency) {
         let _ = writeln!(part, "<p>{}</p>", escape(&line));
     }
@@ -245,44 +282,16 @@ pub(super) fn marks(critical: &[Critical]) -> Vec<(f64, String)> {
 }
 
 /// Frequencies over the first column, coloured by whirl, with the multiples of the spin.
-fn diagram(
-    result: &Campbell,
-    frequency: Frequency,
-    seen: impl Fn(SeenMode, f64) -> Vec<f64>,
-    axis: &str,
-) -> Chart {
-    let mut lines = Vec::new();
+fn diagram(result: &Campbell, frequency: Frequency, seen: impl Fn(SeenMode, f64) -> Vec<f64>, axis: &str) -> Chart {
+    let mut lines: Vec<Line> = Vec::new();
     for track in &result.tracks {
-        // A mode begins a new line where it is lost or changes its sense; the new one starts at the old end.
-        let mut points: Vec<(f64, f64)> = Vec::new();
-        let mut class = None;
-        let mut finish = |points: &mut Vec<(f64, f64)>, class: Option<usize>| {
-            if let (false, Some(class)) = (points.is_empty(), class) {
-                lines.push(Line::new(std::mem::take(points), class));
-            }
-        };
-        for (row, mode) in track.iter().enumerate() {
-            let Some(mode) = mode else {
-                finish(&mut points, class);
-                class = None;
-                continue;
-            };
-            let spin = result.spins[row];
-            let place = (result.keys[row], frequency.of(seen(*mode, spin)[0]));
-            // At rest the sense is that of the next row.
-            let next = track.get(row + 1).copied().flatten();
-            let whirl = if spin == 0.0 { next.map_or(mode.whirl, |next| next.whirl) } else { mode.whirl };
-            let here = color(whirl);
-            if class.is_some_and(|class| class != here) {
-                points.push(place);
-                finish(&mut points, class);
-            }
-            points.push(place);
-            class = Some(here);
-        }
-        finish(&mut points, class);
+        lines.extend(coloured(result, frequency, &seen, track, axis.contains("inertial")));
     }
-    let highest = lines.iter().flat_map(|line| &line.points).map(|point| point.1).fold(0.0, f64::max);
+    let highest = lines
+        .iter()
+        .flat_map(|line| &line.points)
+        .map(|point| point.1)
+        .fold(0.0, f64::max);
     // The axis begins at zero, where the reference frame is critical.
     lines.push(Line::new([(result.keys[0], 0.0), (result.keys[0], 0.0)], 5));
     if highest > 0.0 && result.spins.iter().any(|&spin| spin > 0.0) {
@@ -302,7 +311,61 @@ fn diagram(
         lines,
         marks: marks(&result.critical),
         dots: Vec::new(),
+        is_tall: true,
     }
+}
+
+/// A track as lines of one sense each; a new one begins where the old one ends.
+fn coloured(
+    result: &Campbell,
+    frequency: Frequency,
+    seen: impl Fn(SeenMode, f64) -> Vec<f64>,
+    track: &[Option<SeenMode>],
+    is_inertial: bool,
+) -> Vec<Line> {
+    let mut lines: Vec<Line> = Vec::new();
+    let mut last: Option<(usize, SeenMode)> = None;
+    for (row, mode) in track.iter().enumerate() {
+        let Some(mode) = *mode else {
+            last = None;
+            continue;
+        };
+        let (key, spin) = (result.keys[row], result.spins[row]);
+        let place = (key, frequency.of(seen(mode, spin)[0]));
+        // At rest the sense is that of the next row.
+        let next = track.get(row + 1).copied().flatten();
+        let mut whirl = next.filter(|_| spin == 0.0).unwrap_or(mode).whirl;
+        // Faster than critical, a whirl that falls back in the frame still goes forward in space.
+        if is_inertial && whirl == Whirl::Backward && spin > mode.im {
+            whirl = Whirl::Forward;
+        }
+        match (lines.last_mut(), last) {
+            (Some(line), Some(_)) if line.color == color(whirl) => line.points.push(place),
+            (Some(line), Some((earlier, before))) => {
+                // A sense turns over where the frequency is zero.
+                let [from, to] = [result.keys[earlier], key];
+                let guess = from + before.im / (before.im + mode.im) * (to - from);
+                let inside = result.critical.iter().map(|critical| critical.value);
+                let inside = inside.filter(|value| (value - from) * (value - to) <= 0.0);
+                let zero = inside.min_by(|a, b| (a - guess).abs().total_cmp(&(b - guess).abs()));
+                let joint = zero.map_or(place, |zero| {
+                    let share = (zero - from) / (to - from);
+                    let spin = result.spins[earlier] + share * (spin - result.spins[earlier]);
+                    (zero, frequency.of(seen(SeenMode { im: 0.0, ..before }, spin)[0]))
+                });
+                line.points.push(joint);
+                let points = if zero.is_some() {
+                    vec![joint, place]
+                } else {
+                    vec![place]
+                };
+                lines.push(Line::new(points, color(whirl)));
+            }
+            _ => lines.push(Line::new([place], color(whirl))),
+        }
+        last = Some((row, mode));
+    }
+    lines
 }
 
 /// The senses that occur, with their colours.
@@ -310,7 +373,8 @@ fn legend(result: &Campbell, has_guides: bool) -> String {
     let occurs = |whirl: Whirl| {
         let spinning = result.spins.iter().enumerate().filter(|(_, spin)| **spin > 0.0);
         let mut rows = spinning.map(|(row, _)| row);
-        rows.any(|row| result.row(row).any(|mode| mode.whirl == whirl)) || whirl == Whirl::None && result.spins.iter().all(|&spin| spin == 0.0)
+        rows.any(|row| result.row(row).any(|mode| mode.whirl == whirl))
+            || whirl == Whirl::None && result.spins.iter().all(|&spin| spin == 0.0)
     };
     let mut text = String::from("<p class=\"extremes\">");
     for (_, color, name) in CLASSES.iter().filter(|class| occurs(class.0)) {

@@ -52,10 +52,7 @@ impl From<&RunError> for Failure {
 }
 
 /// Does what the arguments say and writes; the text for standard output.
-pub(super) fn execute<M: Model>(
-    arguments: &Arguments<M>,
-    interrupted: impl Fn() -> bool,
-) -> Result<String, Failure> {
+pub(super) fn execute<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
     files::create_folder(&arguments.out).map_err(|text| Failure::new(FAILURE, text))?;
     match arguments.command {
         Command::Run => execute_run(arguments, interrupted),
@@ -139,7 +136,11 @@ fn execute_equilibria<M: Model>(
 fn way(history: &History, seconds: Seconds) -> String {
     let key = &history.key;
     let last = history.keys.last().copied().unwrap_or(0.0);
-    let unit = if key.unit == "1" { String::new() } else { format!(" {}", key.unit) };
+    let unit = if key.unit == "1" {
+        String::new()
+    } else {
+        format!(" {}", key.unit)
+    };
     format!(
         "{} steps up to {} = {}{unit}, {} s",
         history.keys.len(),
@@ -153,7 +154,13 @@ fn execute_modes<M: Model>(arguments: &Arguments<M>) -> Result<String, Failure> 
     let result = modes(&arguments.model, &arguments.sweep).map_err(|error| Failure::from(&error))?;
     let summary = summary::of_modes(&arguments.model, &result);
     let part = modes_part(&result, arguments.frequency);
-    let files = write(arguments, "modes", ("modes.csv", modes_csv(&result)), &summary, Ok(part))?;
+    let files = write(
+        arguments,
+        "modes",
+        ("modes.csv", modes_csv(&result)),
+        &summary,
+        Ok(part),
+    )?;
     let head = format!(
         "{}: {} modes at t = {} s, spin {}, {} s\n{}",
         M::NAME,
@@ -421,7 +428,10 @@ mod tests {
             assert!(text.contains(&part), "{part}\nin\n{text}");
         }
         let table = rows(&folder, "modes.csv");
-        assert!(table.len() == 2 && (table[0][2] - (10.0 - w0)).abs() < 1e-9, "{table:?}");
+        assert!(
+            table.len() == 2 && (table[0][2] - (10.0 - w0)).abs() < 1e-9,
+            "{table:?}"
+        );
         assert_eq!(summary(&folder)["circular_whirl"], true);
         fs::remove_dir_all(folder).unwrap();
         let (outcome, folder) = command("unstable", &["modes", "omega=10 rad/s"], false);
@@ -439,7 +449,12 @@ mod tests {
         assert!(text.contains("crosses 1x the spin"), "{text}");
         let page = fs::read_to_string(folder.join("report.html")).unwrap();
         assert_eq!(page.matches("<svg ").count(), 3);
-        for part in ["omega [rad/s]", "frequency in the inertial frame [Hz]", "backward whirl", "1x"] {
+        for part in [
+            "omega [rad/s]",
+            "frequency in the inertial frame [Hz]",
+            "backward whirl",
+            "1x",
+        ] {
             assert!(page.contains(part), "{part}");
         }
         fs::remove_dir_all(folder).unwrap();

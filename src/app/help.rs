@@ -50,7 +50,11 @@ fn table(title: &str, rows: Vec<[String; 3]>) -> String {
     let mut text = format!("\n{title}\n");
     for [name, value, doc] in &rows {
         let doc = doc.split_whitespace().collect::<Vec<_>>().join(" ");
-        let value = if second > 0 { format!("{value:second$}  ") } else { String::new() };
+        let value = if second > 0 {
+            format!("{value:second$}  ")
+        } else {
+            String::new()
+        };
         let line = format!("  {name:first$}  {value}{doc}");
         text += line.trim_end();
         text.push('\n');

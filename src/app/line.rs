@@ -186,7 +186,10 @@ mod tests {
     #[test]
     fn the_model_is_taken_out_of_the_words() {
         let (index, line) = chosen(&["steady", "--model", "downwind", "--quiet"]);
-        assert_eq!((index, &line.words[..]), (Ok(1), &["steady".into(), "--quiet".into()][..]));
+        assert_eq!(
+            (index, &line.words[..]),
+            (Ok(1), &["steady".into(), "--quiet".into()][..])
+        );
         assert_eq!(line.out, PathBuf::from("out/curved/downwind"));
         assert!(line.more.contains("upwind, downwind (default upwind)"), "{}", line.more);
         assert_eq!(chosen(&["--model=downwind"]).0, Ok(1));

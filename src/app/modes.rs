@@ -91,7 +91,10 @@ impl SeenMode {
 
 /// Whether all modes that oscillate across the axis do so on circles, and there are some.
 pub(super) fn is_round(modes: &[SeenMode]) -> bool {
-    let mut across = modes.iter().filter(|mode| mode.im > 0.0).filter_map(|mode| mode.circulation);
+    let mut across = modes
+        .iter()
+        .filter(|mode| mode.im > 0.0)
+        .filter_map(|mode| mode.circulation);
     let first = across.next();
     first.is_some_and(|first| first.abs() > ROUND) && across.all(|circulation| circulation.abs() > ROUND)
 }
@@ -174,7 +177,10 @@ mod tests {
         let expected = [(p - d, spin - q), (-p - d, spin + q)];
         assert_eq!(found.modes.len(), 2);
         for (mode, (re, im)) in found.modes.iter().zip(expected) {
-            assert!((mode.re - re).abs() < 1e-9 && (mode.im - im).abs() < 1e-9, "{mode:?} {re} {im}");
+            assert!(
+                (mode.re - re).abs() < 1e-9 && (mode.im - im).abs() < 1e-9,
+                "{mode:?} {re} {im}"
+            );
             assert_eq!(mode.whirl, Whirl::Backward);
         }
         // Faster than critical: the forward whirl of the shaft falls back in the frame, and grows.

@@ -6,12 +6,12 @@ use serde_json::Value;
 
 use super::charts::{Chart, LINES, Line};
 use super::diagrams::{critical_lines, marks};
-use super::steady::Equilibria;
-use crate::modes::Critical;
 use super::history::History;
 use super::parameters::{digits, in_unit, short};
 use super::run::StepTaken;
+use super::steady::Equilibria;
 use super::summary::{SETTINGS, STATISTICS, Summary};
+use crate::modes::Critical;
 use crate::{Model, Output};
 
 const STYLE: &str = include_str!("page.css");
@@ -129,6 +129,7 @@ fn results<M: Model>(page: &mut String, history: &History, critical: &[Critical]
             lines: (column..column + count).map(line).collect(),
             marks: marks(critical),
             dots: dots.collect(),
+            is_tall: false,
         };
         let caption = format!("{}<span>{}</span>", escape(output.name), escape(output.doc.trim()));
         figure(page, &caption, &chart, &extremes(output, history, column))?;
@@ -173,6 +174,7 @@ fn step_chart(page: &mut String, steps: &[StepTaken]) -> Result<(), String> {
         lines: vec![Line::new(line, 0)],
         marks: Vec::new(),
         dots: Vec::new(),
+        is_tall: false,
     };
     figure(page, "Step size<span>of the accepted steps</span>", &chart, "")
 }
@@ -270,9 +272,8 @@ fn shown(key: &str, value: &Value) -> String {
         _ => "none",
     };
     let unit = match key {
-        "cpu_seconds" | "wall_seconds" | "t_end" | "at" | "every" | "smallest_step" | "largest_step" | "max_step" | "step" => {
-            " s"
-        }
+        "cpu_seconds" | "wall_seconds" | "t_end" | "at" | "every" | "smallest_step" | "largest_step" | "max_step"
+        | "step" => " s",
         "spin" => " rad/s",
         "stability_margin" => " 1/s",
         _ => "",

@@ -3,9 +3,9 @@
 use std::fmt;
 use std::ops::ControlFlow;
 
+use super::campbell::Campbell;
 use super::clock::{Clock, Seconds};
 use super::history::{Column, History};
-use super::campbell::Campbell;
 use super::steady::{self, Equilibria};
 use crate::{
     Formulation, Integrator, Joints, Method, Model, ModelError, Options, Scene, SolveError, Start, State, Statistics,

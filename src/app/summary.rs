@@ -2,12 +2,12 @@
 
 use serde_json::{Map, Value, json};
 
-use super::clock::Seconds;
-use super::parameters::in_unit;
-use super::history::{Column, History};
-use super::run::{RunResult, RunSettings, times};
 use super::campbell::Campbell;
+use super::clock::Seconds;
+use super::history::{Column, History};
 use super::modes::{Modes, SeenMode, growth};
+use super::parameters::in_unit;
+use super::run::{RunResult, RunSettings, times};
 use super::steady::Equilibria;
 use super::sweep::SweepSettings;
 use crate::equilibrium::Kind;
@@ -99,11 +99,19 @@ pub(super) fn of_equilibria<M: Model>(model: &M, result: &Equilibria) -> Summary
     outcome(&mut summary, result.incomplete.as_ref().map(ToString::to_string));
     equilibrium::<M>(&mut summary, &result.settings, result.t);
     if is_static {
-        put(&mut summary, "critical_values", criticals(&result.history.key, &result.critical));
+        put(
+            &mut summary,
+            "critical_values",
+            criticals(&result.history.key, &result.critical),
+        );
     } else {
         put(&mut summary, "spin", json!(result.spin));
     }
-    counted(&mut summary, [result.unknowns, result.constraints], result.newton_iterations);
+    counted(
+        &mut summary,
+        [result.unknowns, result.constraints],
+        result.newton_iterations,
+    );
     put(&mut summary, "steps", json!(result.history.keys.len()));
     seconds(&mut summary, result.seconds);
     tail::<M>(&mut summary, &result.history, &result.warnings);
@@ -114,7 +122,14 @@ pub(super) fn of_equilibria<M: Model>(model: &M, result: &Equilibria) -> Summary
 pub(super) fn of_modes<M: Model>(model: &M, result: &Modes) -> Summary {
     let mut summary = head(model, "modes");
     outcome(&mut summary, None);
-    equilibrium::<M>(&mut summary, &SweepSettings { range: None, ..result.settings }, result.t);
+    equilibrium::<M>(
+        &mut summary,
+        &SweepSettings {
+            range: None,
+            ..result.settings
+        },
+        result.t,
+    );
     put(&mut summary, "spin", json!(result.spin));
     put(&mut summary, "frame_of_observation", json!(REFERENCE));
     put(&mut summary, "circular_whirl", json!(result.is_round));
@@ -125,11 +140,18 @@ pub(super) fn of_modes<M: Model>(model: &M, result: &Modes) -> Summary {
             return Value::Null;
         };
         entry.shift_insert(0, "mode".into(), json!(index + 1));
-        entry.insert("inertial [rad/s]".into(), json!(mode.inertial(result.spin, result.is_round)));
+        entry.insert(
+            "inertial [rad/s]".into(),
+            json!(mode.inertial(result.spin, result.is_round)),
+        );
         Value::Object(entry)
     });
     put(&mut summary, "modes", modes.collect());
-    counted(&mut summary, [result.unknowns, result.constraints], result.newton_iterations);
+    counted(
+        &mut summary,
+        [result.unknowns, result.constraints],
+        result.newton_iterations,
+    );
     seconds(&mut summary, result.seconds);
     put(&mut summary, "notes", notes::<M>(&result.warnings));
     summary
@@ -142,7 +164,11 @@ pub(super) fn of_campbell<M: Model>(model: &M, result: &Campbell) -> Summary {
     equilibrium::<M>(&mut summary, &result.settings, result.t);
     put(&mut summary, "frame_of_observation", json!(REFERENCE));
     put(&mut summary, "circular_whirl", json!(result.is_round));
-    put(&mut summary, "critical_values", criticals(&result.key, &result.critical));
+    put(
+        &mut summary,
+        "critical_values",
+        criticals(&result.key, &result.critical),
+    );
     let key = result.key.head();
     let crossings = result.crossings.iter().map(|crossing| {
         json!({
@@ -154,9 +180,16 @@ pub(super) fn of_campbell<M: Model>(model: &M, result: &Campbell) -> Summary {
     });
     put(&mut summary, "crossings", crossings.collect());
     let margins = result.margins();
-    let largest = margins.iter().zip(&result.keys).filter_map(|(margin, key)| margin.map(|margin| (margin, key)));
+    let largest = margins
+        .iter()
+        .zip(&result.keys)
+        .filter_map(|(margin, key)| margin.map(|margin| (margin, key)));
     let largest = largest.max_by(|a, b| a.0.total_cmp(&b.0));
-    put(&mut summary, "stability_margin", json!(largest.map(|(margin, _)| margin)));
+    put(
+        &mut summary,
+        "stability_margin",
+        json!(largest.map(|(margin, _)| margin)),
+    );
     put(&mut summary, "stability_margin_at", json!(largest.map(|(_, key)| key)));
     let tracks = result.tracks.iter().enumerate().map(|(index, track)| {
         let mut seen = track.iter().flatten();
@@ -165,7 +198,11 @@ pub(super) fn of_campbell<M: Model>(model: &M, result: &Campbell) -> Summary {
         json!({ "mode": index + 1, "first": first.map(mode_entry), "last": last.map(mode_entry) })
     });
     put(&mut summary, "modes", tracks.collect());
-    counted(&mut summary, [result.unknowns, result.constraints], result.newton_iterations);
+    counted(
+        &mut summary,
+        [result.unknowns, result.constraints],
+        result.newton_iterations,
+    );
     put(&mut summary, "steps", json!(result.keys.len()));
     seconds(&mut summary, result.seconds);
     put(&mut summary, "notes", notes::<M>(&result.warnings));

@@ -363,7 +363,9 @@ fn placed<M: Model>(
         scale = 1.0;
     }
     let t = time(&model, settings).map_err(Unplaced::Time)?;
-    let scene = model.build(Formulation::Rncf, Joints::Eliminated).map_err(Unplaced::Model)?;
+    let scene = model
+        .build(Formulation::Rncf, Joints::Eliminated)
+        .map_err(Unplaced::Model)?;
     let at = Uniform {
         t,
         scale,
@@ -435,7 +437,11 @@ fn check<M: Model>(settings: &SweepSettings) -> Result<(), RunError> {
         return Ok(());
     };
     let Some(param) = M::params().get(range.param) else {
-        return Err(RunError::Settings(format!("{} has no parameter {}", M::NAME, range.param)));
+        return Err(RunError::Settings(format!(
+            "{} has no parameter {}",
+            M::NAME,
+            range.param
+        )));
     };
     let problem = if param.kind == ParamKind::Count {
         "a count does not change continuously: give one value"
