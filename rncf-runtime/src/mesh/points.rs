@@ -352,7 +352,11 @@ pub fn rectangle_particles(sizes: [f64; 2]) -> [[f64; 3]; 9] {
     std::array::from_fn(|at| {
         let (i, j) = (at / 3, at % 3);
         let share = weight[i] * weight[j];
-        [0.5 * sizes[0] * place[i], 0.5 * sizes[1] * place[j], share * sizes[0] * sizes[1]]
+        [
+            0.5 * sizes[0] * place[i],
+            0.5 * sizes[1] * place[j],
+            share * sizes[0] * sizes[1],
+        ]
     })
 }
 
@@ -368,7 +372,10 @@ mod tests {
     fn assert_moments(particles: &[[f64; 3]], wanted: &[(i32, i32, f64)], size: f64) {
         for &(y, z, wanted) in wanted {
             let (found, scale) = (moment(particles, y, z), size.powi(2 + y + z));
-            assert!((found - wanted).abs() < 1e-14 * scale, "{y} {z}: {found} instead of {wanted}");
+            assert!(
+                (found - wanted).abs() < 1e-14 * scale,
+                "{y} {z}: {found} instead of {wanted}"
+            );
         }
         for (y, z) in [(1, 0), (0, 1), (1, 1), (3, 0), (1, 2), (2, 1), (3, 1), (5, 0), (2, 3)] {
             let (found, scale) = (moment(particles, y, z), size.powi(2 + y + z));
@@ -381,7 +388,14 @@ mod tests {
         let pi = std::f64::consts::PI;
         let r: f64 = 0.3;
         let (i, four) = (0.25 * pi * r.powi(4), pi * r.powi(6) / 8.0);
-        let circle = [(0, 0, pi * r * r), (2, 0, i), (0, 2, i), (4, 0, four), (0, 4, four), (2, 2, four / 3.0)];
+        let circle = [
+            (0, 0, pi * r * r),
+            (2, 0, i),
+            (0, 2, i),
+            (4, 0, four),
+            (0, 4, four),
+            (2, 2, four / 3.0),
+        ];
         assert_moments(&round_particles(r, r), &circle, r);
         let (inner, i) = (0.2_f64, 0.25 * pi * (r.powi(4) - 0.2_f64.powi(4)));
         let area = pi * (r * r - inner * inner);

@@ -80,7 +80,9 @@ fn rule_table(name: &str, size: usize, rule: &FieldRule) -> String {
 pub fn material_fields(name: &str, material: &Material) -> String {
     let name = camel_case(name);
     let params = material.params();
-    let fields = params.iter().map(|(param, _)| format!("/// Parameter of the model.\npub {param}: f64,\n"));
+    let fields = params
+        .iter()
+        .map(|(param, _)| format!("/// Parameter of the model.\npub {param}: f64,\n"));
     format!(
         "/// Particles of the section: y, z (m) and weight (m^2).\npub section: [[f64; 3]; {}],\n\
          /// Parameters of the energy.\npub material: {name}Material,\n}}\n\
@@ -107,11 +109,15 @@ pub fn material_values(name: &str, material: &Material, body: &Body, text: impl 
         _ => format!("[[0.0; 3]; {}]", material.section.count()),
     };
     let params = material.params();
-    let params = params.iter().map(|(param, is_count)| {
-        format!("{param}: model.{param}{}", if *is_count { " as f64" } else { "" })
-    });
+    let params = params
+        .iter()
+        .map(|(param, is_count)| format!("{param}: model.{param}{}", if *is_count { " as f64" } else { "" }));
     vec![
         format!("section: {section}"),
-        format!("material: {}Material {{ {} }}", camel_case(name), params.collect::<Vec<_>>().join(", ")),
+        format!(
+            "material: {}Material {{ {} }}",
+            camel_case(name),
+            params.collect::<Vec<_>>().join(", ")
+        ),
     ]
 }

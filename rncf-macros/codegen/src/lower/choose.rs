@@ -41,7 +41,9 @@ fn by_fields(variant: &Variant, library: &Library) -> ElasticKernels {
     let fields = field_kernels(variant, library);
     let reference = variant.curved.then(|| match variant.material {
         Some(_) => Signature::fields_before(variant, library, &fields),
-        None => kernel(variant, library, Form::Points, Quantity::Reference).map(|kernel| (kernel.outputs.len(), kernel)),
+        None => {
+            kernel(variant, library, Form::Points, Quantity::Reference).map(|kernel| (kernel.outputs.len(), kernel))
+        }
     });
     let reference = reference.flatten().map(|(count, kernel)| (kernel, count));
     let signature = Signature {

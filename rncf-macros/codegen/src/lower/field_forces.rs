@@ -49,7 +49,10 @@ fn of_material(variant: &Variant, library: &Library) -> Kernel {
         library,
         references: 0,
     };
-    let scales: Vec<String> = powers.iter().map(|power| format!("row.length.powi({})", -power)).collect();
+    let scales: Vec<String> = powers
+        .iter()
+        .map(|power| format!("row.length.powi({})", -power))
+        .collect();
     let mut inputs = vec!["fields"];
     if variant.curved {
         inputs.push("stress_free");
@@ -69,7 +72,11 @@ fn of_material(variant: &Variant, library: &Library) -> Kernel {
     bindings.push(format!(
         "{name}_points{}_force(row, {}&fields, {}&mut sums);",
         element.default_points,
-        if variant.curved { "::rncf::mesh::array(stress_free.as_flattened()), " } else { "" },
+        if variant.curved {
+            "::rncf::mesh::array(stress_free.as_flattened()), "
+        } else {
+            ""
+        },
         if variant.damped { "&rates, " } else { "" },
     ));
     bindings.push(format!(

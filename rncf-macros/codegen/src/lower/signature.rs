@@ -195,8 +195,16 @@ impl Signature<'_> {
     ) -> [Kernel; 2] {
         let mut particle = self.field_point(points, quantity, graph, outputs, (names, inputs, blocks));
         let mut sum = particle.clone();
-        let words: Vec<&str> = particle.arguments.iter().filter_map(|text| text.split(':').next()).collect();
-        let call = format!("{}(y, z, weight, {});", particle.name.replace("_points", "_particle"), words.join(", "));
+        let words: Vec<&str> = particle
+            .arguments
+            .iter()
+            .filter_map(|text| text.split(':').next())
+            .collect();
+        let call = format!(
+            "{}(y, z, weight, {});",
+            particle.name.replace("_points", "_particle"),
+            words.join(", ")
+        );
         sum.bindings = vec![format!("for &[y, z, weight] in &row.section {{ {call} }}")];
         (sum.graph, sum.outputs) = (Graph::new(), Vec::new());
         sum.doc.push("Summed over the particles of the section.".to_string());
@@ -212,7 +220,9 @@ impl Signature<'_> {
         }
         particle.bindings.push("let model = &row.material;".to_string());
         if self.variant.curved {
-            particle.bindings.push(format!("let [{}] = *reference;", before.join(", ")));
+            particle
+                .bindings
+                .push(format!("let [{}] = *reference;", before.join(", ")));
         }
         [sum, particle]
     }

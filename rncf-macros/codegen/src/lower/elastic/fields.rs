@@ -127,7 +127,10 @@ pub fn field_kernels(variant: &Variant, library: &Library) -> FieldKernels {
             stiffness: tangent.stiffness.unwrap_or_else(no_blocks),
             damping: tangent.damping,
             references: tangent.references,
-            particles: [force.particle, tangent.particle, energy.particle].into_iter().flatten().collect(),
+            particles: [force.particle, tangent.particle, energy.particle]
+                .into_iter()
+                .flatten()
+                .collect(),
             kernels: [force.kernel, tangent.kernel, energy.kernel],
         }
     });
@@ -202,8 +205,7 @@ impl Builder<'_> {
             .iter()
             .map(|&field| groups.group(self.declared[field].of))
             .collect();
-        let (outputs, stiffness, damping) =
-            self.field_outputs(&on_fields, &used, (&group_of, groups.of.len()));
+        let (outputs, stiffness, damping) = self.field_outputs(&on_fields, &used, (&group_of, groups.of.len()));
         let names: Vec<&str> = used.iter().map(|&field| self.declared[field].name).collect();
         let inputs = ["", "v_"].map(|prefix| self.input_names(prefix, &used));
         let blocks = [&stiffness, &damping].map(|blocks| blocks.as_ref().map_or(0, |blocks| blocks.pairs.len()));

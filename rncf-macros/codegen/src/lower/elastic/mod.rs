@@ -142,7 +142,9 @@ impl<'a> Builder<'a> {
     fn new(variant: &'a Variant, library: &'a Library, form: Form, quantity: Quantity) -> Self {
         let element = variant.declaration(library);
         let mut density = variant.material.as_ref().map(Material::density);
-        let mut graph = density.as_mut().map_or_else(Graph::new, |density| std::mem::take(&mut density.graph));
+        let mut graph = density
+            .as_mut()
+            .map_or_else(Graph::new, |density| std::mem::take(&mut density.graph));
         let length = graph.symbol("length");
         let one = graph.one();
         let inverse_length = graph.divide(one, length);

@@ -40,7 +40,11 @@ impl Builder<'_> {
         } else {
             self.columns("v_")
         };
-        let before = if self.variant.curved { self.columns("o_") } else { Vec::new() };
+        let before = if self.variant.curved {
+            self.columns("o_")
+        } else {
+            Vec::new()
+        };
         let list: Vec<Invariant> = invariants(columns.len(), self.variant.dimension)
             .into_iter()
             .filter(|it| it.product == crate::lower::invariants::Product::Dot)
@@ -165,7 +169,9 @@ impl Builder<'_> {
             Quantity::Energy | Quantity::Reference => {}
             Quantity::Force => {
                 let force = response.force(&mut self.graph);
-                let forces = places.iter().map(|&(column, factor)| self.graph.scale(factor, &force[column]));
+                let forces = places
+                    .iter()
+                    .map(|&(column, factor)| self.graph.scale(factor, &force[column]));
                 result.force = forces.collect();
             }
             Quantity::Tangent => {
@@ -191,7 +197,10 @@ impl Builder<'_> {
 
     fn particle_kernel(mut self, groups: &Groups, on_fields: &OnFields) -> Point {
         let fields: Vec<usize> = (0..self.declared.len()).collect();
-        let group_of: Vec<usize> = fields.iter().map(|&field| groups.group(self.declared[field].of)).collect();
+        let group_of: Vec<usize> = fields
+            .iter()
+            .map(|&field| groups.group(self.declared[field].of))
+            .collect();
         let (outputs, stiffness, damping) = self.field_outputs(on_fields, &fields, (&group_of, groups.of.len()));
         let names: Vec<&str> = self.declared.iter().map(|field| field.name).collect();
         let inputs = ["", "v_"].map(|prefix| self.input_names(prefix, &fields));
@@ -204,7 +213,8 @@ impl Builder<'_> {
             references,
         };
         let (points, quantity) = (self.rule, self.quantity);
-        let [kernel, particle] = signature.particle(points, quantity, self.graph, outputs, (&names, inputs, &before, blocks));
+        let [kernel, particle] =
+            signature.particle(points, quantity, self.graph, outputs, (&names, inputs, &before, blocks));
         Point {
             kernel,
             particle: Some(particle),
