@@ -681,8 +681,6 @@ pub mod andrews_squeezer_equations {
         out[2] = model.torque;
     }
     /// Times at which a derivative of a motion or load may jump (s).
-    ///
-    /// Operations: 0 additions, 0 multiplications.
     pub fn kinks(model: &super::AndrewsSqueezer, kinks: &mut [f64; 0]) {}
     /// Output columns from what they observe.
     ///
@@ -854,10 +852,19 @@ pub mod andrews_squeezer_equations {
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
-            panic!("no body {body}")
+            ::rncf::mesh::SectionSpec {
+                shape: ::rncf::mesh::SectionShape::General {
+                    extent: [None, None],
+                },
+                area: 0.0,
+                second_moments: [0.0; 2],
+                torsion_constant: 0.0,
+                yield_stress: None,
+                material: "",
+            }
         }
         fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
-            panic!("no body {body}")
+            &[]
         }
         fn field_forces(
             &self,

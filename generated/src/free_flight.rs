@@ -3371,8 +3371,6 @@ pub mod free_flight_equations {
         hessian[53] = -lambda[0];
     }
     /// Times at which a derivative of a motion or load may jump (s).
-    ///
-    /// Operations: 0 additions, 0 multiplications.
     pub fn kinks(model: &super::FreeFlight, kinks: &mut [f64; 0]) {}
     /// Output columns from what they observe.
     ///

@@ -335,8 +335,6 @@ pub mod heavy_top_equations {
         gradient[17] = -1.0;
     }
     /// Times at which a derivative of a motion or load may jump (s).
-    ///
-    /// Operations: 0 additions, 0 multiplications.
     pub fn kinks(model: &super::HeavyTop, kinks: &mut [f64; 0]) {}
     /// Output columns from what they observe.
     ///
@@ -504,10 +502,19 @@ pub mod heavy_top_equations {
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
-            panic!("no body {body}")
+            ::rncf::mesh::SectionSpec {
+                shape: ::rncf::mesh::SectionShape::General {
+                    extent: [None, None],
+                },
+                area: 0.0,
+                second_moments: [0.0; 2],
+                torsion_constant: 0.0,
+                yield_stress: None,
+                material: "",
+            }
         }
         fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
-            panic!("no body {body}")
+            &[]
         }
         fn field_forces(
             &self,

@@ -6,12 +6,13 @@ use super::equations::Equations;
 use super::kernel::documentation;
 use super::number::number;
 use super::{module_name, visibility};
+use crate::elements::{Interpolant, Library, NodalVector};
 use crate::lower::constraints::members;
 use crate::lower::markers::list;
 use crate::model::{Body, Fidelity, INERTIAL, Model, Motions, Space};
 
 /// The struct, its defaults and what it says of itself.
-pub fn declaration(model: &Model, equations: &Equations) -> String {
+pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> String {
     let name = &model.name;
     let mut text = documentation(std::iter::once(
         if model.doc.is_empty() { name } else { &model.doc }.as_str(),
@@ -54,12 +55,15 @@ pub fn declaration(model: &Model, equations: &Equations) -> String {
         let _ = writeln!(text, "{}: {value},", param.name);
     }
     text += "}\n}\n}\n";
-    text + &implementation(model, equations)
+    text + &implementation(model, library, equations)
 }
 
-fn implementation(model: &Model, equations: &Equations) -> String {
+fn implementation(model: &Model, library: &Library, equations: &Equations) -> String {
     let (name, module) = (&model.name, module_name(model));
-    let notes: Vec<String> = notes(model, equations).iter().map(|note| format!("{note:?}")).collect();
+    let notes: Vec<String> = notes(model, library, equations)
+        .iter()
+        .map(|note| format!("{note:?}"))
+        .collect();
     let mut text = format!(
         "#[allow(unused_variables, clippy::all)]\nimpl ::rncf::Model for {name} {{\n\
          const NAME: &'static str = {name:?};\n\
@@ -149,7 +153,7 @@ fn raw(text: &str) -> String {
 }
 
 /// What was chosen and left out, and why.
-fn notes(model: &Model, equations: &Equations) -> Vec<String> {
+fn notes(model: &Model, library: &Library, equations: &Equations) -> Vec<String> {
     let mut notes = Vec::new();
     for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
         let variant = &equations.variants[variant];
@@ -163,11 +167,29 @@ fn notes(model: &Model, equations: &Equations) -> Vec<String> {
                 body.name
             ));
         }
+        notes.extend(section(body, &variant.variant.vectors(library)));
         notes.push(placed(model, body));
         notes.extend(described(body));
     }
     notes.extend(moving(model, equations));
     notes
+}
+
+/// What the nodes of a body carry beside position and slope.
+fn section(body: &Body, vectors: &[&NodalVector]) -> Option<String> {
+    let axes = vectors.iter().filter(|vector| vector.of != Interpolant::Position);
+    let names: Vec<&str> = axes.map(|vector| vector.name).collect();
+    let which = match body.space {
+        Space::Planar { .. } => "the section's y axis",
+        Space::Spatial => "the section's y and z axes",
+    };
+    (!names.is_empty()).then(|| {
+        format!(
+            "Body `{}` has nodal vectors for {which} ({}): sections shear, twist and have rotary inertia.",
+            body.name,
+            names.join(", ")
+        )
+    })
 }
 
 /// Where a body lives.

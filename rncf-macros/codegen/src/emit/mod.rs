@@ -18,7 +18,7 @@ use crate::model::Model;
 /// module with its equations.
 pub fn model(model: &Model, library: &Library) -> String {
     let equations = equations::Equations::derive(model, library);
-    let mut text = declaration::declaration(model, &equations);
+    let mut text = declaration::declaration(model, library, &equations);
     text += &format!(
         "/// Equations of [`{0}`]: derived, checked and written by the generator.\n\
          #[allow(missing_docs, non_snake_case, unused_variables, unused_mut, unused_parens, clippy::all)]\n\

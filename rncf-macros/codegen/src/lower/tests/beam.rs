@@ -228,6 +228,7 @@ fn bodies_with_sections_are_written() {
     for there in [
         "let shear_modulus = young / (2.0 * (1.0 + poisson));",
         "SectionShape::Rectangle",
+        "Body `strip` has nodal vectors for the section's y axis (r0y, ry_half, r1y)",
         "yield_stress: Some(200000000.0)",
         "stride: 4",
         "fn fixture_planar_section_inertia_force(",
