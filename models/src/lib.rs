@@ -1,21 +1,43 @@
 //! The scenes of the paper and of the benchmarks, one file each.
 
 mod andrews_squeezer;
+mod bend_45;
 mod bricard;
+mod curved_downwind;
+mod curved_out_of_plane;
+mod curved_upwind;
+mod elastica;
 mod flyball_governor;
 mod four_bar;
 mod free_flight;
 mod heavy_top;
+mod lateral_buckling;
+mod motor;
+mod princeton_beam;
+mod right_angle_frame;
+mod roll_up;
+mod rotating_cantilever;
 mod slider_crank;
 mod spin_up;
 mod spin_up_spatial;
 
 pub use andrews_squeezer::{AndrewsSqueezer, andrews_squeezer_equations};
+pub use bend_45::{Bend45, bend45_equations};
 pub use bricard::{Bricard, bricard_equations};
+pub use curved_downwind::{CurvedDownwind, curved_downwind_equations};
+pub use curved_out_of_plane::{CurvedOutOfPlane, curved_out_of_plane_equations};
+pub use curved_upwind::{CurvedUpwind, curved_upwind_equations};
+pub use elastica::{Elastica, elastica_equations};
 pub use flyball_governor::{FlyballGovernor, flyball_governor_equations};
 pub use four_bar::{FourBar, four_bar_equations};
 pub use free_flight::{FreeFlight, free_flight_equations};
 pub use heavy_top::{HeavyTop, heavy_top_equations};
+pub use lateral_buckling::{LateralBuckling, lateral_buckling_equations};
+pub use motor::{Motor, motor_equations};
+pub use princeton_beam::{PrincetonBeam, princeton_beam_equations};
+pub use right_angle_frame::{RightAngleFrame, right_angle_frame_equations};
+pub use roll_up::{RollUp, roll_up_equations};
+pub use rotating_cantilever::{RotatingCantilever, rotating_cantilever_equations};
 pub use slider_crank::{SliderCrank, slider_crank_equations};
 pub use spin_up::{SpinUp, spin_up_equations};
 pub use spin_up_spatial::{SpinUpSpatial, spin_up_spatial_equations};

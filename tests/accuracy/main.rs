@@ -2,6 +2,7 @@
 
 mod dense;
 mod determinism;
+mod equilibria;
 mod free_flight;
 mod gravity;
 mod heavy_top;

@@ -1,5 +1,6 @@
 //! Relative equilibria at constant spin: elongation and root reaction (THEORY 8.1, 9.1).
 
+use rncf::equilibrium;
 use rncf::{Formulation, Joints, Method, Model, Scene, State, steady};
 use rncf_models::{SpinUp, SpinUpSpatial};
 use rncf_tests::table::STEADY_ELONGATIONS;
@@ -16,7 +17,7 @@ fn equilibrium(scene: &mut dyn Scene, t: f64) -> (Vec<f64>, Vec<f64>) {
     let found = steady(scene, t).unwrap();
     let state = found.state().unwrap();
     let mut outputs = vec![0.0; scene.output_columns()];
-    scene.steady_outputs(t, 1.0, &state.x, &mut outputs);
+    scene.uniform_outputs(&equilibrium::Uniform::steady(t), state, &mut outputs);
     (outputs, scene.frame_state(state).q)
 }
 

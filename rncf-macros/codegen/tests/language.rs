@@ -22,6 +22,7 @@ const WORDS: &[&str] = &[
     "free", "turning", "hinged", "plane", "angular_velocity", "speed", "mass", "center", "inertia", "on", "offset",
     "gyration", "modal", "small", "mean_axes", "initial",
     "planar", "spatial", "line", "arc", "mesh", "from", "to", "direction", "radius", "xy", "yz", "zx",
+    "normal", "section_y", "twist", "circle", "tube", "rectangle", "shear_factor", "energy", "xx", "yy", "zz", "xz",
     "quadrature", "evaluation", "gauss", "automatic", "tensor", "points", "loop",
     "clamp", "clamp_full", "pin", "at", "start", "end", "gravity", "force", "moment",
     "position", "velocity", "slope", "acceleration", "angular_velocity", "center", "ex", "ey", "ez", "slide", "multiplier",
@@ -31,7 +32,7 @@ const WORDS: &[&str] = &[
     "atan2",
 ];
 
-/// Items that end with their braces; all others end with a semicolon.
+/// Items that end with their braces; all others, and sections with a `=`, end with a semicolon.
 const BRACED: &[&str] = &["material", "section", "body", "rigid", "fixture", "run"];
 
 fn document(path: &str) -> String {
@@ -102,7 +103,8 @@ fn items(content: TokenStream) -> Vec<(String, String, TokenStream)> {
             _ => None,
         });
         let words: Vec<String> = words.take(2).collect();
-        let braced = words.first().is_some_and(|word| BRACED.contains(&word.as_str()));
+        let is_assigned = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == '=');
+        let braced = words.first().is_some_and(|word| BRACED.contains(&word.as_str())) && !item.iter().any(is_assigned);
         let ends = match &token {
             TokenTree::Punct(punct) => !braced && punct.as_char() == ';',
             TokenTree::Group(group) => braced && group.delimiter() == Delimiter::Brace,

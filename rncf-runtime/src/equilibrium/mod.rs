@@ -2,9 +2,11 @@
 //! the velocities and accelerations of the uniform motion, by continuation from the start or from a
 //! guess.
 
+mod critical;
 mod newton;
 mod uniform;
 
+pub use critical::{Critical, critical_factor};
 pub use uniform::{Kind, Spin, Uniform};
 
 use crate::error::{SolveError, SolveErrorKind};
@@ -34,6 +36,10 @@ pub struct Continued {
     pub state: State,
     /// Newton iterations that it took.
     pub iterations: u32,
+    /// Of a static equilibrium the number of negative eigenvalues of the stiffness on what the constraints
+    /// leave free: it changes where the bodies buckle or reach a limit point. Its parity alone (0 or 1) where
+    /// there are more than some hundred unknowns, or where the stiffness is not symmetric.
+    pub negative: Option<usize>,
 }
 
 impl Equilibrium {
@@ -100,6 +106,7 @@ pub fn follow<S: Scene + ?Sized>(
                     scale,
                     state,
                     iterations,
+                    negative: newton.count(at),
                 };
                 visit(scene, &step);
                 found.path.push(step);
@@ -125,12 +132,14 @@ pub fn continue_from<S: Scene + ?Sized>(scene: &mut S, at: &Uniform, guess: &Sta
     check(scene, at, guess)?;
     let mut state = guess.clone();
     state.t = at.t;
-    let (result, iterations) = Newton::new(scene).solve(scene, at, &mut state);
+    let mut newton = Newton::new(scene);
+    let (result, iterations) = newton.solve(scene, at, &mut state);
     match result {
         Ok(()) => Ok(Continued {
             scale: at.scale,
             state,
             iterations,
+            negative: newton.count(at),
         }),
         Err(failure) => Err(failed(scene, at, &failure, at.scale)),
     }

@@ -1,8 +1,8 @@
 //! Newton's iteration for equilibria with the whole matrix `[[K, C_x^T, p], [C_x, 0, 0], [p^T, 0, 0]]`:
 //! K alone may be singular, and phase conditions p hold what is neutral.
 
-use super::uniform::Uniform;
-use crate::linalg::{Lu, Pattern};
+use super::uniform::{Kind, Uniform};
+use crate::linalg::{Lu, Pattern, symmetric_eigen};
 use crate::model::Scene;
 use crate::system::{ConstraintLevel, State, Tangent};
 
@@ -18,6 +18,10 @@ const STAGNANT: f64 = 0.25;
 const ASTRAY: f64 = 10.0;
 /// Part of the acting forces that a phase condition may carry.
 const UNBALANCED: f64 = 1e-6;
+/// Most rows of a matrix whose eigenvalues are counted.
+const LARGEST_COUNTED: usize = 400;
+/// Skew part of an equilibrated matrix that counts as round-off.
+const SKEW: f64 = 1e-9;
 /// Part of the stiffness times the sizes that forces are resolved to.
 const RESOLVED: f64 = 1e-11;
 
@@ -42,7 +46,9 @@ impl Failure {
                 None,
             ),
             Failure::Slow(row) => (
-                format!("Newton's iteration does not converge {where_}: the bodies may have no equilibrium there"),
+                format!(
+                    "Newton's iteration does not converge {where_}: the bodies may buckle or have no equilibrium there"
+                ),
                 Some(row),
             ),
             Failure::Unbalanced(row) => (
@@ -271,6 +277,45 @@ impl Newton {
             }
         }
         largest
+    }
+
+    /// [`Newton::negative`] of static equilibria.
+    pub fn count(&self, at: &Uniform) -> Option<usize> {
+        (at.kind == Kind::Static).then(|| self.negative())
+    }
+
+    /// Number of negative eigenvalues of the stiffness on what constraints and phase conditions leave free,
+    /// where the iteration ended; its parity alone (0 or 1) where the stiffness is large or not symmetric.
+    pub fn negative(&self) -> usize {
+        let pattern = self.lu.pattern();
+        let size = pattern.columns();
+        let bordering = size - self.inverse_sizes.len();
+        if let Some(whole) = self.symmetric().filter(|_| size <= LARGEST_COUNTED)
+            && let Ok((values, _)) = symmetric_eigen(size, &whole)
+        {
+            // Every bordering row has one negative eigenvalue of its own.
+            let negative = values.iter().filter(|&&value| value < 0.0).count();
+            return negative.saturating_sub(bordering);
+        }
+        usize::from(self.lu.is_determinant_negative() != !bordering.is_multiple_of(2))
+    }
+
+    /// The whole matrix, equilibrated by a congruence; `None` where it is not symmetric.
+    fn symmetric(&self) -> Option<Vec<f64>> {
+        let pattern = self.lu.pattern();
+        let size = pattern.columns();
+        let places = entries(pattern);
+        let mut largest = vec![0.0_f64; size];
+        for (&(row, _), value) in places.iter().zip(&self.values) {
+            largest[row] = largest[row].max(value.abs());
+        }
+        let factors: Vec<f64> = largest.iter().map(|largest| 1.0 / largest.sqrt()).collect();
+        let mut whole = vec![0.0; size * size];
+        for (&(row, column), value) in places.iter().zip(&self.values) {
+            whole[row * size + column] = value * factors[row] * factors[column];
+        }
+        let skew = |&(row, column): &(usize, usize)| (whole[row * size + column] - whole[column * size + row]).abs();
+        places.iter().all(|place| skew(place) <= SKEW).then_some(whole)
     }
 
     /// Root mean square of the increments of `x`, relative to the sizes of the unknowns.

@@ -105,3 +105,12 @@ impl<T: Scalar> Banded<T> {
         }
     }
 }
+
+impl Banded<f64> {
+    /// Whether the determinant of what was factored is negative.
+    pub(super) fn is_determinant_negative(&self) -> bool {
+        let exchanged = (0..self.size).filter(|&k| self.pivots[k] != k).count();
+        let negative = self.inverses.iter().filter(|inverse| **inverse < 0.0).count();
+        !(exchanged + negative).is_multiple_of(2)
+    }
+}

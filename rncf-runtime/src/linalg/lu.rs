@@ -175,6 +175,17 @@ impl<T: Scalar> Lu<T> {
     }
 }
 
+impl Lu<f64> {
+    /// Whether the determinant of the matrix of the last successful [`Lu::factor`] is negative.
+    pub fn is_determinant_negative(&self) -> bool {
+        match &self.factors {
+            // Rows and columns have the same order there.
+            Factors::Banded(banded, _) => banded.is_determinant_negative(),
+            Factors::Sparse(sparse) => sparse.is_determinant_negative(),
+        }
+    }
+}
+
 #[cfg(test)]
 #[path = "lu_tests.rs"]
 pub(super) mod tests;

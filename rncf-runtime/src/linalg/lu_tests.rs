@@ -144,3 +144,41 @@ fn time_of_chains() {
         );
     }
 }
+
+#[test]
+fn signs_of_determinants() {
+    let mut number = numbers(9);
+    for size in 1..7 {
+        let entries = (0..size * size).map(|i| (i % size, i / size));
+        let pattern = Pattern::new(size, size, entries);
+        for limit in [usize::MAX, 0] {
+            let mut lu = Lu::with_bandwidth_limit(&pattern, limit);
+            let (mut negative, mut positive) = (0, 0);
+            for _ in 0..8 {
+                let values: Vec<f64> = (0..size * size).map(|_| number()).collect();
+                lu.factor(&values).unwrap();
+                let expected = determinant(size, &values) < 0.0;
+                assert_eq!(lu.is_determinant_negative(), expected);
+                negative += usize::from(expected);
+                positive += usize::from(!expected);
+            }
+            assert!(negative > 0 && positive > 0);
+        }
+    }
+}
+
+/// By the first column.
+fn determinant(size: usize, columns: &[f64]) -> f64 {
+    if size == 0 {
+        return 1.0;
+    }
+    let minor = |row: usize| -> Vec<f64> {
+        let rest = columns[size..].iter().enumerate();
+        rest.filter(|(place, _)| place % size != row)
+            .map(|(_, &value)| value)
+            .collect()
+    };
+    let sign = |row: usize| if row % 2 == 0 { 1.0 } else { -1.0 };
+    let term = |row: usize| sign(row) * columns[row] * determinant(size - 1, &minor(row));
+    (0..size).map(term).sum()
+}

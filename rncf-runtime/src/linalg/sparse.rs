@@ -97,6 +97,38 @@ impl<T: Scalar> Sparse<T> {
     }
 }
 
+impl Sparse<f64> {
+    /// Whether the determinant of what was factored is negative.
+    pub(super) fn is_determinant_negative(&self) -> bool {
+        let upper = self.factors.u_factor_unsorted();
+        let pivot = |k: usize| {
+            let entries = upper.row_idx_of_col(k).zip(upper.val_of_col(k));
+            entries
+                .filter(|&(row, _)| row == k)
+                .map(|(_, value)| *value)
+                .sum::<f64>()
+        };
+        let negative = (0..self.columns.len()).filter(|&k| pivot(k) < 0.0).count();
+        (negative % 2 == 1) ^ is_odd(&self.rows) ^ is_odd(&self.columns)
+    }
+}
+
+/// Whether a permutation is odd.
+fn is_odd(permutation: &[usize]) -> bool {
+    let mut seen = vec![false; permutation.len()];
+    let mut odd = false;
+    for start in 0..permutation.len() {
+        let mut at = permutation[start];
+        while !seen[start] && at != start {
+            seen[at] = true;
+            odd = !odd;
+            at = permutation[at];
+        }
+        seen[start] = true;
+    }
+    odd
+}
+
 fn matrix(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, usize> {
     SymbolicSparseColMatRef::new_checked(
         pattern.rows(),

@@ -220,3 +220,26 @@ impl Held {
         (across > ROUND_OFF * size).then(|| format!("what it holds starts with the rate {across:.3e}"))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_smallest_rotation_takes_one_direction_to_the_other_and_nothing_else() {
+        let near =
+            |found: Vector, wanted: Vector| assert!(norm(subtract(found, wanted)) < 1e-15, "{found:?} {wanted:?}");
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        // From x towards z: about -y, whatever the length.
+        let along = [0.6, 0.0, 0.8];
+        let at = |vector| turned(vector, x, scale(3.0, along), y);
+        near(at(x), along);
+        near(at(y), y);
+        near(at(z), [-0.8, 0.0, 0.6]);
+        near(turned(z, x, x, y), z);
+        // Opposite directions turn about the given axis.
+        near(turned(x, x, [-2.0, 0.0, 0.0], y), [-1.0, 0.0, 0.0]);
+        near(turned(y, x, [-2.0, 0.0, 0.0], y), y);
+        near(turned(z, x, [-2.0, 0.0, 0.0], y), [0.0, 0.0, -1.0]);
+    }
+}

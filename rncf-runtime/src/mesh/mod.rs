@@ -27,6 +27,7 @@ mod parts;
 mod points;
 mod scene;
 mod section;
+mod section_spec;
 mod states;
 mod steady;
 mod stress;
@@ -46,11 +47,12 @@ pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
 pub use modal::build;
 pub use parts::{
     BodySpec, Carried, CarriedTangent, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec,
-    NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed, SectionQuantity, SectionShape, SectionSpec,
+    NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed,
 };
 pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
 pub use scene::MeshScene;
 pub use section::SectionState;
+pub use section_spec::{SectionQuantity, SectionShape, SectionSpec};
 
 #[cfg(test)]
 mod tests;

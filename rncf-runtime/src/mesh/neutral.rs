@@ -30,12 +30,13 @@ fn unit(axis: usize) -> Vector {
 }
 
 impl Screw {
-    fn displacements(self, moved: &[bool], size: f64) -> Vec<Displacement> {
+    fn displacements(self, moved: &[bool], is_own: bool, size: f64) -> Vec<Displacement> {
         let still = Displacement {
             moved: moved.to_vec(),
             turn: [0.0; 3],
             point: [0.0; 3],
             shift: [0.0; 3],
+            is_own,
             later: None,
         };
         match self {
@@ -83,7 +84,10 @@ impl<P: Parts> MeshScene<P> {
             }
         }
         let sizes = &self.sizes;
-        found.iter().map(|motion| motion.iter().zip(sizes).map(|(x, size)| x * size).collect()).collect()
+        found
+            .iter()
+            .map(|motion| motion.iter().zip(sizes).map(|(x, size)| x * size).collect())
+            .collect()
     }
 
     /// Keeps the direction of a motion, relative to the sizes of the unknowns, if it is new and changes
@@ -95,7 +99,7 @@ impl<P: Parts> MeshScene<P> {
             return;
         }
         let size = self.sizes.iter().fold(0.0, |size: f64, other| size.max(*other));
-        for displacement in screw.displacements(moved, size) {
+        for displacement in screw.displacements(moved, is_own, size) {
             let is_free = self.follows(&displacement)
                 && (is_own || !self.is_pulled(at, &displacement))
                 && self.changed_by(at.t, &displacement).is_none();
@@ -126,7 +130,10 @@ impl<P: Parts> MeshScene<P> {
     }
 
     fn join(&self, frames: impl Iterator<Item = usize>, group: &mut [usize]) {
-        let free: Vec<usize> = frames.filter_map(|frame| self.free_of[frame]).map(|free| group[free]).collect();
+        let free: Vec<usize> = frames
+            .filter_map(|frame| self.free_of[frame])
+            .map(|free| group[free])
+            .collect();
         if let Some(&first) = free.iter().min() {
             for label in group.iter_mut().filter(|label| free.contains(label)) {
                 *label = first;
@@ -153,7 +160,10 @@ impl<P: Parts> MeshScene<P> {
         let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
         for markers in constraints.chain(self.forces.iter().map(|force| force.markers)) {
             let markers = markers.iter().map(|&marker| &self.markers[marker]);
-            if !markers.clone().any(|marker| frames.contains(&self.marker_frame(marker))) {
+            if !markers
+                .clone()
+                .any(|marker| frames.contains(&self.marker_frame(marker)))
+            {
                 continue;
             }
             for marker in markers.filter(|marker| self.free_of[self.marker_frame(marker)].is_none()) {
@@ -182,7 +192,11 @@ impl<P: Parts> MeshScene<P> {
         }
         let motion = &self.buffers.frames[frame.spec.frame];
         let rigid = &frame.spec.rigid;
-        let size = rigid.inertia.iter().flatten().fold(0.0, |size: f64, x| size.max(x.abs()));
+        let size = rigid
+            .inertia
+            .iter()
+            .flatten()
+            .fold(0.0, |size: f64, x| size.max(x.abs()));
         let is_symmetric = |axis: &Vector| {
             let turn = Rotation::exp(scale(ANGLES[0], *axis)).matrix();
             let turned = multiply(&multiply(&transpose(&turn), &rigid.inertia), &turn);
@@ -218,7 +232,11 @@ impl<P: Parts> MeshScene<P> {
         let after = pull(self);
         (self.buffers.frames, self.buffers.q) = (frames, q);
         before.into_iter().zip(after).any(|((frame, before), (_, after))| {
-            let expected = if displacement.moved[frame] { apply(&matrix, before) } else { before };
+            let expected = if displacement.moved[frame] {
+                apply(&matrix, before)
+            } else {
+                before
+            };
             norm(subtract(expected, after)) > NEGLIGIBLE * norm(before)
         })
     }

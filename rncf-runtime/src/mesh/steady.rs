@@ -159,6 +159,7 @@ impl<P: Parts> MeshScene<P> {
                 turn: scale(angle / speed, spin.velocity),
                 point: spin.point,
                 shift: [0.0; 3],
+                is_own: false,
                 later: Some(later),
             };
             if let Some(name) = self.changed_by(t, &displacement) {

@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use super::parts::{SectionShape, SectionSpec};
+use super::section_spec::{SectionShape, SectionSpec};
 
 /// Forces (N, Q_y, Q_z) and moments (T, M_y, M_z) on a section with its constants.
 struct Loaded<'a> {

@@ -27,6 +27,9 @@ pub(super) struct Displacement {
     pub point: Vector,
     /// d, m.
     pub shift: Vector,
+    /// Whether it is the own turning of one symmetric rigid body about an axis of its own: forces on points
+    /// of the axis do not turn then, and moments about it are told from the body.
+    pub is_own: bool,
     /// Time that passes meanwhile, s: `Some` looks at what depends on time only, or, where it is zero, at
     /// all else only.
     pub later: Option<f64>,
@@ -75,22 +78,25 @@ impl<P: Parts> MeshScene<P> {
     /// Whether the moved free frames can follow a displacement at the loaded state.
     pub(super) fn follows(&self, displacement: &Displacement) -> bool {
         let turn = displacement.turn;
-        self.free.iter().filter(|frame| displacement.moved[frame.spec.frame]).all(|frame| {
-            let motion = &self.buffers.frames[frame.spec.frame];
-            let moved = displacement.displaced(motion, true);
-            let step = subtract(moved.position, motion.position);
-            let within = motion.direction_to_frame(turn);
-            let (mut left, mut untold) = (step, within);
-            for direction in &frame.directions {
-                left = subtract(left, scale(dot(direction.shift, step), direction.shift));
-                untold = subtract(untold, scale(dot(direction.turn, within), direction.turn));
-            }
-            let carries = self.bodies.iter().any(|body| body.spec.frame == frame.spec.frame)
-                || frame.spec.rigid.moment != [0.0; 3];
-            let turns = frame.count() > frame.shifts() || carries;
-            let size = norm(subtract(motion.position, displacement.point)) + norm(step) + f64::MIN_POSITIVE;
-            norm(left) <= ROUND_OFF * size && (!turns || norm(untold) <= ROUND_OFF * norm(turn))
-        })
+        self.free
+            .iter()
+            .filter(|frame| displacement.moved[frame.spec.frame])
+            .all(|frame| {
+                let motion = &self.buffers.frames[frame.spec.frame];
+                let moved = displacement.displaced(motion, true);
+                let step = subtract(moved.position, motion.position);
+                let within = motion.direction_to_frame(turn);
+                let (mut left, mut untold) = (step, within);
+                for direction in &frame.directions {
+                    left = subtract(left, scale(dot(direction.shift, step), direction.shift));
+                    untold = subtract(untold, scale(dot(direction.turn, within), direction.turn));
+                }
+                let carries = self.bodies.iter().any(|body| body.spec.frame == frame.spec.frame)
+                    || frame.spec.rigid.moment != [0.0; 3];
+                let turns = frame.count() > frame.shifts() || carries;
+                let size = norm(subtract(motion.position, displacement.point)) + norm(step) + f64::MIN_POSITIVE;
+                norm(left) <= ROUND_OFF * size && (!turns || norm(untold) <= ROUND_OFF * norm(turn))
+            })
     }
 
     /// The first constraint or force on markers, in the user's words, that a displacement changes at the
@@ -238,11 +244,20 @@ impl<P: Parts> MeshScene<P> {
             for frame in self.free.iter().filter(|frame| by.moved[frame.spec.frame]) {
                 let first = border + frame.first;
                 let own = &mut row[first..first + frame.count()];
-                let parts = frame.directions.iter().zip(own.iter());
-                let along = parts.fold([0.0; 3], |sum, (direction, value)| add(sum, scale(*value, direction.shift)));
-                let along = apply(&back, along);
-                for (value, direction) in own.iter_mut().zip(&frame.directions).take(frame.shifts()) {
-                    *value = dot(direction.shift, along);
+                let (mut along, mut about) = ([0.0; 3], [0.0; 3]);
+                for (direction, value) in frame.directions.iter().zip(own.iter()) {
+                    along = add(along, scale(*value, direction.shift));
+                    about = add(about, scale(*value, direction.turn));
+                }
+                if by.is_own {
+                    let motion = &self.buffers.frames[frame.spec.frame];
+                    let within = motion.direction_to_frame(by.turn);
+                    about = apply(&Rotation::exp(within).matrix(), about);
+                } else {
+                    along = apply(&back, along);
+                }
+                for (value, direction) in own.iter_mut().zip(&frame.directions) {
+                    *value = dot(direction.shift, along) + dot(direction.turn, about);
                 }
             }
             let mut row = sized(&row);
@@ -259,24 +274,38 @@ impl<P: Parts> MeshScene<P> {
             .iter()
             .map(|marker| {
                 let components = self.marker_components(marker);
-                components.into_iter().any(|component| self.layout.unknown(component).is_some())
+                components
+                    .into_iter()
+                    .any(|component| self.layout.unknown(component).is_some())
             })
             .collect();
         let turned = |place: usize, vector: Vector| {
             let marker = markers[place];
-            let is_turned = by.moved[self.marker_frame(marker)] && !matches!(marker, Marker::Angle { .. });
+            let is_turned =
+                by.moved[self.marker_frame(marker)] && !by.is_own && !matches!(marker, Marker::Angle { .. });
             if is_turned { apply(&matrix, vector) } else { vector }
         };
         let count = markers.len();
-        let size = largest(&before.values);
+        // What is 0 at the state, as of a spring without force, is round-off of its derivatives.
+        let frames = self.buffers.frames.iter();
+        let rate = frames.fold(1.0, |rate: f64, frame| rate.max(norm(frame.spin)));
+        let length = self.sizes.iter().fold(0.0, |length: f64, size| length.max(*size));
+        let stiffness = before
+            .derivatives
+            .iter()
+            .zip([1.0, rate])
+            .map(|(values, rate)| rate * largest(values));
+        let stiffness = stiffness.fold(0.0, f64::max);
+        let size = largest(&before.values).max(stiffness * length);
         for place in (0..count).filter(|&place| movable[place]) {
             let at = |values: &[f64]| -> Vector { std::array::from_fn(|i| values[3 * place + i]) };
             if differ(&turned(place, at(&before.values)), &at(&after.values), size) {
                 return true;
             }
         }
-        before.derivatives.iter().zip(&after.derivatives).any(|(before, after)| {
-            let size = largest(before);
+        let derivatives = before.derivatives.iter().zip(&after.derivatives);
+        derivatives.zip([1.0, rate]).any(|((before, after), rate)| {
+            let size = stiffness / rate;
             let pairs = (0..count * count).map(|pair| (pair / count, pair % count));
             let mut pairs = pairs.filter(|&(m, n)| movable[m] && movable[n]);
             pairs.any(|(m, n)| {
@@ -308,7 +337,9 @@ pub(super) fn reduce(row: &mut [f64], basis: &[Vec<f64>]) -> f64 {
     for _ in 0..2 {
         for known in basis {
             let part: f64 = known.iter().zip(row.iter()).map(|(a, b)| a * b).sum();
-            row.iter_mut().zip(known).for_each(|(value, known)| *value -= part * known);
+            row.iter_mut()
+                .zip(known)
+                .for_each(|(value, known)| *value -= part * known);
         }
     }
     length(row)

@@ -16,7 +16,7 @@ use crate::linalg::{Lu, c64, general_eigen};
 /// Residual of an eigenpair of the inverse, relative to the eigenvalue, at which it is locked.
 const CONVERGED: f64 = 1e-10;
 /// Residual from which on an eigenvalue tells the order of frequencies.
-const ROUGH: f64 = 1e-3;
+const ROUGH: f64 = 1e-2;
 /// Images below this part of the first one are round-off: nothing is left.
 const EXHAUSTED: f64 = 1e-13;
 /// Eigenvalues below this part of the largest one stand for infinite frequencies.
@@ -30,8 +30,11 @@ const LONGER: f64 = 1.4;
 const MOST_VECTORS: usize = 300;
 /// Most starts, beside as many as eigenvalues are wanted.
 const MOST_STARTS: usize = 40;
-/// Most rounds in which the shift is chosen.
+/// Most rounds in which the shift is chosen, the vectors of each, and how many eigenvalues are looked at
+/// in any case.
 const ROUNDS: usize = 12;
+const LOOK_AROUND: usize = 40;
+const FIRST: usize = 4;
 
 /// The `count` lowest modes and what else was found, with the shift; conjugates both. `true` if these are
 /// all.
@@ -48,7 +51,9 @@ pub(super) fn spectrum(pencil: &Pencil, count: usize) -> Result<(f64, Vec<Pair>,
         let end = iteration.run(wanted, needed, 2 * count + MOST_VECTORS)?;
         let ritz = iteration.ritz()?;
         let ready = ritz.iter().take_while(|ritz| ritz.residual <= CONVERGED).count();
-        let news = ritz[..ready].iter().filter(|ritz| needed.is_none_or(|needed| ritz.value.norm() >= needed));
+        let news = ritz[..ready]
+            .iter()
+            .filter(|ritz| needed.is_none_or(|needed| ritz.value.norm() >= needed));
         let is_new = news.count() > 0;
         if end == End::Exhausted && ready == 0 || needed.is_some() && !is_new {
             all = end == End::Exhausted;
@@ -73,7 +78,10 @@ pub(super) fn spectrum(pencil: &Pencil, count: usize) -> Result<(f64, Vec<Pair>,
 /// Size of the inverse's eigenvalue that is certainly not exceeded by those farther from zero than the
 /// `count` lowest of the found ones.
 fn farthest(found: &[c64], count: usize, shift: f64) -> f64 {
-    let mut speeds: Vec<f64> = found.iter().map(|value| (c64::new(shift, 0.0) + value.inv()).norm()).collect();
+    let mut speeds: Vec<f64> = found
+        .iter()
+        .map(|value| (c64::new(shift, 0.0) + value.inv()).norm())
+        .collect();
     speeds.sort_by(f64::total_cmp);
     let radius = speeds[(2 * count).min(speeds.len()) - 1];
     1.0 / (radius + shift)
@@ -86,10 +94,14 @@ fn choose_shift(pencil: &Pencil) -> Result<Inverse<'_>, Failure> {
     for _ in 0..ROUNDS {
         let shift = inverse.shift;
         let mut iteration = Iteration::new(&mut inverse, &[], &nothing, 0)?;
-        iteration.extend(FIRST_LOOK);
+        iteration.extend(LOOK_AROUND);
         let ritz = iteration.ritz()?;
-        let seen = ritz.iter().filter(|ritz| ritz.residual <= ROUGH);
-        let pairs = seen.map(|ritz| Pair {
+        // The first ones tell the direction, whether they have converged or not.
+        let seen = ritz
+            .iter()
+            .enumerate()
+            .filter(|(place, ritz)| *place < FIRST || ritz.residual <= ROUGH);
+        let pairs = seen.map(|(_, ritz)| Pair {
             s: c64::new(shift, 0.0) + ritz.value.inv(),
             x: combination(&iteration.basis, &ritz.vector, pencil.unknowns()),
         });
@@ -337,14 +349,25 @@ impl<'a, 'b> Iteration<'a, 'b> {
         let mut ritz: Vec<Ritz> = all
             .filter(|(value, _)| value.norm() > INFINITE * self.size)
             .map(|(value, vector)| {
-                let residual = if self.exhausted { 0.0 } else { rest * vector[k - 1].norm() / value.norm() };
-                Ritz { value, vector, residual }
+                let residual = if self.exhausted {
+                    0.0
+                } else {
+                    rest * vector[k - 1].norm() / value.norm()
+                };
+                Ritz {
+                    value,
+                    vector,
+                    residual,
+                }
             })
             .collect();
         let key = |ritz: &Ritz| (ritz.value.norm(), ritz.value.im.abs());
         ritz.sort_by(|a, b| {
             let ((size_a, im_a), (size_b, im_b)) = (key(a), key(b));
-            size_b.total_cmp(&size_a).then(im_b.total_cmp(&im_a)).then(b.value.im.total_cmp(&a.value.im))
+            size_b
+                .total_cmp(&size_a)
+                .then(im_b.total_cmp(&im_a))
+                .then(b.value.im.total_cmp(&a.value.im))
         });
         Ok(ritz)
     }

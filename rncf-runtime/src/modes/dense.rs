@@ -24,7 +24,9 @@ pub(super) fn spectrum(pencil: &Pencil) -> Result<(f64, Vec<Pair>), Failure> {
         let sum = |place: usize| stiffness[place] + shift * (damping[place] + shift * mass[place]);
         let dynamic: Vec<f64> = (0..k * k).map(sum).collect();
         // Right sides of what x' takes from x and from y = s x / shift.
-        let from_x: Vec<f64> = (0..k * k).map(|place| -(damping[place] + shift * mass[place])).collect();
+        let from_x: Vec<f64> = (0..k * k)
+            .map(|place| -(damping[place] + shift * mass[place]))
+            .collect();
         let from_y: Vec<f64> = mass.iter().map(|value| -shift * value).collect();
         let Some([from_x, from_y]) = solve_full(k, &dynamic, [&from_x, &from_y]) else {
             shift *= 1.3;
@@ -42,11 +44,16 @@ pub(super) fn spectrum(pencil: &Pencil) -> Result<(f64, Vec<Pair>), Failure> {
         }
         let (values, vectors) = general_eigen(2 * k, &inverse).map_err(|_| Failure::NotFound)?;
         let largest = values.iter().map(|value| value.norm()).fold(0.0, f64::max);
-        let finite = values.into_iter().zip(vectors).filter(|(value, _)| value.norm() > INFINITE * largest);
-        let pairs: Vec<Pair> = finite.map(|(value, vector)| Pair {
-            s: c64::new(shift, 0.0) + c64::new(1.0, 0.0) / value,
-            x: expanded(&basis, &vector[..k]),
-        }).collect();
+        let finite = values
+            .into_iter()
+            .zip(vectors)
+            .filter(|(value, _)| value.norm() > INFINITE * largest);
+        let pairs: Vec<Pair> = finite
+            .map(|(value, vector)| Pair {
+                s: c64::new(shift, 0.0) + c64::new(1.0, 0.0) / value,
+                x: expanded(&basis, &vector[..k]),
+            })
+            .collect();
         match better_shift(pencil, shift, pairs.iter().cloned()) {
             Some(next) if round + 1 < ROUNDS => shift = next,
             _ => return Ok((shift, pairs)),

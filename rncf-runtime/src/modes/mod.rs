@@ -87,7 +87,13 @@ fn pencil(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Pencil {
     let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
     scene.small_motions(at, state, &mut tangent);
     scene.constraint_jacobian(state, &mut jacobian);
-    Pencil::new(scene.pattern(), &tangent, scene.constraint_pattern(), &jacobian, scene.sizes())
+    Pencil::new(
+        scene.pattern(),
+        &tangent,
+        scene.constraint_pattern(),
+        &jacobian,
+        scene.sizes(),
+    )
 }
 
 /// The mode in the unknowns and their true sizes.
@@ -96,7 +102,10 @@ fn mode(pencil: &Pencil, sizes: &[f64], Pair { s, mut x }: Pair) -> Mode {
         *value *= scale / size;
     }
     spectrum::normalise(&mut x, &mut []);
-    let shape = x.iter().zip(sizes).map(|(value, size)| [value.re * size, value.im * size]);
+    let shape = x
+        .iter()
+        .zip(sizes)
+        .map(|(value, size)| [value.re * size, value.im * size]);
     Mode {
         re: s.re,
         im: s.im,
@@ -108,18 +117,35 @@ fn error(scene: &dyn Scene, at: &Uniform, failure: &Failure) -> SolveError {
     let n = scene.unknowns();
     let (text, worst) = match *failure {
         Failure::Singular(row) => {
-            let worst = row.map(|row| if row < n { scene.describe_unknown(row) } else { scene.describe_constraint(row - n) });
+            let worst = row.map(|row| {
+                if row < n {
+                    scene.describe_unknown(row)
+                } else {
+                    scene.describe_constraint(row - n)
+                }
+            });
             let text = "a motion has neither inertia nor stiffness, or constraints depend on each other";
             (text.to_string(), worst)
         }
-        Failure::NotFinite => ("a matrix of small motions is not finite: a parameter is unphysical".to_string(), None),
-        Failure::NotFound => ("the eigenvalues of a full matrix were not found: look for values out of the range of numbers".to_string(), None),
+        Failure::NotFinite => (
+            "a matrix of small motions is not finite: a parameter is unphysical".to_string(),
+            None,
+        ),
+        Failure::NotFound => (
+            "the eigenvalues of a full matrix were not found: look for values out of the range of numbers".to_string(),
+            None,
+        ),
         Failure::Slow(found) => (
-            format!("the search did not converge beyond {found} modes: ask for fewer, or for other numbers of elements"),
+            format!(
+                "the search did not converge beyond {found} modes: ask for fewer, or for other numbers of elements"
+            ),
             None,
         ),
         Failure::Inexact(index) => (
-            format!("mode {} does not satisfy its equations to round-off: ask for at most {index}", index + 1),
+            format!(
+                "mode {} does not satisfy its equations to round-off: ask for at most {index}",
+                index + 1
+            ),
             None,
         ),
     };
@@ -135,7 +161,9 @@ fn error(scene: &dyn Scene, at: &Uniform, failure: &Failure) -> SolveError {
 fn scattered(count: usize, start: usize) -> Vec<f64> {
     let mut seed = 0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(start as u64 + 1);
     let next = |_| {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        seed = seed
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     };
     (0..count).map(next).collect()

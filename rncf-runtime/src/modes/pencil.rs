@@ -55,7 +55,11 @@ impl Pencil {
                 .collect()
         };
         let border: Vec<(usize, usize)> = entries(constraint_pattern).collect();
-        let mut rows: Vec<f64> = jacobian.iter().zip(&border).map(|(value, &(row, _))| value * scales[row]).collect();
+        let mut rows: Vec<f64> = jacobian
+            .iter()
+            .zip(&border)
+            .map(|(value, &(row, _))| value * scales[row])
+            .collect();
         let mut largest = vec![0.0f64; m];
         for (value, &(_, constraint)) in rows.iter().zip(&border) {
             largest[constraint] = largest[constraint].max(value.abs());
@@ -72,7 +76,10 @@ impl Pencil {
             stiffness: scaled(&tangent.stiffness),
             jacobian: rows,
             block: places.iter().map(|&(row, column)| place(row, column)).collect(),
-            border: border.iter().map(|&(row, j)| [place(row, n + j), place(n + j, row)]).collect(),
+            border: border
+                .iter()
+                .map(|&(row, j)| [place(row, n + j), place(n + j, row)])
+                .collect(),
             pattern: pattern.clone(),
             constraint_pattern: constraint_pattern.clone(),
             scales,
@@ -178,7 +185,8 @@ impl Pencil {
     /// Lowest quotient of diagonal entries of stiffness and mass, as a frequency: not below the lowest
     /// one of a stiff system by orders, to begin with.
     pub(super) fn guess(&self) -> f64 {
-        let diagonal = |values: &[f64], index: usize| self.pattern.find(index, index).map_or(0.0, |entry| values[entry]);
+        let diagonal =
+            |values: &[f64], index: usize| self.pattern.find(index, index).map_or(0.0, |entry| values[entry]);
         let quotient = |index: usize| {
             let [k, c, m] = [&self.stiffness, &self.damping, &self.mass].map(|values| diagonal(values, index).abs());
             let frequency = if k > 0.0 { (k / m).sqrt() } else { c / m };
@@ -242,11 +250,17 @@ impl Products {
 /// The root next to `s` of `m s^2 + c s + k`; `s` where there is none.
 fn nearest_root([m, c, k]: [c64; 3], s: c64) -> c64 {
     let root = (c * c - 4.0 * m * k).sqrt();
-    let sum = if (c.conj() * root).re >= 0.0 { c + root } else { c - root };
+    let sum = if (c.conj() * root).re >= 0.0 {
+        c + root
+    } else {
+        c - root
+    };
     let half = -0.5 * sum;
     let candidates = [half / m, k / half];
     let finite = candidates.into_iter().filter(|root| root.is_finite());
-    finite.min_by(|a, b| (a - s).norm().total_cmp(&(b - s).norm())).unwrap_or(s)
+    finite
+        .min_by(|a, b| (a - s).norm().total_cmp(&(b - s).norm()))
+        .unwrap_or(s)
 }
 
 /// Row and column of every entry, in the order of the values.

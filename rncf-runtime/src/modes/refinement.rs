@@ -49,9 +49,9 @@ impl<'a> Refinement<'a> {
         }
         let mean = group.iter().map(|pair| pair.s).sum::<c64>() / size as f64;
         let refined: Option<Vec<Pair>> = group.into_iter().map(|pair| self.refined(pair)).collect();
-        let apart = refined.map(independent).filter(|pairs| pairs.len() == size);
-        if apart.is_some() {
-            return apart;
+        let apart = refined.map(independent).unwrap_or_default();
+        if apart.len() == size {
+            return Some(apart);
         }
         self.factor(mean, TOUCHING)?;
         let vectors = self.eigenspace(size, |pencil, x, image| {
@@ -60,9 +60,13 @@ impl<'a> Refinement<'a> {
                 *value = products.damping[place] + 2.0 * mean * products.mass[place];
             }
         })?;
-        let pairs = independent(vectors.into_iter().map(|x| Pair { s: mean, x }).collect());
+        let mut pairs = independent(vectors.into_iter().map(|x| Pair { s: mean, x }).collect());
         if pairs.len() == size {
             return pairs.into_iter().map(|pair| self.refined(pair)).collect();
+        }
+        if pairs.len() < apart.len() {
+            // Inverse iteration prefers what drifts to what does not.
+            pairs = apart.into_iter().map(|Pair { x, .. }| Pair { s: mean, x }).collect();
         }
         let exact = |pair: &Pair| {
             let lambda = self.multipliers(pair);
@@ -74,11 +78,21 @@ impl<'a> Refinement<'a> {
     /// Motions with the eigenvalue zero, at most `count` of them: the null vectors of K.
     pub fn still(&mut self, count: usize) -> Vec<Pair> {
         let beside = STILL * self.shift;
-        if count == 0 || self.lu.factor(&self.pencil.without_damping(c64::new(beside, 0.0))).is_err() {
+        if count == 0
+            || self
+                .lu
+                .factor(&self.pencil.without_damping(c64::new(beside, 0.0)))
+                .is_err()
+        {
             return Vec::new();
         }
-        let vectors = self.eigenspace(count, |pencil, x, image| image.copy_from_slice(&pencil.products(x, &[]).mass));
-        let pairs = vectors.unwrap_or_default().into_iter().map(|x| Pair { s: c64::default(), x });
+        let vectors = self.eigenspace(count, |pencil, x, image| {
+            image.copy_from_slice(&pencil.products(x, &[]).mass)
+        });
+        let pairs = vectors
+            .unwrap_or_default()
+            .into_iter()
+            .map(|x| Pair { s: c64::default(), x });
         let lowest = CLOSE * self.shift;
         let is_still = |pair: &Pair| {
             let products = self.pencil.products(&pair.x, &[]);
@@ -95,7 +109,10 @@ impl<'a> Refinement<'a> {
         let n = self.pencil.unknowns();
         let mut vectors = Vec::with_capacity(count);
         for start in 0..count {
-            let mut x: Vec<c64> = scattered(n, start).into_iter().map(|value| c64::new(value, 0.0)).collect();
+            let mut x: Vec<c64> = scattered(n, start)
+                .into_iter()
+                .map(|value| c64::new(value, 0.0))
+                .collect();
             for _ in 0..INVERSE_ITERATIONS {
                 let mut image = vec![c64::default(); n + self.pencil.constraints()];
                 weight(self.pencil, &x, &mut image[..n]);
@@ -129,7 +146,9 @@ impl<'a> Refinement<'a> {
     fn factor(&mut self, s: c64, part: f64) -> Option<()> {
         let distance = part * s.norm().max(self.shift);
         let mut places = [1.0, -1.7, 3.0].into_iter();
-        places.find(|place| self.lu.factor(&self.pencil.at(s + place * distance)).is_ok()).map(|_| ())
+        places
+            .find(|place| self.lu.factor(&self.pencil.at(s + place * distance)).is_ok())
+            .map(|_| ())
     }
 
     /// The refined pair, if it satisfies its equation.
@@ -148,7 +167,10 @@ impl<'a> Refinement<'a> {
             if !change.iter().all(|value| value.is_finite()) {
                 return None;
             }
-            x.iter_mut().chain(&mut lambda).zip(&change).for_each(|(value, change)| *value -= change);
+            x.iter_mut()
+                .chain(&mut lambda)
+                .zip(&change)
+                .for_each(|(value, change)| *value -= change);
             normalise(&mut x, &mut lambda);
             if size <= ROUND_OFF || size > STAGNANT * last {
                 break;

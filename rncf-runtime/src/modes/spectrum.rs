@@ -64,6 +64,9 @@ pub(super) fn lowest(pencil: &Pencil, count: usize) -> Result<Vec<Pair>, Failure
         let (mut modes, is_checked) = distinct(pencil, shift, pairs, asked)?;
         // Of a motion that drifts two eigenvalues make one mode.
         if modes.len() < count && !(is_all && is_checked) {
+            if asked >= 2 * n {
+                return Err(Failure::Slow(modes.len()));
+            }
             asked *= 2;
             continue;
         }
@@ -106,7 +109,10 @@ fn distinct(pencil: &Pencil, shift: f64, mut pairs: Vec<Pair>, count: usize) -> 
 }
 
 fn order(a: c64, b: c64) -> std::cmp::Ordering {
-    a.norm().total_cmp(&b.norm()).then(a.re.total_cmp(&b.re)).then(b.im.total_cmp(&a.im))
+    a.norm()
+        .total_cmp(&b.norm())
+        .then(a.re.total_cmp(&b.re))
+        .then(b.im.total_cmp(&a.im))
 }
 
 /// A shift that suits the given approximate pairs better than the present one: near the lowest frequency
@@ -115,7 +121,10 @@ pub(super) fn better_shift(pencil: &Pencil, shift: f64, pairs: impl Iterator<Ite
     let none = vec![c64::default(); pencil.constraints()];
     // Either estimate may be off: that of the inverse by its round-off, the other by a stiff part.
     let speed = |pair: Pair| pair.s.norm().min(pencil.residual(pair.s, &pair.x, &none).1.norm());
-    let lowest = pairs.map(speed).filter(|&speed| speed > CLOSE * shift).fold(f64::INFINITY, f64::min);
+    let lowest = pairs
+        .map(speed)
+        .filter(|&speed| speed > CLOSE * shift)
+        .fold(f64::INFINITY, f64::min);
     (lowest.is_finite() && !FITTING.contains(&(lowest / shift))).then_some(0.5 * lowest)
 }
 
@@ -127,4 +136,3 @@ pub(super) fn normalise(x: &mut [c64], lambda: &mut [c64]) {
         x.iter_mut().chain(lambda).for_each(|value| *value /= entry);
     }
 }
-

@@ -16,7 +16,9 @@ pub fn assurance(a: &[[f64; 2]], b: &[[f64; 2]], weights: &[f64]) -> f64 {
     let complex = |value: &[f64; 2]| c64::new(value[0], value[1]);
     let product = |a: &[[f64; 2]], b: &[[f64; 2]]| {
         let parts = a.iter().zip(b).zip(weights);
-        parts.map(|((a, b), weight)| complex(a).conj() * complex(b) * *weight).sum::<c64>()
+        parts
+            .map(|((a, b), weight)| complex(a).conj() * complex(b) * *weight)
+            .sum::<c64>()
     };
     let sizes = product(a, a).re * product(b, b).re;
     let part = product(a, b).norm_sqr() / sizes;
@@ -122,10 +124,19 @@ mod tests {
     fn the_best_total_wins() {
         // The first one fits the first place best, but the second one fits nowhere else.
         assert_eq!(assignment(&[vec![-0.9, -0.8], vec![-0.8, 0.0]]), [1, 0]);
-        let cost = [[7.0, 5.0, 9.0, 8.0], [9.0, 4.0, 3.0, 7.0], [3.0, 8.0, 1.0, 8.0], [2.0, 2.0, 9.0, 1.0]];
+        let cost = [
+            [7.0, 5.0, 9.0, 8.0],
+            [9.0, 4.0, 3.0, 7.0],
+            [3.0, 8.0, 1.0, 8.0],
+            [2.0, 2.0, 9.0, 1.0],
+        ];
         let rows: Vec<Vec<f64>> = cost.iter().map(|row| row.to_vec()).collect();
         // By hand: 5 + 3 + 3 + 1 = 12.
-        let total: f64 = assignment(&rows).iter().zip(&rows).map(|(&column, row)| row[column]).sum();
+        let total: f64 = assignment(&rows)
+            .iter()
+            .zip(&rows)
+            .map(|(&column, row)| row[column])
+            .sum();
         assert_eq!(total, 12.0);
     }
 
@@ -144,7 +155,10 @@ mod tests {
         let weights = [1.0; 3];
         let before = [mode(1.0, &a), mode(2.0, &b)];
         assert_eq!(matched(&before, &[mode(2.1, &b)], &weights), [None, Some(0)]);
-        assert_eq!(matched(&before, &[mode(1.0, &c), mode(1.0, &a)], &weights), [Some(1), None]);
+        assert_eq!(
+            matched(&before, &[mode(1.0, &c), mode(1.0, &a)], &weights),
+            [Some(1), None]
+        );
         assert_eq!(matched(&before, &[], &weights), [None, None]);
         assert_eq!(matched(&[], &before, &weights), []);
     }

@@ -59,9 +59,8 @@ impl Whirl {
 pub(crate) fn circulation(displacements: &[[[f64; 2]; 3]], first: [f64; 3], second: [f64; 3]) -> Option<f64> {
     let (mut turning, mut size, mut whole) = (0.0, 0.0, 0.0);
     for point in displacements {
-        let along = |axis: [f64; 3]| -> [f64; 2] {
-            std::array::from_fn(|part| (0..3).map(|i| axis[i] * point[i][part]).sum())
-        };
+        let along =
+            |axis: [f64; 3]| -> [f64; 2] { std::array::from_fn(|part| (0..3).map(|i| axis[i] * point[i][part]).sum()) };
         let ([re1, im1], [re2, im2]) = (along(first), along(second));
         turning += 2.0 * (im1 * re2 - re1 * im2);
         size += re1 * re1 + im1 * im1 + re2 * re2 + im2 * im2;

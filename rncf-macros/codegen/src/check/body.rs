@@ -144,5 +144,4 @@ impl<'a> Check<'a> {
         }
         normal.map(|normal| Space::Planar { normal })
     }
-
 }

@@ -134,21 +134,27 @@ impl<'a> Check<'a> {
         for party in &built.parties {
             match party {
                 Party::Frame { frame, .. } => frames.push(*frame),
-                Party::Place { .. } => {
+                Party::Place { section: Some(_), .. } => {}
+                Party::Place { body, .. } => {
+                    // Of a body with mistakes nothing is known about its sections.
+                    self.body_of(*body)?;
                     self.errors.at(field.span, say::ANGLE_OF_END);
                     return None;
                 }
             }
         }
-        let (first, second) = (*frames.first()?, *frames.get(1)?);
-        if let Some(normal) = built.normal {
-            let area = field.span.into();
-            let (first, second) = (self.turned(first, normal, area)?, self.turned(second, normal, area)?);
+        let area = field.span.into();
+        if let (Some(normal), [first, second]) = (built.normal, &frames[..]) {
+            let (first, second) = (self.turned(*first, normal, area)?, self.turned(*second, normal, area)?);
             return Some(Angle::Counted { first, second });
         }
-        let along = algebra::numbers(built.axis);
-        let axis = self.marker(Marker::Direction { frame: first, along });
-        Some(Angle::spatial(&mut self.model.markers, first, second, axis))
+        if let Some(frame) = frames.into_iter().find(|frame| self.is_point_mass(*frame)) {
+            let message = say::point_mass_turns(&self.model.frames[frame.0].name);
+            self.errors.at(area, message);
+            return None;
+        }
+        let markers = &mut self.model.markers;
+        Some(Angle::between(markers, built.parties.clone(), built.normal, built.axis))
     }
 
     fn turned(&mut self, frame: FrameId, normal: usize, area: Area) -> Option<Turned> {

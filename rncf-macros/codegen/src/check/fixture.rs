@@ -1,10 +1,13 @@
 //! Fixtures: rigid parts glued to frames or to places of flexible bodies (THEORY 5.4).
 
 use super::expr::Scope;
+use super::place::Place;
+use super::plane::normal;
 use super::quantity::Wanted;
 use super::rigid::zeros;
 use super::{Check, fold, say};
-use crate::model::{Binary, Expr as Value, Fixture, FrameId, Motions, RigidPart};
+use crate::joints::algebra;
+use crate::model::{Expr as Value, Fixture, FrameId, Motions, RigidPart};
 use crate::parse::tree::{Expr, ExprKind, Fields, Item, ItemKind, Keyword, Name};
 use crate::suggest;
 
@@ -20,6 +23,12 @@ const OFFSET: Wanted = Wanted {
 };
 const GYRATION: Wanted = Wanted {
     what: "the radius of gyration",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+
+const CENTER: Wanted = Wanted {
+    what: "the centre of mass",
     dimension: [1, 0, 0, 0, 0, 0],
     unit: "m",
 };
@@ -140,13 +149,44 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// A fixture at a place of a flexible body: mass and moments along the slope.
+    /// A fixture at a place of a flexible body.
     fn on_body(&mut self, item: &'a Item, place: &'a Expr, fields: &'a Fields) {
-        let given = self.fields(
-            fields,
-            "a `fixture` on a flexible body",
-            &["mass", "offset", "gyration"],
-        );
+        let Some(at) = self.place_on_body(place) else {
+            // What does not hang on the place is checked all the same.
+            let all = ["mass", "offset", "gyration", "center", "inertia"];
+            self.fields(fields, "a `fixture` on a flexible body", &all);
+            return;
+        };
+        let constants = if at.has_section {
+            self.on_section(item, &at, fields)
+        } else {
+            self.on_line(item, fields)
+        };
+        if let Some(constants) = constants {
+            self.model.fixtures.push(Fixture {
+                name: item.name.text.clone(),
+                doc: item.doc.clone(),
+                body: at.body.id,
+                at: at.at,
+                constants,
+            });
+        }
+    }
+
+    fn place_on_body(&mut self, place: &'a Expr) -> Option<Place> {
+        if root(place).is_none() {
+            self.errors.at(place.area, say::FIXTURE_PLACE);
+            return None;
+        }
+        let place = self.place(place)?;
+        // Of a body with mistakes nothing is known about its sections.
+        self.body_of(place.body.id)?;
+        Some(place)
+    }
+
+    /// On a centre line: mass and moments along the slope.
+    fn on_line(&mut self, item: &'a Item, fields: &'a Fields) -> Option<[Value; 10]> {
+        let given = self.fields(fields, "a `fixture` on a centre line", &["mass", "offset", "gyration"]);
         let mass = self.mass(item, fields, &given, "mass = 2 kg;");
         let mut length = |word: &str, wanted: Wanted| match given.get(word) {
             Some((_, expr)) => self.quantity(expr, Scope::Parameter, wanted),
@@ -157,29 +197,77 @@ impl<'a> Check<'a> {
             && self.default(value) < 0.0
         {
             self.errors.at(expr.area, say::not_negative(GYRATION.what));
-            return;
+            return None;
         }
-        if root(place).is_none() {
-            self.errors.at(place.area, say::FIXTURE_PLACE);
-            return;
-        }
-        if let (Some(place), Some(mass), Some(offset), Some(gyration)) = (self.place(place), mass, offset, gyration) {
-            let second = sum(square(&offset), square(&gyration));
-            self.model.fixtures.push(Fixture {
-                name: item.name.text.clone(),
-                doc: item.doc.clone(),
-                body: place.body.id,
-                at: place.at,
-                constants: {
-                    let mut constants = std::array::from_fn(|_| Value::Number(0.0));
-                    constants[0] = mass.clone();
-                    constants[1] = product(mass.clone(), offset);
-                    constants[4] = product(mass, second);
-                    constants
-                },
-            });
-        }
+        let (mass, offset, gyration) = (mass?, offset?, gyration?);
+        let second = sum(square(&offset), square(&gyration));
+        let mut constants = zeros();
+        constants[0] = mass.clone();
+        constants[1] = product(mass.clone(), offset);
+        constants[4] = product(mass, second);
+        Some(constants)
     }
+
+    /// On a section: mass, centre of mass and inertia about it in the section's axes. With the inertia J
+    /// the second moments of the mass are `tr J / 2 - J + m c c^T`.
+    fn on_section(&mut self, item: &'a Item, place: &Place, fields: &'a Fields) -> Option<[Value; 10]> {
+        let given = self.fields(fields, "a `fixture` on a section", &["mass", "center", "inertia"]);
+        let mass = self.mass(item, fields, &given, "mass = 2 kg;");
+        // x along the body, y in the plane, z along its normal.
+        let normal = place.body.space.and_then(normal).map(|_| 2);
+        let center = match given.get("center") {
+            Some((_, expr)) => self.vector(expr, Scope::Parameter, CENTER).map(Some),
+            None => Some(None),
+        };
+        let inertia = match given.get("inertia") {
+            Some((_, inertia)) => self.inertia(inertia, normal, false),
+            None => Some(zeros()),
+        };
+        if let (Some(Some(center)), Some(normal)) = (&center, normal)
+            && fold::constant(&center.values[normal]) != Some(0.0)
+        {
+            self.errors.at(center.areas[normal], say::PLANAR_CENTER);
+            return None;
+        }
+        let (mass, center, inertia) = (mass?, center?, inertia?);
+        let center = center.map_or_else(zeros, |center| center.values);
+        let mut constants = zeros();
+        constants[0] = mass.clone();
+        let first = center.clone().map(|component| product(mass.clone(), component));
+        let second = second_moments(&inertia, normal.is_some());
+        for (at, component) in first.iter().enumerate() {
+            constants[1 + at] = component.clone();
+        }
+        for (at, [i, j]) in ENTRIES.into_iter().enumerate() {
+            let offset = product(first[i].clone(), center[j].clone());
+            constants[4 + at] = sum(second[at].clone(), offset);
+        }
+        Some(constants)
+    }
+}
+
+/// Rows and columns of xx, yy, zz, xy, xz, yz.
+const ENTRIES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
+
+/// `tr J / 2 - J`. In a plane only the sum of the first two is known, which is all that a rigid motion
+/// needs: each has half of it.
+fn second_moments(inertia: &[Value; 6], is_planar: bool) -> [Value; 6] {
+    let [xx, yy, zz, xy, xz, yz] = inertia.clone();
+    let half = |value: Value| product(Value::Number(0.5), value);
+    if is_planar {
+        let mut moments = zeros();
+        (moments[0], moments[1]) = (half(zz.clone()), half(zz));
+        return moments;
+    }
+    let rest = |a: &Value, b: &Value, c: &Value| half(sum(sum(a.clone(), b.clone()), negative(c.clone())));
+    [
+        rest(&yy, &zz, &xx),
+        rest(&xx, &zz, &yy),
+        rest(&xx, &yy, &zz),
+        negative(xy),
+        negative(xz),
+        negative(yz),
+    ]
 }
 
 /// The name that a place begins with.
@@ -192,11 +280,15 @@ fn root(place: &Expr) -> Option<&Name> {
 }
 
 fn product(a: Value, b: Value) -> Value {
-    folded(Value::Binary(Binary::Multiply, Box::new(a), Box::new(b)))
+    folded(algebra::multiply(a, b))
 }
 
 fn sum(a: Value, b: Value) -> Value {
-    folded(Value::Binary(Binary::Add, Box::new(a), Box::new(b)))
+    folded(algebra::add(a, b))
+}
+
+fn negative(a: Value) -> Value {
+    folded(algebra::negate(a))
 }
 
 fn square(a: &Value) -> Value {

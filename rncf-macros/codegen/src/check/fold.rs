@@ -101,18 +101,15 @@ pub fn has_motion(expr: &Expr) -> bool {
 fn contains(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
     is(expr)
         || match expr {
-            Expr::Number(_)
-            | Expr::Param(_)
-            | Expr::Time
-            | Expr::Arclength
-            | Expr::Strain(_)
-            | Expr::Observed(_) => false,
+            Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Strain(_) | Expr::Observed(_) => {
+                false
+            }
             Expr::Motion(_, inner) | Expr::Negate(inner) => contains(inner, is),
             Expr::Binary(_, left, right) | Expr::Power(left, right) => contains(left, is) || contains(right, is),
             Expr::Call(_, arguments) => arguments.iter().any(|argument| contains(argument, is)),
-            Expr::If(_, left, right, then, otherwise) => {
-                [left, right, then, otherwise].into_iter().any(|part| contains(part, is))
-            }
+            Expr::If(_, left, right, then, otherwise) => [left, right, then, otherwise]
+                .into_iter()
+                .any(|part| contains(part, is)),
         }
 }
 

@@ -1,15 +1,14 @@
 //! Joints: eliminated ones of flexible ends, and those with multipliers from the library.
 
+use super::end::{ENDS, Held};
 use super::expr::Scope;
-use super::place::{Hold, Place, Spot};
-use super::plane::{AXES, is_parallel, normal, plane};
+use super::place::{Hold, Spot};
+use super::plane::{AXES, is_parallel};
 use super::quantity::Wanted;
 use super::{Arguments, Check, Shape, body, fold, say};
 use crate::errors::Area;
 use crate::joints::{self, Axis, Builder, KINDS, Kind, Party, Rows, unit};
-use crate::model::{
-    self, BodyId, Constraint, ConstraintId, Expr as Value, FrameId, Joint, JointId, JointKind, Location,
-};
+use crate::model::{BodyId, Constraint, ConstraintId, FrameId, JointId, JointKind};
 use crate::parse::tree::{Call, Expr, ExprKind, Item, ItemKind, Keyword, Name};
 use crate::suggest;
 
@@ -41,15 +40,6 @@ pub struct Built {
     pub is_reversed: bool,
 }
 
-/// An end that an eliminated joint holds.
-pub struct Held {
-    body: BodyId,
-    at: Location,
-    line: usize,
-    /// The coordinate that alone is held.
-    only: Option<(model::Held, usize)>,
-}
-
 const POINT: Wanted = Wanted {
     what: "the point of a joint",
     dimension: [1, 0, 0, 0, 0, 0],
@@ -60,12 +50,6 @@ const LENGTH: Wanted = Wanted {
     dimension: [1, 0, 0, 0, 0, 0],
     unit: "m",
 };
-/// Joints of flexible ends, and what is written.
-const ENDS: &[(&str, &str)] = &[
-    ("clamp", "clamp(beam.start, hub)"),
-    ("clamp_full", "clamp_full(beam.start, hub)"),
-    ("pin", "pin(beam.end, inertial, at = [8, 0, 0] m)"),
-];
 /// Cosine of the angle between axes that count as normal to each other.
 const NORMAL: f64 = 1e-9;
 
@@ -181,6 +165,7 @@ impl<'a> Check<'a> {
         let (mut first, mut second) = (first?, second?);
         if let (Some(carrier), Spot::Flexible(place)) = (first.frame(), &second.spot)
             && place.body.frame == Some(carrier)
+            && self.eliminated(&word.text, &second, &first).is_some()
         {
             // In the body's own frame the end is what is held, whichever is named first.
             known.body = Some(place.body);
@@ -225,118 +210,6 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// What is eliminated: a flexible end in a prescribed frame, or in the body's own one.
-    fn eliminated(&self, word: &str, first: &Hold, second: &Hold) -> Option<JointKind> {
-        let Spot::Flexible(place) = &first.spot else {
-            return None;
-        };
-        let (frame, own) = (second.frame()?, place.body.frame?);
-        let is_linear = frame == own || !self.is_free(frame) && !self.is_free(own);
-        let is_planar = place.body.space.and_then(normal).is_some();
-        let kind = match word {
-            "clamp" | "weld" => JointKind::Clamp,
-            "clamp_full" => JointKind::ClampFull,
-            "pin" | "spherical" => JointKind::Pin,
-            "revolute" if is_planar => JointKind::Pin,
-            _ => return None,
-        };
-        let is_end = !matches!(place.at, Location::At(_)) || ENDS.iter().any(|(end, _)| *end == word);
-        (is_linear && is_end).then_some(kind)
-    }
-
-    /// A joint that is eliminated.
-    #[allow(clippy::too_many_arguments)]
-    fn tie_end(
-        &mut self,
-        item: &Item,
-        kind: JointKind,
-        Place { body, at }: Place,
-        frame: FrameId,
-        point: Option<[Value; 3]>,
-        area: [Area; 2],
-        known: &mut Known,
-        held: &mut Vec<Held>,
-    ) -> Option<()> {
-        (known.kind, known.body, known.frame) = (Some(kind), Some(body), Some(frame));
-        if let Location::At(_) = at {
-            self.errors.at(area[0], say::JOINT_INSIDE);
-            return None;
-        }
-        let only = match kind {
-            JointKind::Hold { of, axis } => Some((of, axis)),
-            _ => None,
-        };
-        let is_same = |other: &&Held| {
-            let overlaps = other.only.is_none() || only.is_none() || other.only == only;
-            other.body == body.id && other.at == at && overlaps
-        };
-        if let Some(first) = held.iter().find(is_same) {
-            self.errors.at(area[0], say::end_twice(&first.line.to_string()));
-        } else {
-            held.push(Held {
-                body: body.id,
-                at: at.clone(),
-                line: Area::from(item.name.span).line(),
-                only,
-            });
-        }
-        if let Some(normal) = body.space.and_then(normal) {
-            self.keeps_plane(frame, normal, area[1]);
-        }
-        if self.is_free(frame) {
-            self.stand_in(item, kind, &Place { body, at: at.clone() }, frame, point.clone())?;
-        }
-        known.id = JointId(self.model.joints.len());
-        self.model.joints.push(Joint {
-            name: item.name.text.clone(),
-            doc: item.doc.clone(),
-            kind,
-            body: body.id,
-            at,
-            frame,
-            point,
-        });
-        Some(())
-    }
-
-    /// The same joint with multipliers, for where the nodal vectors are in the inertial frame.
-    fn stand_in(
-        &mut self,
-        item: &Item,
-        kind: JointKind,
-        place: &Place,
-        frame: FrameId,
-        point: Option<[Value; 3]>,
-    ) -> Option<()> {
-        let parties = [
-            Party::Place {
-                body: place.body.id,
-                at: place.at.clone(),
-            },
-            Party::Frame { frame, point },
-        ];
-        let normal = normal(place.body.space?);
-        let mut builder = Builder::new(&mut self.model.markers, parties, normal);
-        let word = match kind {
-            JointKind::Clamp | JointKind::ClampFull => {
-                joints::clamp(&mut builder, kind == JointKind::ClampFull);
-                "clamp"
-            }
-            JointKind::Pin => {
-                let points = builder.points();
-                builder.s(points);
-                "pin"
-            }
-            JointKind::Hold { of, axis } => {
-                joints::hold(&mut builder, of.order(), axis);
-                "hold"
-            }
-        };
-        let rows = builder.finish();
-        self.push_constraint(item, word, rows, Some(place.body.id));
-        Some(())
-    }
-
     pub(super) fn push_constraint(
         &mut self,
         item: &Item,
@@ -356,46 +229,6 @@ impl<'a> Check<'a> {
         ConstraintId(self.model.constraints.len() - 1)
     }
 
-    /// `hold(beam.end.z)` or `hold(beam.end.slope.y)`.
-    fn hold(&mut self, item: &Item, call: &'a Call, known: &mut Known, held: &mut Vec<Held>) -> Option<()> {
-        let shape = Shape {
-            positional: 1,
-            named: &[],
-            required: &[],
-            usage: "hold(beam.end.z)",
-        };
-        let arguments = self.arguments(call, &shape)?;
-        let expr = arguments.positional[0];
-        let usage = || say::usage("hold", "hold(beam.end.z)");
-        let ExprKind::Member { base, field, .. } = &expr.kind else {
-            self.errors.at(expr.area, usage());
-            return None;
-        };
-        let (of, place) = match &base.kind {
-            ExprKind::Member { base, field, .. } if field.text == "slope" => (model::Held::Slope, base.as_ref()),
-            ExprKind::Member { .. } => (model::Held::Position, base.as_ref()),
-            _ => {
-                self.errors.at(expr.area, usage());
-                return None;
-            }
-        };
-        let place = self.place(place)?;
-        known.body = Some(place.body);
-        let Some(axis) = AXES.iter().position(|axis| *axis == field.text) else {
-            self.errors
-                .at(field.span, suggest::unknown("component", &field.text, AXES));
-            return None;
-        };
-        if let Some(normal) = place.body.space.and_then(normal).filter(|normal| *normal == axis) {
-            self.errors.at(field.span, say::always_zero(AXES[axis], plane(normal)));
-            return None;
-        }
-        let frame = place.body.frame?;
-        let area = [expr.area; 2];
-        let kind = JointKind::Hold { of, axis };
-        self.tie_end(item, kind, place, frame, None, area, known, held)
-    }
-
     /// A joint of the library, or of a flexible end to something free.
     fn with_multipliers(
         &mut self,
@@ -410,10 +243,10 @@ impl<'a> Check<'a> {
         self.are_two(&holds)?;
         let plane = self.common_plane([&holds[0], &holds[1]])?;
         let parties = [holds[0].party(), holds[1].party()];
-        let is_end = |hold: &Hold| matches!(hold.spot, Spot::Flexible(_));
-        let ends = holds.iter().filter(|hold| is_end(hold)).count();
-        // With a flexible end there is a tangent, and no more.
-        let is_clamp = matches!(word, "clamp" | "clamp_full") || word == "weld" && ends > 0;
+        let ends = holds.iter().filter(|hold| hold.frame().is_none()).count();
+        let is_clamp = matches!(word, "clamp" | "clamp_full")
+            // Of a centre line there is a tangent, and no more; of a section all is fixed in a frame.
+            || word == "weld" && ends > 0 && !holds.iter().all(Hold::is_section);
         let orients =
             is_clamp || kind.is_some_and(|kind| kind.orients && !(kind.name == "revolute" && plane.is_some()));
         if matches!(word, "clamp" | "clamp_full") && ends == 0 {
@@ -477,9 +310,12 @@ impl<'a> Check<'a> {
     }
 
     fn have_orientation(&mut self, word: &str, is_clamp: bool, holds: &[Hold; 2]) -> Option<()> {
-        let ends = holds.iter().filter(|hold| hold.frame().is_none()).count();
-        if ends == 2 {
+        if holds.iter().all(Hold::is_line) {
             self.errors.at(holds[1].area, say::two_ends(word));
+            return None;
+        }
+        if is_clamp && holds.iter().all(Hold::is_section) {
+            self.errors.at(holds[1].area, say::two_sections(word));
             return None;
         }
         for hold in holds {
@@ -489,7 +325,7 @@ impl<'a> Check<'a> {
                     self.errors.at(hold.area, say::point_mass_joint(&name, word));
                     return None;
                 }
-                None if !is_clamp => {
+                None if !is_clamp && hold.is_line() => {
                     self.errors.at(hold.area, say::end_orientation(word));
                     return None;
                 }

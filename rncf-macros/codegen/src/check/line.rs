@@ -55,7 +55,13 @@ pub struct SectionAxes {
 }
 
 impl<'a> Check<'a> {
-    pub(super) fn line(&mut self, item: &Item, statements: &'a [Statement], complete: bool, known: &mut Known) -> Option<Line> {
+    pub(super) fn line(
+        &mut self,
+        item: &Item,
+        statements: &'a [Statement],
+        complete: bool,
+        known: &mut Known,
+    ) -> Option<Line> {
         let missing = "its stress-free axis: `line from [..] m to [..] m;` or `arc ..;`";
         let statement = self.single(
             item,
@@ -151,7 +157,6 @@ impl<'a> Check<'a> {
         })
     }
 
-
     /// The normal of an arc's plane: that of the body's plane, or what is declared.
     fn arc_normal(&mut self, declared: Option<&'a Expr>, space: Option<Space>) -> Option<[Value; 3]> {
         let own = space.and_then(normal);
@@ -161,8 +166,7 @@ impl<'a> Check<'a> {
             return Some(axis(own.unwrap_or(2)));
         };
         if let Some(own) = own {
-            self.errors
-                .at(expr.area, say::normal_in_plane(plane(own), AXES[own]));
+            self.errors.at(expr.area, say::normal_in_plane(plane(own), AXES[own]));
             return Some(axis(own));
         }
         let vector = self.vector(expr, Scope::Parameter, NORMAL)?;
@@ -258,9 +262,7 @@ impl<'a> Check<'a> {
         });
         let known = element.and_then(|name| Some((name, self.library.find(name)?)));
         let message = match (known, space) {
-            (Some((name, id)), _) if !self.library.elements[id].has_section() => {
-                say::no_section_axes(name, word)
-            }
+            (Some((name, id)), _) if !self.library.elements[id].has_section() => say::no_section_axes(name, word),
             (_, Some(Space::Planar { .. })) => say::section_in_plane(word),
             _ => return true,
         };

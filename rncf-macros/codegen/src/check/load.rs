@@ -100,14 +100,17 @@ impl<'a> Check<'a> {
         let vector = self.vector(components, Scope::Prescribed, if is_moment { MOMENT } else { FORCE });
         let frame_argument = arguments.named.get("in").copied();
         let frame = frame_argument.map_or(Some(INERTIAL), |frame| self.frame_argument(frame));
-        let (Place { body, at }, vector, frame) = (place?, vector?, frame?);
+        let (Place { body, at, is_line, .. }, vector, frame) = (place?, vector?, frame?);
         if let Some(space) = body.space {
             let area = frame_argument.map_or(components.area, |frame| frame.area);
             let keeps = normal(space).is_none_or(|normal| self.keeps_plane(frame, normal, area));
             match (keeps, is_moment) {
                 (false, _) => {}
                 (true, false) => self.in_plane(&vector, space, "the force", false),
-                (true, true) => self.moment_direction(&vector, space, body.tangent, body.frame, frame),
+                (true, true) => {
+                    let tangent = body.tangent.filter(|_| is_line);
+                    self.moment_direction(&vector, space, tangent, body.frame, frame);
+                }
             }
         }
         let (body, components) = (body.id, vector.values);
@@ -128,7 +131,8 @@ impl<'a> Check<'a> {
         })
     }
 
-    /// In the plane a moment is along the normal; in space a constant one is not along the axis.
+    /// In the plane a moment is along the normal; in space a constant one is not along the axis of a
+    /// straight centre line with this tangent.
     fn moment_direction(
         &mut self,
         vector: &Vector,

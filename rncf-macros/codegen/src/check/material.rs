@@ -6,15 +6,15 @@ use super::expr::Scope;
 use super::quantity::{Typed, Wanted};
 use super::section::Section;
 use super::{Check, fold, say};
-use crate::elements::{Coefficient, Element, Invariants};
+use crate::elements::{Coefficient, Element};
 use crate::errors::Area;
 use crate::lower::motions::Time;
 use crate::model::{Expr as Value, Model, SectionShape, Space};
 use crate::parse::tree::{Call, Expr, ExprKind, Field, Fields, Item, ItemKind, Keyword, Name};
 use crate::suggest;
-use crate::symbolic::{Graph, Id};
+use crate::symbolic::Id;
 use crate::units::Dimension;
-use crate::vocabulary::{MATERIAL, Property, Range, SECTION};
+use crate::vocabulary::{DERIVED, MATERIAL, Property, Range, SECTION};
 
 /// What is known of a material.
 #[derive(Clone, Debug, Default)]
@@ -63,7 +63,7 @@ const ENERGY: Wanted = Wanted {
     unit: "J/m^3",
 };
 
-/// What is derived from Young's modulus and Poisson's ratio, such as the shear modulus.
+/// Properties of linear elasticity, which an energy replaces.
 const ELASTIC: [&str; 2] = ["young", "poisson"];
 
 impl<'a> Check<'a> {
@@ -82,7 +82,9 @@ impl<'a> Check<'a> {
         let property = |word: &str| MATERIAL.iter().find(|property| property.name == word);
         let (values, mut is_whole) = self.property_fields(item, fields, words.collect(), property);
         let mut properties: BTreeMap<_, _> = values.into_iter().map(|(name, (value, _))| (name, value)).collect();
-        let defaults = MATERIAL.iter().filter_map(|property| Some((property.name, property.default?)));
+        let defaults = MATERIAL
+            .iter()
+            .filter_map(|property| Some((property.name, property.default?)));
         for (name, default) in defaults {
             properties.entry(name).or_insert(Value::Number(default));
         }
@@ -180,7 +182,9 @@ impl<'a> Check<'a> {
             return None;
         }
         let [energy, stress, stiffness] = at_rest(&self.model, &value);
-        let largest = stiffness.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+        let largest = stiffness
+            .iter()
+            .fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
         let is_finite = |values: &[f64; 6]| values.iter().all(|value| value.is_finite());
         let message = if ![energy, stress, stiffness].iter().all(is_finite) {
             Some(say::energy_not_finite(name))
@@ -211,7 +215,10 @@ impl<'a> Check<'a> {
         let name = format!("E.{}", field.text);
         let known = self.locals.get(name.as_str()).filter(|_| arguments.is_none()).cloned();
         if known.is_none() {
-            let message = match STRAINS.iter().find(|strain| strain[2..].chars().rev().eq(field.text.chars())) {
+            let message = match STRAINS
+                .iter()
+                .find(|strain| strain[2..].chars().rev().eq(field.text.chars()))
+            {
                 Some(strain) if arguments.is_none() => say::symmetric_strain(&name, strain),
                 _ => say::no_strain(&name),
             };
@@ -341,7 +348,7 @@ impl Need {
 /// What an element needs and is not known, each once.
 fn missing(used: Used, known: &BTreeMap<&'static str, Value>, section: &Section, has_energy: bool) -> Vec<Need> {
     let mut missing: Vec<Need> = Vec::new();
-    for coefficient in coefficients(used) {
+    for coefficient in used.element.coefficients_in(used.space.dimension(), used.options) {
         let bases = || coefficient.factors.iter().flat_map(|factor| bases(factor));
         if has_energy && bases().any(|base| ELASTIC.contains(base)) {
             continue;
@@ -360,34 +367,9 @@ fn missing(used: Used, known: &BTreeMap<&'static str, Value>, section: &Section,
 }
 
 /// The properties that a factor of a coefficient is, or is derived from.
-fn bases(factor: &&'static str) -> &'static [&'static str] {
-    let own = MATERIAL.iter().chain(SECTION).find(|property| property.name == *factor);
-    own.map_or(&ELASTIC, |property| std::slice::from_ref(&property.name))
-}
-
-/// The coefficients of the energy and inertia that an element has in its space, with its options.
-fn coefficients(used: Used) -> impl Iterator<Item = &'static Coefficient> {
-    let dimension = used.space.dimension();
-    let fields = used.element.fields_in(dimension).count();
-    let mut graph = Graph::new();
-    let mut symbols = |word: &str| -> Vec<Vec<Id>> {
-        let row = |i: usize| (0..fields).map(move |j| (i, j));
-        (0..fields)
-            .map(|i| row(i).map(|(i, j)| graph.symbol(format!("{word}_{i}_{j}"))).collect())
-            .collect()
-    };
-    let invariants = Invariants {
-        dimension,
-        dots: symbols("dot"),
-        crosses: symbols("cross"),
-    };
-    let terms = (used.element.energy)(&mut graph, &invariants, used.options);
-    let mut names: Vec<&str> = terms.iter().map(|term| term.coefficient).collect();
-    let moves = |of| used.element.vectors_in(dimension).any(|vector| vector.of == of);
-    let inertia = used.element.inertia.iter().filter(|inertia| moves(inertia.of));
-    names.extend(inertia.map(|inertia| inertia.coefficient));
-    let all = used.element.coefficients.iter();
-    all.filter(move |coefficient| names.contains(&coefficient.name))
+fn bases(factor: &'static &'static str) -> &'static [&'static str] {
+    let derived = DERIVED.iter().find(|derived| derived.name == *factor);
+    derived.map_or(std::slice::from_ref(factor), |derived| derived.from)
 }
 
 /// Energy (six times), stresses and the diagonal of the stiffness without strain, with the defaults.

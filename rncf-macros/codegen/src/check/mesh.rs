@@ -20,7 +20,13 @@ pub struct Mesh {
 }
 
 impl<'a> Check<'a> {
-    pub(super) fn mesh(&mut self, item: &Item, statements: &'a [Statement], complete: bool, space: Option<Space>) -> Option<Mesh> {
+    pub(super) fn mesh(
+        &mut self,
+        item: &Item,
+        statements: &'a [Statement],
+        complete: bool,
+        space: Option<Space>,
+    ) -> Option<Mesh> {
         let missing = "its elements: `mesh 6 * element(section, material);`";
         let statement = self.single(item, statements, complete, "`mesh`", missing, |statement| {
             if let Statement::Mesh { area, .. } = statement {
@@ -206,5 +212,4 @@ impl<'a> Check<'a> {
         };
         Some((section_name, material_name))
     }
-
 }

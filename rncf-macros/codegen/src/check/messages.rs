@@ -37,11 +37,12 @@ pub const THICKNESS: &str = "the wall of a tube must be thinner than its radius:
 pub const ENERGY_WITHOUT_TIME: &str = "the energy of a material is a function of the strain alone: leave out motions";
 pub const CONDITION_OF_STRAIN: &str =
     "the energy of a material is one smooth function of the strain: its cases cannot depend on it, only on parameters";
-pub const WHOLE_STRAIN: &str = "`E` is the strain: take a component of it, `E.xx`, `E.yy`, `E.zz`, `E.xy`, `E.xz` or `E.yz`";
+pub const WHOLE_STRAIN: &str =
+    "`E` is the strain: take a component of it, `E.xx`, `E.yy`, `E.zz`, `E.xy`, `E.xz` or `E.yz`";
 pub const GAUSS_POINTS: &str = "`gauss` takes a literal number of points, from 1 to 20: `gauss(3)`";
 pub const POISSON: &str = "poisson must lie between -1 and 0.5";
 pub const JOINT_INSIDE: &str =
-    "a joint holds an end of a body: use `start` or `end`, and two bodies where it must hold in between";
+    "this joint holds an end of a body: use `start` or `end`, and in between `weld` or `spherical`";
 pub const PLACE_EXPECTED: &str = "a place on a body is expected here: `beam.start`, `beam.end` or `beam.at(4 m)`";
 pub const TORSION: &str = "a moment along the axis would twist the body, and a centre line carries no torsion: use components across the axis";
 pub const OBSERVED_OUTSIDE_OUTPUT: &str = "only an `output` can observe bodies and joints";
@@ -58,7 +59,7 @@ pub const BOTH_PRESCRIBED: &str = "both move in a prescribed way: between them n
 pub const CROSS_NOT_NORMAL: &str = "the two axes of a `universal` must be perpendicular";
 pub const COORDINATE_EXPECTED: &str =
     "a coordinate is expected here: `hinge.angle`, `slider.slide` or, of a planar or hinged frame, `arm.angle`";
-pub const ANGLE_OF_END: &str = "a flexible end has a tangent and no angle of its own: use e.g. `atan2(beam.end.slope.y, beam.end.slope.x)` in an output";
+pub const ANGLE_OF_END: &str = "a centre line has a tangent and no angle of its own: use e.g. `atan2(beam.end.slope.y, beam.end.slope.x)` in an output";
 pub const IN_TWICE: &str =
     "`.in(FRAME)` stands once, right behind the place or direction: `beam.end.in(inertial).velocity`";
 pub const INERTIAL_ACCELERATION: &str =
@@ -67,6 +68,8 @@ pub const RIGID_SLOPE: &str = "only flexible bodies have a slope: use a directio
 pub const NOTHING_CONSTRAINED: &str =
     "nothing that moves freely stands in this: a constraint ties positions, directions or angles";
 pub const SPRING_LENGTH: &str = "this spring needs its length without force: `length = 1 m`";
+pub const BUSHING_AXES: &str =
+    "the second place of a bushing gives the axes: use a frame or rigid body, e.g. `inertial.at([1, 0, 0] m)`";
 pub const TORSIONAL_EXPECTED: &str =
     "the name of a joint with an angle, or of a planar or hinged frame, is expected here";
 pub const FORCE_ON_PRESCRIBED: &str = "this place moves in a prescribed way: a load on it would do nothing";
@@ -91,6 +94,7 @@ pub const LONE_SPEED: &str = "`speed` is that of the angle in a plane or about a
 pub const PLANE_SPIN: &str = "in a plane the angular velocity is one number: write e.g. `speed = 2 rad/s`";
 pub const PLANE_EXPECTED: &str = "a plane is expected here: `xy`, `yz` or `zx`";
 pub const PLANAR_INERTIA: &str = "in a plane the inertia is one number, about the normal: write e.g. `0.1 kg*m^2`";
+pub const PLANAR_CENTER: &str = "the centre of mass leaves the plane of the body: its third component must be 0";
 pub const SPATIAL_INERTIA: &str = "in space an inertia has three components `[xx, yy, zz]` or six, `[xx, yy, zz, xy, xz, yz]`; one number is that of a body with `plane xy;`";
 pub const NOT_DEFINITE: &str = "no body has this inertia: all principal moments must be greater than zero";
 pub const NEGATIVE_INERTIA: &str = "no body has this inertia: no principal moment may be negative";
@@ -200,8 +204,14 @@ messages! {
     rate_in_constraint(word) = "a constraint ties positions, directions and angles: `{word}` has no place in it";
     point_mass_turns(name) = "`{name}` is a point mass and has no orientation: give it an `inertia`";
     point_mass_joint(name, word) = "`{name}` is a point mass and has no orientation for a `{word}`: give it an `inertia`, or use `spherical` or `distance`";
-    end_orientation(word) = "a flexible end has a tangent and no orientation for a `{word}`: use `clamp`, `clamp_full` or `spherical`, and a `constraint` for more";
-    two_ends(word) = "a `{word}` needs a frame or rigid body on one side: between two flexible ends use `spherical`, and a `constraint` on their slopes";
+    end_orientation(word) = "a centre line has a tangent and no orientation for a `{word}`: use `clamp`, `clamp_full` or `spherical`, and a `constraint` for more, or mesh the body with `beam`";
+    two_ends(word) = "a `{word}` needs a frame or rigid body on one side: between two centre lines use `spherical`, and a `constraint` on their slopes";
+    two_sections(word) = "a `{word}` needs a frame or rigid body on one side: between two sections use `weld`";
+    no_section(word) = "`{word}` is an axis of a cross-section, and a centre line has none: use `slope`, or mesh the body with `beam`";
+    one_section_axis(plane) = "the section of a body in the {plane} plane has one axis in it: use `ey`";
+    not_carried(word, kind, words) = "{kind} carries no `{word}`: use {words}";
+    section_axes_only(word) = "`{word}` has the axes of the section itself: leave out `.in(..)`";
+    stress_without_shape(name, extents) = "the stress depends on the shape of section `{name}`: give it {extents} (distance of the outermost fibre), or write `circle(..)`, `tube(..)` or `rectangle(..)`";
     not_in_plane(word, plane, advice) = "a `{word}` makes no sense in the {plane} plane: {advice}";
     axis_along_normal(word, plane, axis) = "in the {plane} plane the axis of a `{word}` is `{axis}`: leave it out";
     axis_in_plane(word, plane, axis) = "the axis of this `{word}` leaves the {plane} plane: its {axis} component must be 0";

@@ -2,9 +2,11 @@
 //! mistakes are reported at once; what depends on something already reported stays silent.
 
 mod body;
+mod bushing;
 mod constraint;
 mod drive;
 mod eigen;
+mod end;
 mod expr;
 mod fidelity;
 mod fixture;
@@ -26,6 +28,7 @@ mod place;
 mod plane;
 mod push;
 mod quantity;
+mod resultant;
 mod rigid;
 mod section;
 mod spring;

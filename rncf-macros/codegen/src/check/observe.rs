@@ -4,6 +4,7 @@ use super::expr::Scope;
 use super::place::Place;
 use super::plane::{AXES, normal, plane};
 use super::quantity::{Nature, Typed};
+use super::resultant::{is_carried, known_words};
 use super::vector::{Quantity, Vectorial};
 use super::{Check, say};
 use crate::joints::algebra;
@@ -80,6 +81,13 @@ impl<'a> Check<'a> {
 
     /// A point of a body or a reaction of a joint, in the own frame.
     fn observe_plain(&mut self, expr: &'a Expr) -> Option<Quantity> {
+        let (first, fields) = chain(expr);
+        if let [word, rest @ ..] = &fields[..]
+            && is_carried(&word.text)
+            && !has_arguments_behind(expr, first)
+        {
+            return self.carried_by(first, word, rest);
+        }
         let (seen, frame) = self.plain(expr)?;
         let mut values = algebra::numbers([0.0; 3]);
         let mut axes = Vec::new();
@@ -158,9 +166,14 @@ impl<'a> Check<'a> {
         let (what, rest) = match fields.split_first().map(|(first, rest)| (first.text.as_str(), rest)) {
             Some(("velocity", rest)) => (PointQuantity::Velocity, rest),
             Some(("slope", rest)) => (PointQuantity::Slope, rest),
+            Some(("ey" | "ez", rest)) => match self.section_axis(&place, fields[0])? {
+                1 => (PointQuantity::SectionY, rest),
+                _ => (PointQuantity::SectionZ, rest),
+            },
             Some(("position", rest)) => (PointQuantity::Position, rest),
             Some((word, _)) if !AXES.contains(&word) => {
-                let known = ["x", "y", "z", "velocity", "slope", "position"];
+                let mut known = vec!["x", "y", "z", "velocity", "slope", "position"];
+                known.extend(known_words(&place));
                 self.errors
                     .at(fields[0].span, suggest::unknown("quantity of a point", word, known));
                 return None;

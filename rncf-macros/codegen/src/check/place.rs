@@ -6,7 +6,7 @@ use super::quantity::Wanted;
 use super::{Check, body, fold, say};
 use crate::errors::Area;
 use crate::joints::{Party, algebra};
-use crate::model::{Expr as Value, FrameId, Location, Motions, Space};
+use crate::model::{Body, BodyId, Expr as Value, FrameId, Location, Motions, Space};
 use crate::parse::tree::{Argument, Expr, ExprKind, Keyword};
 use crate::suggest;
 
@@ -26,6 +26,20 @@ const POINT: Wanted = Wanted {
 pub struct Place {
     pub body: body::Known,
     pub at: Location,
+    /// Whether the body has cross-sections, or a centre line alone; neither where it has mistakes.
+    pub has_section: bool,
+    pub is_line: bool,
+}
+
+impl Place {
+    /// As the joint library has it.
+    pub fn party(&self) -> Party {
+        Party::Place {
+            body: self.body.id,
+            at: self.at.clone(),
+            section: self.body.frame.filter(|_| self.has_section),
+        }
+    }
 }
 
 /// A place on anything.
@@ -50,15 +64,22 @@ impl Hold {
     /// As the joint library has it.
     pub fn party(&self) -> Party {
         match self.spot.clone() {
-            Spot::Flexible(place) => Party::Place {
-                body: place.body.id,
-                at: place.at,
-            },
+            Spot::Flexible(place) => place.party(),
             Spot::Rigid { frame, at } => Party::Frame {
                 frame,
                 point: (!self.is_bare).then_some(at),
             },
         }
+    }
+
+    /// Whether it is a place on a centre line, which has a tangent and no orientation.
+    pub fn is_line(&self) -> bool {
+        matches!(&self.spot, Spot::Flexible(place) if place.is_line)
+    }
+
+    /// Whether it is a section of a flexible body.
+    pub fn is_section(&self) -> bool {
+        matches!(&self.spot, Spot::Flexible(place) if place.has_section)
     }
 
     /// Its frame, where it is one.
@@ -238,7 +259,25 @@ impl<'a> Check<'a> {
                 return None;
             }
         };
-        Some(Place { body, at })
+        let has_section = self.has_section(body.id);
+        Some(Place {
+            body,
+            at,
+            has_section: has_section == Some(true),
+            is_line: has_section == Some(false),
+        })
+    }
+
+    /// A body of the model; `None` where something of it has been reported.
+    pub(super) fn body_of(&self, id: BodyId) -> Option<&Body> {
+        let item = self.items(Keyword::Body).into_iter().nth(id.0)?;
+        self.model.bodies.iter().find(|body| body.name == item.name.text)
+    }
+
+    /// Whether a body's element has cross-sections.
+    fn has_section(&self, id: BodyId) -> Option<bool> {
+        let body = self.body_of(id)?;
+        Some(self.library.elements[body.element.0].has_section())
     }
 
     fn on_axis(&mut self, expr: &Expr, at: Option<f64>, length: Option<f64>) {

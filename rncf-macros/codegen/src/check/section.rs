@@ -50,19 +50,34 @@ impl Section {
     }
 }
 
-/// The shapes and their arguments: the size that is asked for, and its name as a property.
-const KINDS: &[(&str, &[(&str, &str)], &str)] = &[
-    ("circle", &[("radius", "radius")], "circle(radius = 5 mm)"),
-    (
-        "tube",
-        &[("radius", "radius"), ("thickness", "thickness")],
-        "tube(radius = 50 mm, thickness = 2 mm)",
-    ),
-    (
-        "rectangle",
-        &[("y", "size_y"), ("z", "size_z")],
-        "rectangle(y = 20 mm, z = 5 mm)",
-    ),
+/// A shape of the language.
+struct Kind {
+    word: &'static str,
+    arguments: &'static [&'static str],
+    /// Names of the arguments as properties.
+    sizes: &'static [&'static str],
+    usage: &'static str,
+}
+
+const KINDS: [Kind; 3] = [
+    Kind {
+        word: "circle",
+        arguments: &["radius"],
+        sizes: &["radius"],
+        usage: "circle(radius = 5 mm)",
+    },
+    Kind {
+        word: "tube",
+        arguments: &["radius", "thickness"],
+        sizes: &["radius", "thickness"],
+        usage: "tube(radius = 50 mm, thickness = 2 mm)",
+    },
+    Kind {
+        word: "rectangle",
+        arguments: &["y", "z"],
+        sizes: &["size_y", "size_z"],
+        usage: "rectangle(y = 20 mm, z = 5 mm)",
+    },
 ];
 
 impl<'a> Check<'a> {
@@ -84,7 +99,7 @@ impl<'a> Check<'a> {
     fn block(&mut self, item: &Item, fields: &'a Fields) -> Section {
         let vocabulary = || SECTION.iter().filter(|property| !SIZES.contains(&property.name));
         let words = vocabulary().map(|property| property.name).chain(["shear_factor"]);
-        let (values, is_whole) = self.property_fields(item, fields, words.collect(), |word| property(word));
+        let (values, is_whole) = self.property_fields(item, fields, words.collect(), property);
         let mut section = Section {
             is_whole,
             ..Section::default()
@@ -111,27 +126,22 @@ impl<'a> Check<'a> {
     /// `section shaft = circle(radius = 50 mm);`
     fn named_section(&mut self, call: &'a Call) -> Option<Section> {
         let word = call.name.text.as_str();
-        let Some((_, sizes, usage)) = KINDS.iter().find(|(kind, ..)| *kind == word) else {
-            let kinds = KINDS.iter().map(|(kind, ..)| *kind);
+        let Some(kind) = KINDS.iter().find(|kind| kind.word == word) else {
+            let kinds = KINDS.iter().map(|kind| kind.word);
             let message = suggest::unknown("shape of a section", word, kinds);
             self.errors.at(call.name.span, message);
             return None;
         };
-        let named: &'static [&'static str] = match sizes {
-            [_] => &["radius"],
-            [("y", _), _] => &["y", "z"],
-            _ => &["radius", "thickness"],
-        };
         let shape = Shape {
             positional: 0,
-            named,
-            required: named,
-            usage,
+            named: kind.arguments,
+            required: kind.arguments,
+            usage: kind.usage,
         };
         let arguments = self.arguments(call, &shape)?;
         let mut values = BTreeMap::new();
         let mut is_whole = true;
-        for (argument, name) in *sizes {
+        for (argument, name) in kind.arguments.iter().zip(kind.sizes) {
             match self.size(&arguments, argument, name) {
                 Some(value) => drop(values.insert(*name, value)),
                 None => is_whole = false,
@@ -257,7 +267,8 @@ fn of_shape(shape: &SectionShape) -> Vec<(&'static str, Value)> {
             (area, [quarter.clone(), quarter], half)
         }
         SectionShape::Rectangle { sizes: [y, z] } => {
-            let cubed = |along: &Value, across: &Value| divide(product([across.clone(), power(along, 3.0)]), number(12.0));
+            let cubed =
+                |along: &Value, across: &Value| divide(product([across.clone(), power(along, 3.0)]), number(12.0));
             let area = product([y.clone(), z.clone()]);
             let torsion = Value::If(
                 Comparison::Less,

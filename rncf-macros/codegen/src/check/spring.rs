@@ -53,7 +53,7 @@ const TORSIONAL_LAW: Shape = Shape {
 const TURNING_JOINTS: &str = ": a torsional spring needs a joint about one axis, such as a `revolute`";
 
 /// Forces on markers, and their potential where there is one.
-type Acting = (Vec<(MarkerId, Vector)>, Option<Value>);
+pub type Acting = (Vec<(MarkerId, Vector)>, Option<Value>);
 
 /// The line between two points.
 struct Line {
@@ -82,8 +82,9 @@ impl<'a> Check<'a> {
             "law" => self.law(call)?,
             "torsional" => self.torsional(call)?,
             "torsional_law" => self.torsional_law(call)?,
+            "bushing" => self.bushing(call)?,
             other => {
-                let known = ["linear", "law", "torsional", "torsional_law"];
+                let known = ["linear", "law", "torsional", "torsional_law", "bushing"];
                 self.errors.at(call.name.span, suggest::unknown("spring", other, known));
                 return None;
             }
@@ -105,6 +106,7 @@ impl<'a> Check<'a> {
             markers,
             components,
             energy,
+            is_load: item.keyword == Keyword::Load,
         });
     }
 

@@ -2,9 +2,10 @@
 
 use super::expr::Scope;
 use super::joint::Built;
-use super::place::{Place, Spot};
-use super::plane::{AXES, normal, plane};
+use super::place::Spot;
+use super::plane::{AXES, plane};
 use super::quantity::{Nature, Typed, Wanted};
+use super::resultant::{is_carried, known_words};
 use super::vector::{Quantity, Vectorial};
 use super::{Check, say};
 use crate::errors::Area;
@@ -234,7 +235,7 @@ impl<'a> Check<'a> {
     }
 
     /// Axes of a frame along which a place moves.
-    fn moving_axes(&mut self, spot: &Spot, frame: FrameId) -> Vec<usize> {
+    pub(super) fn moving_axes(&mut self, spot: &Spot, frame: FrameId) -> Vec<usize> {
         match self.spot_normal(spot).filter(|normal| self.stays_in(frame, *normal)) {
             Some(normal) => model::Space::Planar { normal }.axes().to_vec(),
             None => vec![0, 1, 2],
@@ -243,13 +244,19 @@ impl<'a> Check<'a> {
 
     /// `PLACE.field`
     fn of_place(&mut self, spot: Spot, frame: Option<FrameId>, field: &'a Name, scope: Scope) -> Option<Thing<'a>> {
-        let vector = match field.text.as_str() {
-            "position" => self.position(&spot, frame)?,
-            "velocity" => {
+        if let Spot::Flexible(place) = &spot
+            && is_carried(&field.text)
+        {
+            return self.carried(place, frame, field, scope).map(Thing::Value);
+        }
+        let vector = match (field.text.as_str(), &spot) {
+            ("ey" | "ez", Spot::Flexible(place)) => self.section_direction(place, frame, field)?,
+            ("position", _) => self.position(&spot, frame)?,
+            ("velocity", _) => {
                 self.allows_rates(field, scope)?;
                 self.motion_of(&spot, frame, 1, [1, 0, -1, 0, 0, 0])?
             }
-            "acceleration" => {
+            ("acceleration", _) => {
                 if scope != Scope::Output {
                     self.errors.at(field.span, say::only_in_outputs(&field.text));
                     return None;
@@ -261,15 +268,16 @@ impl<'a> Check<'a> {
                 }
                 self.motion_of(&spot, Some(INERTIAL), 2, [1, 0, -2, 0, 0, 0])?
             }
-            "slope" => self.slope(&spot, frame, field)?,
-            word if AXES.contains(&word) => {
+            ("slope", _) => self.slope(&spot, frame, field)?,
+            (word, _) if AXES.contains(&word) => {
                 let position = self.position(&spot, frame)?;
                 return self.one_component(Quantity::Vector(position), field).map(Thing::Value);
             }
-            word => {
+            (word, _) => {
                 let mut known = vec!["x", "y", "z", "velocity", "position", "acceleration"];
-                if matches!(spot, Spot::Flexible(_)) {
+                if let Spot::Flexible(place) = &spot {
                     known.push("slope");
+                    known.extend(known_words(place));
                 }
                 self.errors
                     .at(field.span, suggest::unknown("quantity of a point", word, known));
@@ -280,25 +288,12 @@ impl<'a> Check<'a> {
     }
 
     fn slope(&mut self, spot: &Spot, frame: Option<FrameId>, field: &Name) -> Option<Vectorial> {
-        let Spot::Flexible(Place { body, at }) = spot else {
+        let Spot::Flexible(place) = spot else {
             self.errors.at(field.span, say::RIGID_SLOPE);
             return None;
         };
-        let frame = frame.or(body.frame)?;
-        let plane = body
-            .space
-            .and_then(normal)
-            .filter(|normal| self.stays_in(frame, *normal));
-        let (body, at) = (body.id, at.clone());
-        let marker = self.marker(Marker::BodySlope { body, at });
-        let values = self.in_frame_axes(&observed(marker, 0, plane), frame, plane);
-        Some(Vectorial {
-            values,
-            axes: self.moving_axes(spot, frame),
-            dimension: Dimension::NONE,
-            nature: Nature::default(),
-            frame: Some(frame),
-        })
+        let (body, at) = (place.body.id, place.at.clone());
+        self.direction_on(place, frame, Marker::BodySlope { body, at })
     }
 
     /// Whether velocities may stand here; reports where they may not.

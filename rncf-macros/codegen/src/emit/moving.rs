@@ -284,6 +284,15 @@ impl Parts<'_> {
             )
         });
         let mut text = list("forces", "ForceSpec", &entries.collect::<Vec<_>>());
+        let loads = self.model.forces.iter().enumerate().filter(|(_, force)| force.is_load);
+        let loads: Vec<String> = loads.map(|(index, _)| index.to_string()).collect();
+        if !loads.is_empty() {
+            let _ = writeln!(
+                text,
+                "fn is_load(&self, force: usize) -> bool {{ matches!(force, {}) }}",
+                loads.join(" | ")
+            );
+        }
         let kernels = &self.equations.forces;
         let force = arms(
             kernels.iter().map(|k| (&k.of[..], &k.force)),

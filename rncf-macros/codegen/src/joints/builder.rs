@@ -1,6 +1,7 @@
 //! Parties of a joint, their markers, and rows made of the primitives.
 
 use super::algebra::{self, Vector, cross, dot, intern, observed, subtract};
+use super::fixed::Fixed;
 use crate::model::{BodyId, Expr, FrameId, Location, Marker, MarkerId, Space};
 
 /// What a joint, spring or constraint holds on to.
@@ -19,6 +20,9 @@ pub enum Party {
         body: BodyId,
         /// Where.
         at: Location,
+        /// Of a body with cross-sections its declared frame, in whose axes directions are given; `None`
+        /// of a centre line.
+        section: Option<FrameId>,
     },
 }
 
@@ -81,7 +85,7 @@ impl<'m> Builder<'m> {
                 at: algebra::numbers([0.0; 3]),
             },
             Party::Frame { .. } => return None,
-            Party::Place { body, at } => Marker::BodyPoint { body, at },
+            Party::Place { body, at, .. } => Marker::BodyPoint { body, at },
         };
         Some(self.marker(party, marker))
     }
@@ -110,23 +114,92 @@ impl<'m> Builder<'m> {
         self.marker(party, Marker::Matching { frame, marker })
     }
 
-    /// A direction fixed in a party's frame, frame axes.
+    /// A direction of a party at t = 0, in the axes of its frame or of its body's declared one.
     pub fn direction(&mut self, party: usize, along: [f64; 3]) -> MarkerId {
-        let frame = self.frame(party).unwrap_or(crate::model::INERTIAL);
+        let frame = self.axes_of(party);
         let along = algebra::numbers(along);
         self.marker(party, Marker::Direction { frame, along })
     }
 
-    /// Fixed in a party's frame, normal to a direction at t = 0.
-    pub fn normal_to(&mut self, party: usize, marker: MarkerId, which: usize) -> MarkerId {
-        let frame = self.frame(party).unwrap_or(crate::model::INERTIAL);
-        self.marker(party, Marker::Normal { frame, marker, which })
+    /// The direction fixed in a party that is another one at t = 0.
+    pub fn fixed(&mut self, party: usize, start: MarkerId) -> Fixed {
+        if self.is_fixed_in(party, start) {
+            return Fixed::Marker(start);
+        }
+        match self.section(party) {
+            None => Fixed::Marker(self.matching(party, start)),
+            Some((y, z)) => self.in_section(party, (y, z), start),
+        }
+    }
+
+    fn in_section(&mut self, party: usize, (y, z): (MarkerId, Option<MarkerId>), start: MarkerId) -> Fixed {
+        let Party::Place { body, at, .. } = self.parties[party].clone() else {
+            return Fixed::Marker(start);
+        };
+        let constants = Marker::InSection {
+            body,
+            at,
+            marker: start,
+        };
+        let along = observed(self.marker(party, constants), 0, None);
+        Fixed::Section { y, z, along }
+    }
+
+    /// Whether a marker is a direction that stays with the party.
+    fn is_fixed_in(&self, party: usize, marker: MarkerId) -> bool {
+        match (&self.markers[marker.0], &self.parties[party]) {
+            (Marker::Direction { frame: own, .. }, Party::Frame { frame, .. }) => own == frame,
+            (
+                Marker::BodySection {
+                    body: own, at: place, ..
+                },
+                Party::Place { body, at, .. },
+            ) => own == body && place == at,
+            _ => false,
+        }
+    }
+
+    /// Fixed in a party, normal to a direction at t = 0.
+    pub fn normal_to(&mut self, party: usize, marker: MarkerId, which: usize) -> Fixed {
+        let frame = self.axes_of(party);
+        let normal = self.marker(party, Marker::Normal { frame, marker, which });
+        match self.section(party) {
+            None => Fixed::Marker(normal),
+            Some(axes) => self.in_section(party, axes, normal),
+        }
+    }
+
+    /// The frame in whose axes directions of a party are given.
+    fn axes_of(&self, party: usize) -> FrameId {
+        match &self.parties[party] {
+            Party::Frame { frame, .. } => *frame,
+            Party::Place { section, .. } => section.unwrap_or(crate::model::INERTIAL),
+        }
+    }
+
+    /// The axes of a party's section, in a plane the one in it; none of a frame or centre line.
+    pub fn section(&mut self, party: usize) -> Option<(MarkerId, Option<MarkerId>)> {
+        let Party::Place {
+            body,
+            at,
+            section: Some(_),
+        } = self.parties[party].clone()
+        else {
+            return None;
+        };
+        let is_spatial = self.normal.is_none();
+        let mut axis = |axis| {
+            let at = at.clone();
+            self.marker(party, Marker::BodySection { body, at, axis })
+        };
+        let y = axis(1);
+        Some((y, is_spatial.then(|| axis(2))))
     }
 
     /// The slope of a flexible party.
     pub fn slope(&mut self, party: usize) -> Option<MarkerId> {
         match self.parties[party].clone() {
-            Party::Place { body, at } => Some(self.marker(party, Marker::BodySlope { body, at })),
+            Party::Place { body, at, .. } => Some(self.marker(party, Marker::BodySlope { body, at })),
             Party::Frame { .. } => None,
         }
     }
@@ -134,6 +207,11 @@ impl<'m> Builder<'m> {
     /// A marker's components, without the one along the plane's normal.
     pub fn value(&self, marker: MarkerId) -> Vector {
         observed(marker, 0, self.normal)
+    }
+
+    /// Components of a direction, in the same way.
+    pub fn along(&self, direction: &Fixed) -> Vector {
+        direction.value(self.normal)
     }
 
     /// From the first party's point to the second one's.
@@ -167,15 +245,15 @@ impl<'m> Builder<'m> {
     }
 
     /// **d1**: two directions stay normal to each other.
-    pub fn d1(&mut self, a: MarkerId, b: MarkerId) {
-        let row = dot(&self.value(a), &self.value(b));
+    pub fn d1(&mut self, a: &Fixed, b: &Fixed) {
+        let row = dot(&self.along(a), &self.along(b));
         self.numbered("direction", row);
     }
 
     /// In the plane: two directions stay parallel.
-    pub fn parallel(&mut self, a: MarkerId, b: MarkerId) {
+    pub fn parallel(&mut self, a: &Fixed, b: &Fixed) {
         let normal = self.normal.unwrap_or(2);
-        let [x, y, z] = cross(&self.value(a), &self.value(b));
+        let [x, y, z] = cross(&self.along(a), &self.along(b));
         self.numbered("direction", [x, y, z][normal].clone());
     }
 
@@ -186,8 +264,8 @@ impl<'m> Builder<'m> {
     }
 
     /// **d2**: the way between the points stays normal to a direction.
-    pub fn d2(&mut self, direction: MarkerId, points: [MarkerId; 2]) {
-        let row = dot(&self.value(direction), &self.between(points));
+    pub fn d2(&mut self, direction: &Fixed, points: [MarkerId; 2]) {
+        let row = dot(&self.along(direction), &self.between(points));
         self.numbered("offset", row);
     }
 

@@ -1,8 +1,9 @@
 //! The kinds of joints, and what each of them fixes.
 
 use super::algebra::{self, call, cross, divide, dot, multiply, norm, number, subtract};
-use super::builder::Builder;
-use crate::model::{Expr, Function, INERTIAL, Marker};
+use super::builder::{Builder, Party};
+use super::fixed::Fixed;
+use crate::model::{Expr, Function, Held, INERTIAL, Marker, MarkerId};
 
 /// Whether a kind has an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -144,19 +145,37 @@ pub const KINDS: &[Kind] = &[
 fn weld(joint: &mut Builder, _: &Arguments) {
     let points = joint.points();
     joint.s(points);
+    if let Some((y, Some(z))) = joint.section(0) {
+        return weld_to_section(joint, [y, z]);
+    }
     for axis in 0..3 {
         let next = joint.direction(0, unit((axis + 1) % 3));
-        let (own, other) = (joint.direction(0, unit(axis)), joint.matching(1, next));
-        joint.d1(own, other);
+        let own = joint.direction(0, unit(axis));
+        let (own, other) = (joint.fixed(0, own), joint.fixed(1, next));
+        joint.d1(&own, &other);
     }
+}
+
+/// The second party's directions that start as the axes r_y, r_z of the first one's section stay normal
+/// to n = r_y x r_z, and the second of them to r_y.
+fn weld_to_section(joint: &mut Builder, axes: [MarkerId; 2]) {
+    let [other_y, other_z] = axes.map(|axis| joint.fixed(1, axis));
+    let [y, z] = axes.map(Fixed::Marker);
+    let n = Fixed::Cross(Box::new(y.clone()), Box::new(z));
+    joint.d1(&n, &other_y);
+    joint.d1(&n, &other_z);
+    joint.d1(&y, &other_z);
 }
 
 fn weld_in_plane(joint: &mut Builder, _: &Arguments) {
     let points = joint.points();
     joint.s(points);
-    let own = joint.direction(0, unit(joint.axes()[0]));
-    let other = joint.matching(1, own);
-    joint.parallel(own, other);
+    let start = match joint.section(0) {
+        Some((y, _)) => y,
+        None => joint.direction(0, unit(joint.axes()[0])),
+    };
+    let (own, other) = (joint.fixed(0, start), joint.fixed(1, start));
+    joint.parallel(&own, &other);
 }
 
 fn spherical(joint: &mut Builder, _: &Arguments) {
@@ -170,8 +189,8 @@ fn universal(joint: &mut Builder, arguments: &Arguments) {
     let axis = joint.direction(0, arguments.axis);
     // Fixed in the second party; the first one's direction only says where it starts.
     let start = joint.direction(0, arguments.cross);
-    let cross = joint.matching(1, start);
-    joint.d1(axis, cross);
+    let (axis, cross) = (joint.fixed(0, axis), joint.fixed(1, start));
+    joint.d1(&axis, &cross);
 }
 
 fn revolute(joint: &mut Builder, arguments: &Arguments) {
@@ -182,10 +201,11 @@ fn revolute(joint: &mut Builder, arguments: &Arguments) {
 
 /// The axis of the first party is that of the second.
 fn about(joint: &mut Builder, arguments: &Arguments) {
-    let axis = joint.direction(0, arguments.axis);
+    let start = joint.direction(0, arguments.axis);
+    let axis = joint.fixed(0, start);
     for which in 0..2 {
-        let normal = joint.normal_to(1, axis, which);
-        joint.d1(axis, normal);
+        let normal = joint.normal_to(1, start, which);
+        joint.d1(&axis, &normal);
     }
 }
 
@@ -195,7 +215,7 @@ fn along(joint: &mut Builder, arguments: &Arguments) {
     let axis = joint.direction(0, arguments.axis);
     for which in 0..2 {
         let normal = joint.normal_to(1, axis, which);
-        joint.d2(normal, points);
+        joint.d2(&normal, points);
     }
 }
 
@@ -208,25 +228,26 @@ fn prismatic(joint: &mut Builder, arguments: &Arguments) {
     about(joint, arguments);
     let axis = joint.direction(0, arguments.axis);
     let (first, second) = (joint.normal_to(0, axis, 0), joint.normal_to(1, axis, 1));
-    joint.d1(first, second);
+    joint.d1(&first, &second);
     along(joint, arguments);
 }
 
 fn prismatic_in_plane(joint: &mut Builder, arguments: &Arguments) {
     let points = joint.points();
-    let axis = joint.direction(0, arguments.axis);
-    let other = joint.matching(1, axis);
-    joint.parallel(axis, other);
+    let start = joint.direction(0, arguments.axis);
+    let (axis, other) = (joint.fixed(0, start), joint.fixed(1, start));
+    joint.parallel(&axis, &other);
     let normal = joint.normal.unwrap_or(2);
-    let offset = cross(&joint.value(axis), &joint.between(points));
+    let offset = cross(&joint.along(&axis), &joint.between(points));
     joint.numbered("offset", offset[normal].clone());
 }
 
 fn planar(joint: &mut Builder, arguments: &Arguments) {
     about(joint, arguments);
     let points = joint.points();
-    let axis = joint.direction(0, arguments.axis);
-    joint.d2(axis, points);
+    let start = joint.direction(0, arguments.axis);
+    let axis = joint.fixed(0, start);
+    joint.d2(&axis, points);
 }
 
 /// `(|d|^2 - L^2) / (2 L)`: a length, and smooth where the points meet.
@@ -245,39 +266,58 @@ fn distance(joint: &mut Builder, arguments: &Arguments) {
     joint.row("length", divide(squares, multiply(number(2.0), length)));
 }
 
-/// A flexible end in a frame: its point, and the direction of its slope (`is_full`: its norm, too).
+/// A flexible end on a frame or section: its point, and the directions of its slope or section's axes
+/// (`is_full`: their norms, too).
 pub fn clamp(joint: &mut Builder, is_full: bool) {
     let points = joint.points();
     joint.s(points);
     for party in 0..2 {
-        let Some(slope) = joint.slope(party) else { continue };
-        let other = 1 - party;
-        if is_full {
-            let start = joint.matching(other, slope);
-            let apart = algebra::both(&joint.value(slope), &joint.value(start), subtract);
-            joint.vector("slope", &apart);
-        } else if joint.normal.is_some() {
-            let start = joint.matching(other, slope);
-            joint.parallel(start, slope);
-        } else {
-            for which in 0..2 {
-                let normal = joint.normal_to(other, slope, which);
-                joint.d1(slope, normal);
+        for (what, direction) in clamped(joint, party) {
+            let other = 1 - party;
+            let moving = Fixed::Marker(direction);
+            if is_full {
+                let start = joint.fixed(other, direction);
+                let apart = algebra::both(&joint.along(&moving), &joint.along(&start), subtract);
+                joint.vector(what, &apart);
+            } else if joint.normal.is_some() {
+                let start = joint.fixed(other, direction);
+                joint.parallel(&start, &moving);
+            } else {
+                for which in 0..2 {
+                    let normal = joint.normal_to(other, direction, which);
+                    joint.d1(&moving, &normal);
+                }
             }
         }
     }
 }
 
+/// What a clamp fixes of a party in the other one: the axes of a section in a frame, the slope of a
+/// centre line in a frame or section.
+fn clamped(joint: &mut Builder, party: usize) -> Vec<(&'static str, MarkerId)> {
+    let is_on_frame = matches!(joint.parties[1 - party], Party::Frame { .. });
+    match joint.section(party) {
+        Some((y, z)) if is_on_frame => [("ey", y)].into_iter().chain(z.map(|z| ("ez", z))).collect(),
+        Some(_) => Vec::new(),
+        None => joint.slope(party).map(|slope| ("slope", slope)).into_iter().collect(),
+    }
+}
+
 /// One coordinate of a flexible end (first party) stays where it starts in the second party's frame.
-pub fn hold(joint: &mut Builder, order: usize, axis: usize) {
-    let moving = if order == 0 {
-        joint.points()[0]
-    } else {
-        joint.slope(0).unwrap_or(crate::model::MarkerId(0))
+pub fn hold(joint: &mut Builder, of: Held, axis: usize) {
+    let section = |joint: &mut Builder, z: bool| {
+        let (y, other) = joint.section(0)?;
+        if z { other } else { Some(y) }
     };
+    let (what, moving) = match of {
+        Held::Position => ("position", Some(joint.points()[0])),
+        Held::Slope => ("slope", joint.slope(0)),
+        Held::SectionY => ("ey", section(joint, false)),
+        Held::SectionZ => ("ez", section(joint, true)),
+    };
+    let Some(moving) = moving else { return };
     let (start, along) = (joint.matching(1, moving), joint.direction(1, unit(axis)));
     let apart = algebra::both(&joint.value(moving), &joint.value(start), subtract);
-    let what = if order == 0 { "position" } else { "slope" };
     let row = dot(&joint.value(along), &apart);
     joint.row(format!("{what} {}", ["x", "y", "z"][axis]), row);
 }

@@ -169,6 +169,8 @@ pub struct Force {
     pub components: Vec<[Expr; 3]>,
     /// Potential, J, where it has one and nothing damps.
     pub energy: Option<Expr>,
+    /// Whether it was declared as a load, which equilibria apply in parts.
+    pub is_load: bool,
 }
 
 /// A rigid fixture at a place of a flexible body (THEORY 5.4).

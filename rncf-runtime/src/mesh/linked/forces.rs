@@ -23,6 +23,7 @@ impl<P: Parts> MeshScene<P> {
             let (z, velocity) = self.force_arguments(spec.markers);
             let mut forces = vec![0.0; 3 * z.len()];
             self.parts.marker_force(index, t, &z, &velocity, &mut forces);
+            self.apply_part(index, load_scale, &mut forces);
             for (place, &marker) in spec.markers.iter().enumerate() {
                 let columns = self.columns(&self.markers[marker]);
                 for column in columns {
@@ -39,6 +40,13 @@ impl<P: Parts> MeshScene<P> {
                     self.buffers.force[column.component] -= dot(force, column.value);
                 }
             }
+        }
+    }
+
+    /// Multiplies the forces of a load, or their derivatives, by a part of it.
+    fn apply_part(&self, force: usize, load_scale: f64, values: &mut [f64]) {
+        if load_scale != 1.0 && self.parts.is_load(force) {
+            values.iter_mut().for_each(|value| *value *= load_scale);
         }
     }
 
@@ -63,6 +71,9 @@ impl<P: Parts> MeshScene<P> {
             let [mut by_value, mut by_velocity] = [vec![0.0; 9 * count * count], vec![0.0; 9 * count * count]];
             self.parts
                 .marker_force_tangent(index, t, &z, &velocity, &mut by_value, &mut by_velocity);
+            for values in [&mut forces, &mut by_value, &mut by_velocity] {
+                self.apply_part(index, load_scale, values);
+            }
             let columns: Vec<Vec<Column>> = spec
                 .markers
                 .iter()

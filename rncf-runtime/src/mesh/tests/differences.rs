@@ -4,6 +4,7 @@ use super::super::MeshScene;
 use super::model::Hand;
 use super::random::{Random, moved};
 use super::scenery::everything;
+use super::sections::everything_with_sections;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Scene};
 use crate::system::{ConstraintLevel, State, System, Tangent};
@@ -72,8 +73,8 @@ fn compare(what: &str, matrix: &[Vec<f64>], column: usize, expected: &[f64], sce
     }
 }
 
-fn check(formulation: Formulation, seed: u64) {
-    let mut scene = everything().scene(formulation);
+fn check(hand: Hand, formulation: Formulation, seed: u64) {
+    let mut scene = hand.scene(formulation);
     let mut state = scene.rest(0.3);
     Random(seed).shake(&scene, &mut state, 0.2);
     let mut tangent = Tangent::default();
@@ -122,21 +123,23 @@ fn check(formulation: Formulation, seed: u64) {
 
 #[test]
 fn derivatives_in_referenced_coordinates() {
-    check(Formulation::Rncf, 1);
-    check(Formulation::Rncf, 2);
+    check(everything(), Formulation::Rncf, 1);
+    check(everything(), Formulation::Rncf, 2);
+    check(everything_with_sections(), Formulation::Rncf, 6);
 }
 
 #[test]
 fn derivatives_in_absolute_coordinates() {
-    check(Formulation::Ancf, 3);
-    check(Formulation::Ancf, 4);
+    check(everything(), Formulation::Ancf, 3);
+    check(everything(), Formulation::Ancf, 4);
+    check(everything_with_sections(), Formulation::Ancf, 7);
 }
 
 /// The rate of the energy along any motion is the power of what is out of balance.
 #[test]
 fn energy_is_the_integral_of_the_residual() {
     for formulation in [Formulation::Rncf, Formulation::Ancf] {
-        let mut hand = everything();
+        let mut hand = everything_with_sections();
         hand.moving = false;
         hand.conservative = true;
         hand.constraints.clear();

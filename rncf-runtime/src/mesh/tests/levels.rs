@@ -3,7 +3,7 @@
 use super::super::MeshScene;
 use super::model::Hand;
 use super::random::Random;
-use super::scenery::everything;
+use super::sections::everything_with_sections;
 use crate::model::{Formulation, Scene};
 use crate::rotation::Rotation;
 use crate::system::{ConstraintLevel, State, System};
@@ -97,7 +97,7 @@ fn derivative(scene: &mut MeshScene<Hand>, motion: &Motion, s: f64, level: Const
 fn each_level_is_the_time_derivative_of_the_one_before() {
     use ConstraintLevel::{Acceleration, Jerk, Position, Velocity};
     for formulation in [Formulation::Rncf, Formulation::Ancf] {
-        let mut scene = everything().scene(formulation);
+        let mut scene = everything_with_sections().scene(formulation);
         let motion = Motion::new(&scene);
         for (lower, level) in [(Position, Velocity), (Velocity, Acceleration), (Acceleration, Jerk)] {
             let exact = derivative(&mut scene, &motion, 0.0, level);

@@ -2,11 +2,14 @@
 
 use super::super::free::FreeSpec;
 use super::super::parts::{
-    BodySpec, Carried, CarriedTangent, Interpolant, JointData, JointKind, JointSpec, LoadSpec, ObservedSpec, Parts,
-    Prescribed, SectionShape, SectionSpec,
+    BodySpec, Carried, CarriedTangent, Interpolant, JointData, JointKind, JointSpec, LoadSpec, NodalSpec, ObservedSpec,
+    Parts, Prescribed,
 };
-use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, FrameAction, FrameMotion, MarkerSpec, MeshScene};
+use super::super::{
+    ConstraintSpec, FixtureSpec, ForceSpec, FrameAction, FrameMotion, MarkerSpec, MeshScene, SectionShape, SectionSpec,
+};
 use super::inertia::{self, Inertia};
+use super::sections;
 use crate::error::ModelError;
 use crate::model::{Formulation, Joints};
 use crate::rotation::Rotation;
@@ -54,7 +57,6 @@ pub struct Hand {
 
 /// Line density, kg/m, of all bodies.
 const DENSITY: f64 = 0.7;
-const COUNTS: [f64; 4] = [1.0, 0.0, 1.0, 0.0];
 
 impl Hand {
     /// The scene; absolute coordinates have no held components here.
@@ -67,8 +69,11 @@ impl Hand {
         MeshScene::new(self, formulation, Joints::Eliminated).expect("the scene makes sense")
     }
 
-    /// Hermite mass matrix of an element.
-    fn masses(&self, body: usize) -> [f64; 16] {
+    /// Mass matrix of an element: Hermite's, with a section as integrals of all interpolants.
+    fn masses(&self, body: usize) -> Vec<f64> {
+        if self.bodies[body].has_section() {
+            return sections::masses(self, body, DENSITY * self.lengths[body]);
+        }
         let l = self.lengths[body];
         let rows = [
             [156.0, 22.0 * l, 54.0, -13.0 * l],
@@ -76,13 +81,37 @@ impl Hand {
             [54.0, 13.0 * l, 156.0, -22.0 * l],
             [-13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l],
         ];
-        std::array::from_fn(|i| DENSITY * l / 420.0 * rows[i / 4][i % 4])
+        rows.concat().iter().map(|entry| DENSITY * l / 420.0 * entry).collect()
+    }
+
+    /// Conditions of a joint on its node, in the plane of the first two axes or in space.
+    fn conditions(&self, joint: usize, data: &JointData, q: &[f64]) -> Vec<f64> {
+        let spec = &self.bodies[self.joints[joint].body];
+        let d = spec.dimension();
+        let targets = [data.point, data.tangent, data.second[0]];
+        let normals = [data.normals, [data.second[1], data.second[2]]];
+        let count = if spec.has_section() { d } else { 2 };
+        let vector = |place: usize| -> Vector { std::array::from_fn(|i| if i < d { q[place * d + i] } else { 0.0 }) };
+        let whole = |place: usize| -> Vec<f64> { subtract(vector(place), targets[place])[..d].to_vec() };
+        let across = |place: usize| -> Vec<f64> {
+            let normals = &normals[place - 1][..d - 1];
+            normals.iter().map(|&normal| dot(normal, vector(place))).collect()
+        };
+        let directions = |rows: &dyn Fn(usize) -> Vec<f64>| [whole(0), (1..count).flat_map(rows).collect()].concat();
+        match self.joints[joint].kind {
+            JointKind::ClampFull => directions(&whole),
+            JointKind::Clamp => directions(&across),
+            _ => whole(0),
+        }
     }
 
     /// Stiffnesses and forms of the strains: `I = sum S_ab q_a . q_b - I0`, strain energy k I^2 / 2.
-    fn strains(&self, body: usize) -> [(f64, [[f64; 4]; 4], f64); 3] {
+    fn strains(&self, body: usize) -> Vec<(f64, Vec<Vec<f64>>, f64)> {
         let l = self.lengths[body];
-        let stretch = |a: usize, b: usize| -> [[f64; 4]; 4] {
+        if self.bodies[body].has_section() {
+            return sections::strains(self.bodies[body].nodal, l);
+        }
+        let stretch = |a: usize, b: usize| -> Vec<Vec<f64>> {
             let sign = |i: usize| {
                 if i == a {
                     -1.0
@@ -92,12 +121,12 @@ impl Hand {
                     0.0
                 }
             };
-            std::array::from_fn(|i| std::array::from_fn(|j| sign(i) * sign(j)))
+            table(4, &|i, j| sign(i) * sign(j))
         };
         let bend = |i: usize, j: usize| if (i, j) == (1, 3) || (i, j) == (3, 1) { 0.5 } else { 0.0 };
         let norm = |i: usize, j: usize| if i == j && i % 2 == 1 { 1.0 } else { 0.0 };
-        let of = |f: &dyn Fn(usize, usize) -> f64| std::array::from_fn(|i| std::array::from_fn(|j| f(i, j)));
-        [
+        let of = |f: &dyn Fn(usize, usize) -> f64| table(4, f);
+        vec![
             (3.0, stretch(0, 2), l * l),
             (2.0, of(&bend), 1.0),
             (1.5, of(&norm), 2.0),
@@ -105,36 +134,77 @@ impl Hand {
     }
 
     /// Strain and its derivatives with respect to all components.
-    fn strain(&self, q: &[f64], form: &[[f64; 4]; 4], zero: f64) -> (f64, Vec<f64>) {
-        let d = q.len() / 4;
+    fn strain(&self, q: &[f64], form: &[Vec<f64>], zero: f64) -> (f64, Vec<f64>) {
+        let d = q.len() / form.len();
         let gradient: Vec<f64> = (0..q.len())
-            .map(|i| (0..4).map(|b| 2.0 * form[i / d][b] * q[b * d + i % d]).sum())
+            .map(|i| (0..form.len()).map(|b| 2.0 * form[i / d][b] * q[b * d + i % d]).sum())
             .collect();
         let value: f64 = gradient.iter().zip(q).map(|(g, q)| 0.5 * g * q).sum();
         (value - zero, gradient)
     }
 
-    fn inertia<'a>(&self, mass: &'a [f64], dimension: usize) -> Inertia<'a> {
-        Inertia {
-            mass,
-            counts: &COUNTS[..if mass.len() == 4 { 2 } else { 4 }],
-            dimension,
-        }
+    fn inertia(&self, body: usize, run: impl FnOnce(Inertia)) {
+        let spec = &self.bodies[body];
+        let count = |vector: &NodalSpec| f64::from(u8::from(vector.is_position()));
+        let counts: Vec<f64> = spec.nodal.iter().map(count).collect();
+        run(Inertia {
+            mass: &self.masses(body),
+            counts: &counts,
+            dimension: spec.dimension(),
+        });
     }
 
     fn with_inertia(&self, of: Carried, run: impl FnOnce(Inertia)) {
         match of {
-            Carried::Element { body } => run(self.inertia(&self.masses(body), self.bodies[body].dimension())),
+            Carried::Element { body } => self.inertia(body, run),
             Carried::Fixture {
-                dimension, constants, ..
-            } => run(self.inertia(&fixture_mass(constants), dimension)),
+                dimension,
+                vectors,
+                constants,
+            } => run(Inertia {
+                mass: &fixture_mass(vectors, constants),
+                counts: &[1.0, 0.0, 0.0, 0.0][..vectors],
+                dimension,
+            }),
             Carried::Rigid(_) => {}
         }
     }
 }
 
-fn fixture_mass([mass, first, _, _, second, ..]: [f64; 10]) -> [f64; 4] {
-    [mass, first, first, second]
+/// Hermite's shape functions of an element of length l and their derivatives d/dx.
+pub fn hermite(l: f64, order: usize, xi: f64) -> [f64; 4] {
+    let (x2, x3) = (xi * xi, xi * xi * xi);
+    let rows = [
+        [
+            1.0 - 3.0 * x2 + 2.0 * x3,
+            l * (xi - 2.0 * x2 + x3),
+            3.0 * x2 - 2.0 * x3,
+            l * (x3 - x2),
+        ],
+        [
+            6.0 * (x2 - xi) / l,
+            1.0 - 4.0 * xi + 3.0 * x2,
+            6.0 * (xi - x2) / l,
+            3.0 * x2 - 2.0 * xi,
+        ],
+        [
+            (12.0 * xi - 6.0) / (l * l),
+            (6.0 * xi - 4.0) / l,
+            (6.0 - 12.0 * xi) / (l * l),
+            (6.0 * xi - 2.0) / l,
+        ],
+    ];
+    rows[order]
+}
+
+/// Entries of a square matrix.
+pub fn table(size: usize, entry: &dyn Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
+    (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect()
+}
+
+fn fixture_mass(vectors: usize, [m, x, y, z, xx, yy, zz, xy, xz, yz]: [f64; 10]) -> Vec<f64> {
+    let all = [[m, x, y, z], [x, xx, xy, xz], [y, xy, yy, yz], [z, xz, yz, zz]];
+    all[..vectors].iter().flat_map(|row| row[..vectors].to_vec()).collect()
 }
 
 /// Derivatives of `sin(2 t)`.
@@ -242,8 +312,7 @@ impl Parts for Hand {
         } else {
             *frame
         };
-        self.inertia(&self.masses(body), q.len() / 4)
-            .force(&action, q, v, a, force);
+        self.inertia(body, |inertia| inertia.force(&action, q, v, a, force));
     }
     fn tangent(
         &self,
@@ -256,7 +325,7 @@ impl Parts for Hand {
         stiffness: &mut [f64],
         damping: &mut [f64],
     ) {
-        let (size, d) = (q.len(), q.len() / 4);
+        let (size, d) = (q.len(), self.bodies[body].dimension());
         for (k, form, zero) in self.strains(body) {
             let (strain, gradient) = self.strain(q, &form, zero);
             for i in 0..size {
@@ -267,7 +336,7 @@ impl Parts for Hand {
             }
         }
         if !absolute {
-            self.inertia(&self.masses(body), d).tangent(frame, stiffness, damping);
+            self.inertia(body, |inertia| inertia.tangent(frame, stiffness, damping));
         }
     }
     fn energy(&self, body: usize, _element: usize, q: &[f64]) -> f64 {
@@ -276,30 +345,11 @@ impl Parts for Hand {
             .map(|(k, form, zero)| 0.5 * k * self.strain(q, &form, zero).0.powi(2))
             .sum()
     }
-    fn shapes(&self, body: usize, _of: Interpolant, order: usize, xi: f64, weights: &mut [f64]) {
-        let l = self.lengths[body];
-        let (x2, x3) = (xi * xi, xi * xi * xi);
-        let rows = [
-            [
-                1.0 - 3.0 * x2 + 2.0 * x3,
-                l * (xi - 2.0 * x2 + x3),
-                3.0 * x2 - 2.0 * x3,
-                l * (x3 - x2),
-            ],
-            [
-                6.0 * (x2 - xi) / l,
-                1.0 - 4.0 * xi + 3.0 * x2,
-                6.0 * (xi - x2) / l,
-                3.0 * x2 - 2.0 * xi,
-            ],
-            [
-                (12.0 * xi - 6.0) / (l * l),
-                (6.0 * xi - 4.0) / l,
-                (6.0 - 12.0 * xi) / (l * l),
-                (6.0 * xi - 2.0) / l,
-            ],
-        ];
-        weights.copy_from_slice(&rows[order]);
+    fn shapes(&self, body: usize, of: Interpolant, order: usize, xi: f64, weights: &mut [f64]) {
+        if self.bodies[body].has_section() {
+            return sections::shapes(self.bodies[body].nodal, self.lengths[body], of, order, xi, weights);
+        }
+        weights.copy_from_slice(&hermite(self.lengths[body], order, xi));
     }
     fn section(&self, _body: usize) -> SectionSpec {
         SectionSpec {
@@ -340,22 +390,54 @@ impl Parts for Hand {
             }
         }
     }
+    fn section_moment(&self, axes: &[f64; 6], moment: [f64; 3], force: &mut [f64; 6]) {
+        let value = sections::moment(axes, moment);
+        force.iter_mut().zip(value).for_each(|(force, value)| *force += value);
+    }
+    fn section_moment_tangent(&self, axes: &[f64; 6], moment: [f64; 3], tangent: &mut [f64; 36]) {
+        for column in 0..6 {
+            let at = |step: f64| {
+                let mut moved = *axes;
+                moved[column] += step;
+                sections::moment(&moved, moment)
+            };
+            let [high, low] = [at(1e-5), at(-1e-5)];
+            (0..6).for_each(|row| tangent[row * 6 + column] += (high[row] - low[row]) / 2e-5);
+        }
+    }
     fn condition(
         &self,
-        _joint: usize,
+        joint: usize,
         _absolute: bool,
-        _level: ConstraintLevel,
+        level: ConstraintLevel,
         _t: f64,
-        _data: &JointData,
-        _q: &[f64],
+        data: &JointData,
+        q: &[f64],
         _v: &[f64],
         _a: &[f64],
-        _rows: &mut [f64],
+        rows: &mut [f64],
     ) {
-        unreachable!("all conditions here are eliminated")
+        // Those of joints to the own frame do not depend on time.
+        if level == ConstraintLevel::Position {
+            rows.copy_from_slice(&self.conditions(joint, data, q));
+        }
     }
-    fn condition_jacobian(&self, _joint: usize, _absolute: bool, _t: f64, _data: &JointData, _jacobian: &mut [f64]) {
-        unreachable!("all conditions here are eliminated")
+    fn condition_jacobian(&self, joint: usize, _absolute: bool, _t: f64, data: &JointData, jacobian: &mut [f64]) {
+        let dimension = self.bodies[self.joints[joint].body].dimension();
+        let width = jacobian.len() / self.conditions(joint, data, &[0.0; 9]).len();
+        assert_eq!(width % dimension, 0);
+        for column in 0..width {
+            let at = |value: f64| {
+                self.conditions(
+                    joint,
+                    data,
+                    &std::array::from_fn::<f64, 9, _>(|i| if i == column { value } else { 0.0 }),
+                )
+            };
+            for (row, (high, low)) in at(1.0).iter().zip(at(0.0)).enumerate() {
+                jacobian[row * width + column] = high - low;
+            }
+        }
     }
 
     /// Points of spatial bodies, perhaps of the inertial frame in frame 2: there they move.
@@ -363,6 +445,7 @@ impl Parts for Hand {
         let joint = &self.joints[joint];
         prescribed.position[0] = data.point;
         prescribed.slope[0] = data.tangent;
+        prescribed.second[0] = data.second[0];
         let own = self.bodies[joint.body].frame;
         if joint.frame == 0 && own == 2 && !absolute {
             let mut motions = vec![FrameMotion::INERTIAL; self.frames.len()];
@@ -433,7 +516,7 @@ impl Parts for Hand {
     fn fixture_force(
         &self,
         dimension: usize,
-        _vectors: usize,
+        vectors: usize,
         constants: [f64; 10],
         absolute: bool,
         frame: &FrameAction,
@@ -443,21 +526,29 @@ impl Parts for Hand {
         force: &mut [f64],
     ) {
         assert!(!absolute || frame.spin == [0.0; 3]);
-        self.inertia(&fixture_mass(constants), dimension)
-            .force(frame, q, v, a, force);
+        let of = Carried::Fixture {
+            dimension,
+            vectors,
+            constants,
+        };
+        self.with_inertia(of, |inertia| inertia.force(frame, q, v, a, force));
     }
     fn fixture_tangent(
         &self,
         dimension: usize,
-        _vectors: usize,
+        vectors: usize,
         constants: [f64; 10],
         _absolute: bool,
         frame: &FrameAction,
         stiffness: &mut [f64],
         damping: &mut [f64],
     ) {
-        self.inertia(&fixture_mass(constants), dimension)
-            .tangent(frame, stiffness, damping);
+        let of = Carried::Fixture {
+            dimension,
+            vectors,
+            constants,
+        };
+        self.with_inertia(of, |inertia| inertia.tangent(frame, stiffness, damping));
     }
 
     fn marker_constraint(

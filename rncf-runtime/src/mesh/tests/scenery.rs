@@ -96,7 +96,7 @@ pub fn stone() -> RigidSpec {
     }
 }
 
-const DEAD: Place = Place::At(0.37);
+pub const DEAD: Place = Place::At(0.37);
 
 /// Frames of every kind, bodies in them, and everything that acts.
 pub fn everything() -> Hand {

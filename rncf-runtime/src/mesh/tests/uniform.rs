@@ -46,7 +46,10 @@ fn balance(scene: &mut MeshScene<Hand>, at: &Uniform, state: &State, rates: [&[f
 }
 
 fn compare(what: &str, matrix: &[Vec<f64>], column: usize, [high, low]: [Vec<f64>; 2], scene: &MeshScene<Hand>) {
-    let size = matrix.iter().flatten().fold(1.0, |size: f64, value| size.max(value.abs()));
+    let size = matrix
+        .iter()
+        .flatten()
+        .fold(1.0, |size: f64, value| size.max(value.abs()));
     for row in 0..high.len() {
         let expected = (high[row] - low[row]) / (2.0 * STEP);
         assert!(
@@ -82,8 +85,7 @@ fn small_motions_are_derivatives_in_corotating_axes() {
         scene.uniform_state(&at, &mut state);
         let mut tangent = Tangent::default();
         scene.small_motions(&at, &state, &mut tangent);
-        let [stiffness, damping] =
-            [&tangent.stiffness, &tangent.damping].map(|values| dense(scene.pattern(), values));
+        let [stiffness, damping] = [&tangent.stiffness, &tangent.damping].map(|values| dense(scene.pattern(), values));
         let n = scene.unknowns();
         let zeros = vec![0.0; n];
         let rotation = scale(at.speed(), turning);
@@ -209,7 +211,10 @@ fn conical_pendulum_in_space() {
     let size = (force[0].powi(2) + force[2].powi(2)).sqrt();
     let lambda = &state.lambda;
     let hook = lambda.iter().map(|x| x * x).sum::<f64>().sqrt();
-    assert!((hook - size).abs() < 1e-10 && (lambda[2].abs() - 2.0 * G).abs() < 1e-10, "{lambda:?}");
+    assert!(
+        (hook - size).abs() < 1e-10 && (lambda[2].abs() - 2.0 * G).abs() < 1e-10,
+        "{lambda:?}"
+    );
     // Velocities and accelerations are those of the motion: it goes on.
     let mut residual = vec![0.0; scene.unknowns()];
     scene.residual(state, &mut residual);

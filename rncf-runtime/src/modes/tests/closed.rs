@@ -63,16 +63,19 @@ fn a_flat_shaft_diverges_between_its_critical_speeds() {
             assert_close(&found[0], &[-growth, 0.0], 1e-12);
             assert_close(&found[1], &[growth, 0.0], 1e-12);
         } else {
-            assert_close(&[found[0][1], found[1][1]], &[(sum - root).sqrt(), (sum + root).sqrt()], 1e-12);
+            assert_close(
+                &[found[0][1], found[1][1]],
+                &[(sum - root).sqrt(), (sum + root).sqrt()],
+                1e-12,
+            );
         }
     }
 }
 
 #[test]
 fn critical_speeds_are_bisected() {
-    let negatives = |stiffness: [f64; 2]| {
-        move |spin: f64| Ok(dense::negative_stiffness(&jeffcott(spin, stiffness, 0.1)).unwrap())
-    };
+    let negatives =
+        |stiffness: [f64; 2]| move |spin: f64| Ok(dense::negative_stiffness(&jeffcott(spin, stiffness, 0.1)).unwrap());
     let round = critical(0.0, 40.0, 1e-9, negatives([50.0; 2])).unwrap();
     let [Critical { value, change: 2 }] = round[..] else {
         panic!("{round:?}");
@@ -193,7 +196,15 @@ fn a_massless_direction_has_no_mode() {
 fn what_is_singular_is_named() {
     let one = full([[1.0, 0.0], [0.0, 1.0]]);
     // The second unknown has neither mass nor stiffness.
-    let untied = sparse(2, [&full([[1.0, 0.0], [0.0, 0.0]]), &vec![], &full([[1.0, 0.0], [0.0, 0.0]])], &[]);
+    let untied = sparse(
+        2,
+        [
+            &full([[1.0, 0.0], [0.0, 0.0]]),
+            &vec![],
+            &full([[1.0, 0.0], [0.0, 0.0]]),
+        ],
+        &[],
+    );
     assert!(matches!(lowest(&untied, 1), Err(Failure::Singular(_))));
     let twice = sparse(2, [&one, &vec![], &one], &[row([1.0, 0.0]), row([2.0, 0.0])]);
     assert_eq!(lowest(&twice, 1).err(), Some(Failure::Singular(Some(3))));

@@ -32,7 +32,11 @@ fn free_chains_have_one_mode_of_frequency_zero_each() {
     let found = frequencies(&chains(3, 90, false), 9);
     assert_eq!(found[..3], [0.0; 3]);
     let exact = |k: f64| 2.0 * (k * std::f64::consts::PI / 180.0).sin();
-    assert_close(&found[3..], &[exact(1.0), exact(1.0), exact(1.0), exact(2.0), exact(2.0), exact(2.0)], 1e-12);
+    assert_close(
+        &found[3..],
+        &[exact(1.0), exact(1.0), exact(1.0), exact(2.0), exact(2.0), exact(2.0)],
+        1e-12,
+    );
 }
 
 #[test]
@@ -69,7 +73,10 @@ fn a_damped_spinning_string_has_complex_frequencies() {
     let mut exact = Vec::new();
     for frequency in of_chain(n).take(20) {
         let (re, im) = (part * frequency * frequency, 2.0 * spin);
-        let [re2, im2] = [re * re - im * im - 4.0 * (frequency * frequency - spin * spin), 2.0 * re * im];
+        let [re2, im2] = [
+            re * re - im * im - 4.0 * (frequency * frequency - spin * spin),
+            2.0 * re * im,
+        ];
         let size = re2.hypot(im2);
         // The real part of the root is small: without cancellation, from the imaginary one.
         let imaginary = (0.5 * (size - re2)).sqrt();
@@ -82,7 +89,10 @@ fn a_damped_spinning_string_has_complex_frequencies() {
     assert_eq!(found.len(), 8);
     for (found, exact) in found.iter().zip(&exact) {
         let distance = (found[0] - exact[0]).hypot(found[1] - exact[1]);
-        assert!(distance < 1e-12 * exact[1].hypot(exact[0]).max(1e-2), "{found:?} {exact:?}");
+        assert!(
+            distance < 1e-12 * exact[1].hypot(exact[0]).max(1e-2),
+            "{found:?} {exact:?}"
+        );
     }
     assert!(found.iter().any(|[re, _]| *re > 1e-5) && found.iter().any(|[re, _]| *re < -1e-5));
 }
@@ -154,6 +164,12 @@ fn a_free_body_is_still_beside_sections_that_are_stiff() {
 #[test]
 fn results_repeat_to_the_last_digit() {
     let pencil = chains(3, 60, true);
-    let run = || values(&pencil, 7).into_iter().flatten().map(f64::to_bits).collect::<Vec<u64>>();
+    let run = || {
+        values(&pencil, 7)
+            .into_iter()
+            .flatten()
+            .map(f64::to_bits)
+            .collect::<Vec<u64>>()
+    };
     assert_eq!(run(), run());
 }

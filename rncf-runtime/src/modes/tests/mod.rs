@@ -2,7 +2,6 @@
 
 mod closed;
 mod large;
-mod scenes;
 
 use super::pencil::Pencil;
 use crate::linalg::Pattern;
@@ -47,7 +46,11 @@ fn full<const N: usize>(matrix: [[f64; N]; N]) -> Entries {
 
 /// The row of a constraint.
 fn row<const N: usize>(values: [f64; N]) -> Entries {
-    values.into_iter().enumerate().map(|(unknown, value)| (0, unknown, value)).collect()
+    values
+        .into_iter()
+        .enumerate()
+        .map(|(unknown, value)| (0, unknown, value))
+        .collect()
 }
 
 /// Real and imaginary parts of the lowest eigenvalues.
@@ -69,7 +72,10 @@ fn frequencies(pencil: &Pencil, count: usize) -> Vec<f64> {
 fn assert_close(found: &[f64], exact: &[f64], tolerance: f64) {
     assert_eq!(found.len(), exact.len(), "{found:?} {exact:?}");
     for (found, exact) in found.iter().zip(exact) {
-        assert!((found - exact).abs() <= tolerance * exact.abs().max(1e-3), "{found} {exact}");
+        assert!(
+            (found - exact).abs() <= tolerance * exact.abs().max(1e-3),
+            "{found} {exact}"
+        );
     }
 }
 

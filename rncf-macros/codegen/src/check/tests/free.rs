@@ -326,7 +326,10 @@ fn angles_count() {
     let mut model = model(FREE);
     let hinge = FrameId(model.frames.iter().position(|frame| frame.name == "hinge").unwrap());
     model.bodies[3].fidelity = Fidelity::Full;
-    assert_eq!(ties::check(&model, &Library::standard(), hinge), loose("turning about the z axis"));
+    assert_eq!(
+        ties::check(&model, &Library::standard(), hinge),
+        loose("turning about the z axis")
+    );
     let mut driven = model.clone();
     let angle = Marker::Angle { frame: hinge };
     constrained(&mut driven, vec![angle.clone()], |first| observed(first, 0), None);
@@ -362,7 +365,10 @@ fn mass_without_inertia_needs_ties() {
     free.parts[0].inertia = [0.0; 6].map(Number);
     free.parts[0].center = [0.0; 3].map(Number);
     // Its clamped body leaves the turning about the own axis.
-    assert_eq!(ties::check(&model, &Library::standard(), arm), loose("turning about the x axis"));
+    assert_eq!(
+        ties::check(&model, &Library::standard(), arm),
+        loose("turning about the x axis")
+    );
     let free = model.frames[arm.0].free.as_mut().unwrap();
     free.parts[0].inertia[0] = Number(1e-6);
     assert_eq!(ties::check(&model, &Library::standard(), arm), Ok(()));
@@ -406,5 +412,8 @@ fn ties_are_those_of_the_initial_shape() {
     straight.bodies[0].initial.position = None;
     // Of a straight body the end's height is fixed by the direction at its start.
     let tie = "twist".to_string();
-    assert_eq!(ties::check(&straight, &Library::standard(), FrameId(1)), Err(Untied::Twice { tie }));
+    assert_eq!(
+        ties::check(&straight, &Library::standard(), FrameId(1)),
+        Err(Untied::Twice { tie })
+    );
 }

@@ -1,12 +1,14 @@
 //! What joints, springs, drives, constraints and loads become: evaluated on moving bodies and
 //! compared with formulas written out.
 
-use super::model;
+use super::world::{
+    Pose, STEP, World, add, axis_of, bent, cross, dot, first_body, product, rotation, scale, second_body, still, times,
+    transposed, unit, with,
+};
 use crate::joints::algebra::{each_observable, markers_of};
-use crate::model::{Binary, Constraint, Expr, FrameId, Held, JointKind, LoadKind, Marker, MarkerId, Model, Observable};
+use crate::model::{Expr, Held, JointKind, LoadKind, Marker, Observable};
 
 type Vec3 = [f64; 3];
-type Mat3 = [Vec3; 3];
 
 /// Two rigid bodies, a beam that both may be tied to, and what a test adds.
 const SCENE: &str = "
@@ -35,7 +37,7 @@ pub const JOINTS: &str = "
 model Linkage {
     const L = 2 m;
     motion phi(t) = 2 [rad/s] * t;
-    material steel { density = 7850 kg/m^3; young = 210 GPa; }
+    material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
     section thin { area = 1 mm^2; second_moment = 1 mm^4; }
     frame hub = rotating(axis = z, angle = phi(t));
     rigid arm { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
@@ -57,215 +59,17 @@ model Linkage {
     spring bend = torsional_law(axle, moment = 2 [N*m] * sin(angle));
     load jet = follower(flat.end, [3 N, 1 N]);
     load drag = force(arm, -2 [kg/s] * arm.velocity);
+    section block { area = 1 mm^2; second_moment = 1 mm^4; torsion_constant = 1 mm^4; shear_factor = 0.8; }
+    body shaft { spatial; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * beam(block, steel); }
+    body strip { planar xy; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * beam(block, steel); }
+    joint seat = clamp(shaft.start, hub);
+    joint wall = clamp(strip.start, inertial);
     output tip = beam.end.in(arm).velocity;
     output way = norm(cross(arm - rod.at([1, 0, 0] m), rod.ex)) + 2 * axle.angle * 1 m;
     output lam = motor.moment.in(disc).z;
     output u = beam.end.x;
 }
 ";
-
-fn with(scene: &str, items: &str) -> Model {
-    model(&format!("model M {{ {scene} {items} }}"))
-}
-
-fn add(a: Vec3, b: Vec3) -> Vec3 {
-    std::array::from_fn(|i| a[i] + b[i])
-}
-fn scale(s: f64, a: Vec3) -> Vec3 {
-    a.map(|x| s * x)
-}
-fn dot(a: Vec3, b: Vec3) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
-fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    std::array::from_fn(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
-}
-fn unit(a: Vec3) -> Vec3 {
-    scale(1.0 / dot(a, a).sqrt(), a)
-}
-fn times(m: Mat3, v: Vec3) -> Vec3 {
-    m.map(|row| dot(row, v))
-}
-fn transposed(m: Mat3) -> Mat3 {
-    std::array::from_fn(|i| std::array::from_fn(|j| m[j][i]))
-}
-fn product(a: Mat3, b: Mat3) -> Mat3 {
-    let columns = transposed(b);
-    a.map(|row| columns.map(|column| dot(row, column)))
-}
-/// Rotation by the angle |w| about w (Rodrigues).
-fn rotation(w: Vec3) -> Mat3 {
-    let angle = dot(w, w).sqrt();
-    let n = if angle > 0.0 { scale(1.0 / angle, w) } else { [0.0; 3] };
-    let (s, c) = angle.sin_cos();
-    std::array::from_fn(|i| {
-        let e: Vec3 = std::array::from_fn(|j| f64::from(i == j));
-        add(
-            add(scale(c, e), scale(-s, cross(n, e))),
-            scale((1.0 - c) * dot(n, e), n),
-        )
-    })
-}
-
-/// Position of the origin and axes of a frame.
-#[derive(Clone, Copy)]
-struct Pose {
-    r: Vec3,
-    a: Mat3,
-}
-
-/// A motion of all frames (by name); the beam's end is a point and a slope.
-struct World<'m> {
-    model: &'m Model,
-    pose: &'m dyn Fn(&str, f64) -> Pose,
-    end: &'m dyn Fn(f64) -> [Vec3; 2],
-    t: f64,
-}
-
-const STEP: f64 = 1e-5;
-
-impl World<'_> {
-    fn at(&self, frame: FrameId, t: f64) -> Pose {
-        let name = self.model.frames[frame.0].name.as_str();
-        if name == "inertial" {
-            return Pose {
-                r: [0.0; 3],
-                a: rotation([0.0; 3]),
-            };
-        }
-        (self.pose)(name, t)
-    }
-
-    fn marker(&self, marker: MarkerId, t: f64) -> Vec3 {
-        let fixed = |v: &[Expr; 3]| v.each_ref().map(|x| self.value(x));
-        let is_point = |id: MarkerId| {
-            matches!(
-                self.model.markers[id.0],
-                Marker::Point { .. } | Marker::BodyPoint { .. }
-            )
-        };
-        match &self.model.markers[marker.0] {
-            Marker::Point { frame, at } => {
-                let pose = self.at(*frame, t);
-                add(pose.r, times(pose.a, fixed(at)))
-            }
-            Marker::Direction { frame, along } => times(self.at(*frame, t).a, fixed(along)),
-            Marker::BodyPoint { .. } => (self.end)(t)[0],
-            Marker::BodySlope { .. } => (self.end)(t)[1],
-            Marker::BodySection { .. } | Marker::InSection { .. } => unreachable!("no sections in these models"),
-            Marker::Matching { frame, marker } => {
-                let (start, now) = (self.at(*frame, 0.0), self.at(*frame, t));
-                let value = self.marker(*marker, 0.0);
-                if is_point(*marker) {
-                    let p = times(transposed(start.a), add(value, scale(-1.0, start.r)));
-                    add(now.r, times(now.a, p))
-                } else {
-                    times(now.a, times(transposed(start.a), unit(value)))
-                }
-            }
-            Marker::Normal { frame, marker, which } => {
-                let d = unit(self.marker(*marker, 0.0));
-                let least = (0..3).min_by(|i, j| d[*i].abs().total_cmp(&d[*j].abs())).unwrap();
-                let e: Vec3 = std::array::from_fn(|i| f64::from(i == least));
-                let first = unit(cross(d, e));
-                let normal = if *which == 0 { first } else { cross(d, first) };
-                let (start, now) = (self.at(*frame, 0.0), self.at(*frame, t));
-                times(now.a, times(transposed(start.a), normal))
-            }
-            Marker::Angle { frame } => {
-                let a = self.at(*frame, t).a;
-                [a[1][0].atan2(a[0][0]), 0.0, 0.0]
-            }
-            Marker::Turn { .. } => [0.0; 3],
-        }
-    }
-
-    fn rate(&self, marker: MarkerId) -> Vec3 {
-        if let Marker::Turn { frame } = self.model.markers[marker.0] {
-            let (later, before) = (self.at(frame, self.t + STEP).a, self.at(frame, self.t - STEP).a);
-            let w = product(later, transposed(before));
-            return scale(0.25 / STEP, [w[2][1] - w[1][2], w[0][2] - w[2][0], w[1][0] - w[0][1]]);
-        }
-        let (later, before) = (self.marker(marker, self.t + STEP), self.marker(marker, self.t - STEP));
-        scale(0.5 / STEP, add(later, scale(-1.0, before)))
-    }
-
-    fn value(&self, expr: &Expr) -> f64 {
-        match expr {
-            Expr::Number(value) => *value,
-            Expr::Param(id) => self.model.params[id.0].default,
-            Expr::Time => self.t,
-            Expr::Motion(id, _) => self.value(&self.model.motions[id.0].value),
-            Expr::Negate(inner) => -self.value(inner),
-            Expr::Binary(operator, a, b) => {
-                let (a, b) = (self.value(a), self.value(b));
-                match operator {
-                    Binary::Add => a + b,
-                    Binary::Subtract => a - b,
-                    Binary::Multiply => a * b,
-                    Binary::Divide => a / b,
-                }
-            }
-            Expr::Power(a, b) => self.value(a).powf(self.value(b)),
-            Expr::Call(function, arguments) => match arguments.as_slice() {
-                [x] => function.of(self.value(x)).unwrap(),
-                [x, y] => function.of_two(self.value(x), self.value(y)).unwrap(),
-                _ => panic!("one or two"),
-            },
-            Expr::Observed(Observable::Marker {
-                marker,
-                derivative,
-                component,
-            }) => match derivative {
-                0 => self.marker(*marker, self.t)[*component],
-                1 => self.rate(*marker)[*component],
-                _ => panic!("no accelerations"),
-            },
-            other => panic!("{other:?}"),
-        }
-    }
-
-    fn rows(&self, constraint: &Constraint) -> Vec<f64> {
-        constraint.rows.iter().map(|(_, row)| self.value(row)).collect()
-    }
-}
-
-/// The first body wanders and turns in space.
-fn first_body(t: f64) -> Pose {
-    Pose {
-        r: [1.0 + t, t * t - 0.5, 0.3 * t.sin()],
-        a: product(rotation([0.3, -0.2, 0.5]), rotation([0.4 * t, 0.7 * t, -0.2 * t])),
-    }
-}
-
-const POINT: Vec3 = [0.5, 0.25, -0.125];
-
-/// The second one moves by `shift` and `turn` (axes of the first one) about the joint's point.
-fn second_body(t: f64, shift: Vec3, turn: Vec3) -> Pose {
-    let first = first_body(t);
-    let a = product(product(first.a, rotation(turn)), rotation([0.7, 0.1, -0.4]));
-    let joint = add(first.r, times(first.a, add(POINT, shift)));
-    let own = [0.2, -0.3, 0.1];
-    Pose {
-        r: add(joint, scale(-1.0, times(a, own))),
-        a,
-    }
-}
-
-fn still(_: f64) -> [Vec3; 2] {
-    [[2.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
-}
-
-/// A bent and stretched end.
-fn bent(t: f64) -> [Vec3; 2] {
-    [[2.0 - t, t, 0.3 * t], scale(1.0 + t, unit([1.0, t, -0.5 * t]))]
-}
-
-fn axis_of(motion: usize, amount: f64) -> (Vec3, Vec3) {
-    let mut all = [0.0; 6];
-    all[motion] = amount;
-    ([all[0], all[1], all[2]], [all[3], all[4], all[5]])
-}
 
 /// Every kind leaves exactly its own motions free: x, y, z, and turning about x, y, z.
 #[test]
@@ -300,6 +104,7 @@ fn joints_leave_their_motions() {
             let world = World {
                 model: &model,
                 pose: &pose,
+                sections: None,
                 end: &still,
                 t: 0.9,
             };
@@ -346,6 +151,7 @@ fn a_universal_joint_turns_about_both_axes() {
     let world = World {
         model: &model,
         pose: &pose,
+        sections: None,
         end: &still,
         t: 0.9,
     };
@@ -372,6 +178,7 @@ fn angles_slides_and_their_drives() {
     let world = World {
         model: &model,
         pose: &pose,
+        sections: None,
         end: &still,
         t,
     };
@@ -423,6 +230,7 @@ fn springs_pull_along_their_line() {
     let world = World {
         model: &model,
         pose: &pose,
+        sections: None,
         end: &bent,
         t,
     };
@@ -483,6 +291,7 @@ fn places_are_seen_in_frames() {
     let world = World {
         model: &model,
         pose: &pose,
+        sections: None,
         end: &bent,
         t,
     };
@@ -593,6 +402,7 @@ fn flexible_ends_and_free_frames() {
     let world = World {
         model: &model,
         pose: &pose,
+        sections: None,
         end: &end,
         t: 0.8,
     };
@@ -641,6 +451,7 @@ fn in_a_plane_rows_are_planar() {
     let world = World {
         model: &model,
         pose: &pose,
+        sections: None,
         end: &still,
         t,
     };
@@ -708,6 +519,7 @@ fn loads_of_flexible_bodies() {
     let world = World {
         model: &model,
         pose: &pose,
+        sections: None,
         end: &bent,
         t,
     };

@@ -2,10 +2,12 @@ mod free;
 mod joints;
 mod precedence;
 mod right;
+mod section_joints;
 mod sections;
 mod start;
 mod tied;
 mod truncated;
+mod world;
 mod wrong;
 
 use crate::check::check;

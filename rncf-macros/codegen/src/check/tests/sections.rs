@@ -85,7 +85,12 @@ fn round_sections_have_all_properties() {
     near(property(&model, 0, "torsion_constant"), PI * r.powi(4) / 2.0, 1e-15);
     let factor = 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu);
     near(property(&model, 0, "shear_factor_y"), factor, 1e-15);
-    assert_eq!(model.bodies[0].shape, SectionShape::Circle { radius: Expr::Param(crate::model::ParamId(0)) });
+    assert_eq!(
+        model.bodies[0].shape,
+        SectionShape::Circle {
+            radius: Expr::Param(crate::model::ParamId(0))
+        }
+    );
     let body = &model.bodies[2];
     near(property(&model, 2, "area"), PI * ring(2), 1e-12);
     near(property(&model, 2, "second_moment_z"), PI / 4.0 * ring(4), 1e-12);
@@ -101,7 +106,9 @@ fn round_sections_have_all_properties() {
 
 #[test]
 fn thin_tubes_have_the_shear_factor_of_cowper() {
-    let text = SECTIONS.replace("beam(round, steel)", "beam(pipe, steel)").replace("const wall = 2 mm", "const wall = 1 nm");
+    let text = SECTIONS
+        .replace("beam(round, steel)", "beam(pipe, steel)")
+        .replace("const wall = 2 mm", "const wall = 1 nm");
     let model = model(&text);
     // 2 (1 + nu) / (4 + 3 nu) without thickness.
     near(property(&model, 0, "shear_factor_z"), 2.0 * 1.3 / 4.9, 1e-7);
@@ -111,7 +118,10 @@ fn thin_tubes_have_the_shear_factor_of_cowper() {
 #[test]
 fn rectangles_have_the_torsion_of_the_series() {
     let series = |a: f64, b: f64| {
-        let sum: f64 = (0..4000).map(|k| f64::from(2 * k + 1)).map(|n| (n * PI * a / (2.0 * b)).tanh() / n.powi(5)).sum();
+        let sum: f64 = (0..4000)
+            .map(|k| f64::from(2 * k + 1))
+            .map(|n| (n * PI * a / (2.0 * b)).tanh() / n.powi(5))
+            .sum();
         a * b.powi(3) * (1.0 / 3.0 - 64.0 / PI.powi(5) * b / a * sum)
     };
     for (y, z) in [(20.0, 5.0), (5.0, 20.0), (7.0, 7.0), (8.0, 7.0), (1000.0, 1.0)] {
@@ -121,13 +131,19 @@ fn rectangles_have_the_torsion_of_the_series() {
             .replace("y = 20 mm, z = 5 mm", &format!("y = {y} mm, z = {z} mm"));
         let model = model(&text);
         let (y, z) = (y * 1e-3, z * 1e-3);
-        near(property(&model, 0, "torsion_constant"), series(f64::max(y, z), f64::min(y, z)), 1e-9);
+        near(
+            property(&model, 0, "torsion_constant"),
+            series(f64::max(y, z), f64::min(y, z)),
+            1e-9,
+        );
         near(property(&model, 0, "second_moment_z"), z * y * y * y / 12.0, 1e-14);
         near(property(&model, 0, "second_moment_y"), y * z * z * z / 12.0, 1e-14);
         near(property(&model, 0, "shear_factor_z"), 5.0 / 6.0, 1e-15);
     }
     // Sides that are parameters give an expression that knows which one is longer.
-    let text = SECTIONS.replace("beam(round, steel)", "beam(strip, steel)").replace("z = 5 mm", "z = 2 * r");
+    let text = SECTIONS
+        .replace("beam(round, steel)", "beam(strip, steel)")
+        .replace("z = 5 mm", "z = 2 * r");
     let model = model(&text);
     near(property(&model, 0, "torsion_constant"), series(0.1, 0.02), 1e-9);
 }
@@ -135,10 +151,19 @@ fn rectangles_have_the_torsion_of_the_series() {
 #[test]
 fn blocks_keep_what_they_give() {
     let model = model(SECTIONS);
-    for (name, value) in [("second_moment_y", 1e-8), ("second_moment_z", 2e-8), ("shear_factor_y", 0.8), ("shear_factor_z", 0.8), ("extent_y", 0.02)] {
+    for (name, value) in [
+        ("second_moment_y", 1e-8),
+        ("second_moment_z", 2e-8),
+        ("shear_factor_y", 0.8),
+        ("shear_factor_z", 0.8),
+        ("extent_y", 0.02),
+    ] {
         near(property(&model, 1, name), value, 1e-15);
     }
-    let SectionShape::General { extent: [Some(y), None] } = &model.bodies[1].shape else {
+    let SectionShape::General {
+        extent: [Some(y), None],
+    } = &model.bodies[1].shape
+    else {
         panic!("one extent")
     };
     assert_eq!(y, &Expr::Number(0.02));
@@ -149,7 +174,11 @@ fn blocks_keep_what_they_give() {
 #[test]
 fn planar_bodies_bend_about_the_z_axis() {
     let model = model(PLANAR);
-    near(property(&model, 0, "second_moment"), 5e-3 * 20e-3_f64.powi(3) / 12.0, 1e-14);
+    near(
+        property(&model, 0, "second_moment"),
+        5e-3 * 20e-3_f64.powi(3) / 12.0,
+        1e-14,
+    );
     assert!(!model.bodies[1].properties.contains_key("torsion_constant"));
     let start = Start { model: &model };
     let [y, z] = start.initial_section(BodyId(1), &Location::End);
@@ -182,7 +211,11 @@ fn straight_sections_twist() {
     let model = model(SECTIONS);
     let start = Start { model: &model };
     let half = (0.5_f64).sqrt();
-    for (x, y) in [(0.0, [0.0, 0.0, 1.0]), (0.5, [0.0, -half, half]), (1.0, [0.0, -1.0, 0.0])] {
+    for (x, y) in [
+        (0.0, [0.0, 0.0, 1.0]),
+        (0.5, [0.0, -half, half]),
+        (1.0, [0.0, -1.0, 0.0]),
+    ] {
         let [found, z] = start.initial_section(BodyId(0), &Location::At(Box::new(Expr::Number(x))));
         vector_near(found, y);
         vector_near(z, cross([1.0, 0.0, 0.0], found));
@@ -213,11 +246,26 @@ fn sections_turn_along_arcs() {
     vector_near(z, [0.0, 0.0, 1.0]);
     // Markers of the section in inertial axes, and a direction in its triad.
     let at = || Location::End;
-    model.markers.push(Marker::BodySection { body, at: at(), axis: 1 });
-    model.markers.push(Marker::BodySection { body, at: at(), axis: 2 });
+    model.markers.push(Marker::BodySection {
+        body,
+        at: at(),
+        axis: 1,
+    });
+    model.markers.push(Marker::BodySection {
+        body,
+        at: at(),
+        axis: 2,
+    });
     let along = [0.0, 3.0, 4.0].map(Expr::Number);
-    model.markers.push(Marker::Direction { frame: FrameId(0), along });
-    model.markers.push(Marker::InSection { body, at: at(), marker: MarkerId(model.markers.len() - 1) });
+    model.markers.push(Marker::Direction {
+        frame: FrameId(0),
+        along,
+    });
+    model.markers.push(Marker::InSection {
+        body,
+        at: at(),
+        marker: MarkerId(model.markers.len() - 1),
+    });
     let first = model.markers.len() - 4;
     let start = Start { model: &model };
     vector_near(start.marker(MarkerId(first)), y);
@@ -241,7 +289,9 @@ fn tied(joints: &str) -> Result<(), Untied> {
     let text = SECTIONS.replace("joint foot = clamp(ring.start, f);", joints);
     let (model, mistakes) = run(&text);
     if let Some(mistake) = mistakes.first() {
-        return Err(Untied::Loose { motions: mistake.message.clone() });
+        return Err(Untied::Loose {
+            motions: mistake.message.clone(),
+        });
     }
     ties::check(&model.expect("a model"), &Library::standard(), FrameId(1))
 }
@@ -253,11 +303,16 @@ fn sections_tie_the_turning_about_the_axis() {
     let arc = "arc from [1, 0, 0] m direction [0, 1, 0] normal [0, 1, 1] radius 2 m angle 90 deg;";
     for line in [straight, arc] {
         let swap = |joints: &str| {
-            let text = SECTIONS.replace(arc, line).replace("joint foot = clamp(ring.start, f);", joints);
+            let text = SECTIONS
+                .replace(arc, line)
+                .replace("joint foot = clamp(ring.start, f);", joints);
             let messages: Vec<String> = run(&text).1.into_iter().map(|mistake| mistake.message).collect();
             messages
         };
-        for joints in ["joint foot = clamp(ring.start, f);", "joint foot = clamp_full(ring.end, f);"] {
+        for joints in [
+            "joint foot = clamp(ring.start, f);",
+            "joint foot = clamp_full(ring.end, f);",
+        ] {
             assert_eq!(swap(joints), Vec::<String>::new(), "{line} {joints}");
         }
         let twice = swap("joint foot = clamp(ring.start, f); joint head = pin(ring.end, f);");
@@ -275,9 +330,21 @@ fn rigid_bodies_with_sections_turn_about_their_axes() {
     let rigid = SECTIONS
         .replace("joint foot = clamp(ring.start, f);", "")
         .replace(arc, "line from [1, 0, 0] m to [2, 0, 0] m; rigid;");
-    let messages = |text: &str| run(text).1.into_iter().map(|mistake| mistake.message).collect::<Vec<_>>();
+    let messages = |text: &str| {
+        run(text)
+            .1
+            .into_iter()
+            .map(|mistake| mistake.message)
+            .collect::<Vec<_>>()
+    };
     assert_eq!(messages(&rigid), Vec::<String>::new());
-    let cable = rigid.replace("beam(block, steel, coupling = poisson, evaluation = points)", "cable(round, steel)");
+    let cable = rigid.replace(
+        "beam(block, steel, coupling = poisson, evaluation = points)",
+        "cable(round, steel)",
+    );
     let found = messages(&cable);
-    assert!(found.len() == 1 && found[0].contains("no inertia against turning about the x axis"), "{found:?}");
+    assert!(
+        found.len() == 1 && found[0].contains("no inertia against turning about the x axis"),
+        "{found:?}"
+    );
 }

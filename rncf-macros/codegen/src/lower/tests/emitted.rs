@@ -122,6 +122,7 @@ fn energy_is_conserved_where_nothing_drives_or_damps() {
             number(0.0),
         ]],
         energy: None,
+        is_load: true,
     });
     assert!(!conservative(&model));
 }

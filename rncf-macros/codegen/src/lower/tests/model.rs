@@ -204,6 +204,7 @@ pub fn moving() -> Model {
         markers: markers.iter().copied().map(MarkerId).collect(),
         components,
         energy,
+        is_load: false,
     };
     let turn = marker(6, 0, 0);
     let back = Expr::Negate(Box::new(times(number(5.0), turn.clone())));

@@ -1,0 +1,2347 @@
+//! Expansion of `models/src/bend_45.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
+
+/// 45-degree bend (Bathe & Bolourchi 1979): a circular arc, clamped at one end, is loaded out of its plane at the other.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Bend45 {
+    /// Load at the tip, normal to the plane of the arc. (SI; declared in N)
+    pub load: f64,
+    /// Number of elements. (count)
+    pub elements: usize,
+}
+#[allow(clippy::all)]
+impl Default for Bend45 {
+    fn default() -> Self {
+        Self { load: 600.0, elements: 16 }
+    }
+}
+#[allow(unused_variables, clippy::all)]
+impl ::rncf::Model for Bend45 {
+    const NAME: &'static str = "Bend45";
+    const DOC: &'static str = "45-degree bend (Bathe & Bolourchi 1979): a circular arc, clamped at one end, is loaded out of its plane at the other.";
+    const SOURCE: &'static str = r#"pub model Bend45 {
+    /// Load at the tip, normal to the plane of the arc.
+    param load = 600 N;
+    /// Number of elements.
+    param elements: count = 16;
+
+    material soft { density = 1 kg/m^3; young = 10 MPa; poisson = 0; }
+    section square = rectangle(y = 1 m, z = 1 m);
+
+    body bend {
+        spatial;
+        arc from [0, 0, 0] m direction [1, 0, 0] normal [0, 0, 1] radius 100 m angle 45 deg;
+        mesh elements * beam(square, soft);
+    }
+    joint root = clamp(bend.start, inertial);
+    load pull = force(bend.end, [0 N, 0 N, load], in = inertial);
+
+    /// Position of the tip along x.
+    output x = bend.end.x;
+    /// Position of the tip along y.
+    output y = bend.end.y;
+    /// Position of the tip along z.
+    output z = bend.end.z;
+
+    run { t_end = 100 s; every = 0.5 s; }
+}"#;
+    const NOTES: &'static [&'static str] = &[
+        "Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9945).",
+        "Body `bend` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+    ];
+    fn params() -> &'static [::rncf::Param] {
+        &[
+            ::rncf::Param {
+                name: "load",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "N",
+                unit_si: 1.0,
+                dimension: [1, 1, -2, 0, 0, 0],
+                default: 600.0,
+                doc: "Load at the tip, normal to the plane of the arc.",
+            },
+            ::rncf::Param {
+                name: "elements",
+                kind: ::rncf::ParamKind::Count,
+                unit: "1",
+                unit_si: 1.0,
+                dimension: [0, 0, 0, 0, 0, 0],
+                default: 16.0,
+                doc: "Number of elements.",
+            },
+        ]
+    }
+    fn outputs() -> &'static [::rncf::Output] {
+        &[
+            ::rncf::Output {
+                name: "x",
+                unit: "m",
+                components: &[],
+                doc: "Position of the tip along x.",
+            },
+            ::rncf::Output {
+                name: "y",
+                unit: "m",
+                components: &[],
+                doc: "Position of the tip along y.",
+            },
+            ::rncf::Output {
+                name: "z",
+                unit: "m",
+                components: &[],
+                doc: "Position of the tip along z.",
+            },
+        ]
+    }
+    fn get(&self, index: usize) -> f64 {
+        match index {
+            0 => self.load,
+            1 => self.elements as f64,
+            _ => panic!("Bend45 has 2 parameters, not {index}"),
+        }
+    }
+    fn set(&mut self, index: usize, value: f64) {
+        match index {
+            0 => self.load = value,
+            1 => self.elements = value as usize,
+            _ => panic!("Bend45 has 2 parameters, not {index}"),
+        }
+    }
+    fn run(&self) -> ::rncf::RunDefaults {
+        let mut run = ::rncf::RunDefaults {
+            t_end: 0.0,
+            every: 0.0,
+        };
+        bend45_equations::run_defaults(self, &mut run);
+        run
+    }
+    fn build(
+        &self,
+        formulation: ::rncf::Formulation,
+        joints: ::rncf::Joints,
+    ) -> ::std::result::Result<
+        ::std::boxed::Box<dyn ::rncf::Scene>,
+        ::rncf::ModelError,
+    > {
+        ::rncf::mesh::check_params(self)?;
+        let equations = bend45_equations::Equations::new(self);
+        ::rncf::mesh::build(equations, formulation, joints)
+    }
+}
+/// Equations of [`Bend45`]: derived, checked and written by the generator.
+#[allow(
+    missing_docs,
+    non_snake_case,
+    unused_variables,
+    unused_mut,
+    unused_parens,
+    clippy::all
+)]
+pub mod bend45_equations {
+    /// Constants of one element `beam_spatial_curved`. Beam with a cross-section: axial strain, shear, bending, torsion.
+    ///
+    /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
+    ///
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9945).
+    ///
+    /// The energy is integrated with 3 Gauss points.
+    #[derive(Clone, Copy, Debug, Default, PartialEq)]
+    pub struct BeamSpatialCurved {
+        /// Length, m.
+        pub length: f64,
+        /// young * area, N.
+        pub EA: f64,
+        /// shear_factor_y * shear_modulus * area, N.
+        pub kyGA: f64,
+        /// shear_factor_z * shear_modulus * area, N.
+        pub kzGA: f64,
+        /// shear_modulus * area, N.
+        pub GA: f64,
+        /// young * second_moment_z, N m^2.
+        pub EIz: f64,
+        /// young * second_moment_y, N m^2.
+        pub EIy: f64,
+        /// shear_modulus * torsion_constant, N m^2.
+        pub GJ: f64,
+        /// shear_modulus * second_moment_z, N m^2.
+        pub GIz: f64,
+        /// shear_modulus * second_moment_y, N m^2.
+        pub GIy: f64,
+        /// density * area, kg/m.
+        pub rhoA: f64,
+        /// density * second_moment_z, kg m.
+        pub rhoIz: f64,
+        /// density * second_moment_y, kg m.
+        pub rhoIy: f64,
+        /// Damping of the strain measures, s.
+        pub damping: f64,
+    }
+    /// Nodal vectors by what they interpolate: Position, SectionY, SectionZ.
+    static BEAM_SPATIAL_CURVED_VECTORS: ::rncf::mesh::Vectors<10, 3, 3, 3> = ::rncf::mesh::Vectors {
+        base: 0,
+        nodal: [[1, 6, 7], [2, 4, 8], [3, 5, 9]],
+        positions: [[false, true, false], [false, false, false], [false, false, false]],
+    };
+    /// Gauss rule with 3 points, and derivatives of the shape functions there.
+    static BEAM_SPATIAL_CURVED_POINTS3: ::rncf::mesh::Rule<3, 3, 3> = ::rncf::mesh::Rule {
+        groups: [0, 1, 2],
+        weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
+        shapes: [
+            [
+                [0.5872983346207417, 0.6, -0.18729833462074166],
+                [0.6872983346207417, 0.39999999999999997, -0.08729833462074169],
+                [0.6872983346207417, 0.39999999999999997, -0.08729833462074169],
+            ],
+            [[-0.25, 1.5, -0.25], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+            [
+                [-0.18729833462074175, 0.6, 0.5872983346207418],
+                [-0.08729833462074166, 0.39999999999999997, 0.6872983346207417],
+                [-0.08729833462074166, 0.39999999999999997, 0.6872983346207417],
+            ],
+        ],
+    };
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_SPATIAL_CURVED_POINTS3_STIFFNESS: ::rncf::mesh::Blocks<3, 9, 6> = BEAM_SPATIAL_CURVED_POINTS3
+        .blocks(
+            &[(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)],
+            &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 4), (4, 4, 5), (5, 5, 6)],
+        );
+    /// Gauss rule with 2 points, and derivatives of the shape functions there.
+    static BEAM_SPATIAL_CURVED_POINTS2: ::rncf::mesh::Rule<2, 5, 3> = ::rncf::mesh::Rule {
+        groups: [0, 1, 2, 1, 2],
+        weights: [0.5000000000000001, 0.5000000000000001],
+        shapes: [
+            [
+                [0.28867513459481287, 1.0, -0.2886751345948129],
+                [0.4553418012614795, 0.6666666666666667, -0.12200846792814622],
+                [0.4553418012614795, 0.6666666666666667, -0.12200846792814622],
+                [-2.1547005383792515, 2.309401076758503, -0.15470053837925146],
+                [-2.1547005383792515, 2.309401076758503, -0.15470053837925146],
+            ],
+            [
+                [-0.2886751345948131, 1.0000000000000004, 0.28867513459481264],
+                [-0.12200846792814612, 0.6666666666666667, 0.4553418012614795],
+                [-0.12200846792814612, 0.6666666666666667, 0.4553418012614795],
+                [0.15470053837925146, -2.309401076758503, 2.1547005383792515],
+                [0.15470053837925146, -2.309401076758503, 2.1547005383792515],
+            ],
+        ],
+    };
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_SPATIAL_CURVED_POINTS2_STIFFNESS: ::rncf::mesh::Blocks<2, 9, 15> = BEAM_SPATIAL_CURVED_POINTS2
+        .blocks(
+            &[
+                (0, 0),
+                (0, 3),
+                (0, 4),
+                (1, 1),
+                (1, 3),
+                (3, 1),
+                (3, 3),
+                (1, 2),
+                (1, 4),
+                (3, 2),
+                (3, 4),
+                (2, 2),
+                (2, 4),
+                (4, 2),
+                (4, 4),
+            ],
+            &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 7), (4, 7, 11), (5, 11, 15)],
+        );
+    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 39 additions, 70 multiplications.
+    pub fn beam_spatial_curved_points3_force(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 6],
+        fields: &[[f64; 3]; 3],
+        forces: &mut [[f64; 3]; 3],
+    ) {
+        let BeamSpatialCurved {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            GA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            ..
+        } = *row;
+        let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
+        let t35 = length * EA;
+        let t36 = t35 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0]);
+        let t37 = 0.5 * t36;
+        let t38 = length * kyGA * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]);
+        let t39 = length * kzGA * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]);
+        let t40 = t35 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1]);
+        let t41 = 0.5 * t40;
+        let t42 = length * GA * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
+        let t43 = t35 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2]);
+        let t44 = 0.5 * t43;
+        forces[0][0] = t37 * (a_x * 2.0) + b_x * t38 + c_x * t39;
+        forces[0][1] = t37 * (a_y * 2.0) + b_y * t38 + c_y * t39;
+        forces[0][2] = t37 * (a_z * 2.0) + b_z * t38 + c_z * t39;
+        forces[1][0] = a_x * t38 + t41 * (b_x * 2.0) + c_x * t42;
+        forces[1][1] = a_y * t38 + t41 * (b_y * 2.0) + c_y * t42;
+        forces[1][2] = a_z * t38 + t41 * (b_z * 2.0) + c_z * t42;
+        forces[2][0] = a_x * t39 + b_x * t42 + t44 * (c_x * 2.0);
+        forces[2][1] = a_y * t39 + b_y * t42 + t44 * (c_y * 2.0);
+        forces[2][2] = a_z * t39 + b_z * t42 + t44 * (c_z * 2.0);
+    }
+    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 75 additions, 156 multiplications.
+    pub fn beam_spatial_curved_points3_tangent(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 6],
+        fields: &[[f64; 3]; 3],
+        stiffness: &mut [[f64; 9]; 6],
+    ) {
+        let BeamSpatialCurved {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            GA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            ..
+        } = *row;
+        let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
+        let t35 = length * EA;
+        let t36 = length * kyGA;
+        let t37 = length * kzGA;
+        let t38 = length * GA;
+        let t39 = 0.5 * (0.5 * t35);
+        let t40 = t35 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0]);
+        let t41 = t36 * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]);
+        let t42 = t37 * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]);
+        let t43 = t35 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1]);
+        let t44 = t38 * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
+        let t45 = t35 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2]);
+        let t46 = a_x * 2.0;
+        let t47 = a_y * 2.0;
+        let t48 = a_z * 2.0;
+        let t49 = b_x * 2.0;
+        let t50 = b_y * 2.0;
+        let t51 = b_z * 2.0;
+        let t52 = c_x * 2.0;
+        let t53 = c_y * 2.0;
+        let t54 = c_z * 2.0;
+        let t55 = t39 * t47;
+        let t56 = t39 * t48;
+        let t57 = b_y * t36;
+        let t58 = b_z * t36;
+        let t59 = a_x * t36;
+        let t60 = a_y * t36;
+        let t61 = a_z * t36;
+        let t62 = c_y * t37;
+        let t63 = c_z * t37;
+        let t64 = a_x * t37;
+        let t65 = a_y * t37;
+        let t66 = a_z * t37;
+        let t67 = t39 * t50;
+        let t68 = t39 * t51;
+        let t69 = c_y * t38;
+        let t70 = c_z * t38;
+        let t71 = b_x * t38;
+        let t72 = b_y * t38;
+        let t73 = b_z * t38;
+        let t74 = t39 * t53;
+        let t75 = t39 * t54;
+        let t76 = t46 * t55 + b_x * t57 + c_x * t62;
+        let t77 = t46 * t56 + b_x * t58 + c_x * t63;
+        let t78 = t47 * t56 + b_y * t58 + c_y * t63;
+        let t79 = a_x * t60 + t49 * t67 + c_x * t69;
+        let t80 = a_x * t61 + t49 * t68 + c_x * t70;
+        let t81 = a_y * t61 + t50 * t68 + c_y * t70;
+        let t82 = a_x * t65 + b_x * t72 + t52 * t74;
+        let t83 = a_x * t66 + b_x * t73 + t52 * t75;
+        let t84 = a_y * t66 + b_y * t73 + t53 * t75;
+        let t85 = 0.5 * t40 * 2.0;
+        let t86 = t46 * (t39 * t46) + b_x * (b_x * t36) + c_x * (c_x * t37) + t85;
+        let t87 = 0.5 * t43 * 2.0;
+        let t88 = 0.5 * t45 * 2.0;
+        stiffness[0][0] = t86;
+        stiffness[0][1] = t76;
+        stiffness[0][2] = t77;
+        stiffness[0][3] = t76;
+        stiffness[0][4] = t47 * t55 + b_y * t57 + c_y * t62 + t85;
+        stiffness[0][5] = t78;
+        stiffness[0][6] = t77;
+        stiffness[0][7] = t78;
+        stiffness[0][8] = t48 * t56 + b_z * t58 + c_z * t63 + t85;
+        stiffness[1][0] = t41 + b_x * t59;
+        stiffness[1][1] = b_x * t60;
+        stiffness[1][2] = b_x * t61;
+        stiffness[1][3] = b_y * t59;
+        stiffness[1][4] = t41 + b_y * t60;
+        stiffness[1][5] = b_y * t61;
+        stiffness[1][6] = b_z * t59;
+        stiffness[1][7] = b_z * t60;
+        stiffness[1][8] = t41 + b_z * t61;
+        stiffness[2][0] = t42 + c_x * t64;
+        stiffness[2][1] = c_x * t65;
+        stiffness[2][2] = c_x * t66;
+        stiffness[2][3] = c_y * t64;
+        stiffness[2][4] = t42 + c_y * t65;
+        stiffness[2][5] = c_y * t66;
+        stiffness[2][6] = c_z * t64;
+        stiffness[2][7] = c_z * t65;
+        stiffness[2][8] = t42 + c_z * t66;
+        stiffness[3][0] = a_x * t59 + t49 * (t39 * t49) + c_x * (c_x * t38) + t87;
+        stiffness[3][1] = t79;
+        stiffness[3][2] = t80;
+        stiffness[3][3] = t79;
+        stiffness[3][4] = a_y * t60 + t50 * t67 + c_y * t69 + t87;
+        stiffness[3][5] = t81;
+        stiffness[3][6] = t80;
+        stiffness[3][7] = t81;
+        stiffness[3][8] = a_z * t61 + t51 * t68 + c_z * t70 + t87;
+        stiffness[4][0] = t44 + c_x * t71;
+        stiffness[4][1] = c_x * t72;
+        stiffness[4][2] = c_x * t73;
+        stiffness[4][3] = c_y * t71;
+        stiffness[4][4] = t44 + c_y * t72;
+        stiffness[4][5] = c_y * t73;
+        stiffness[4][6] = c_z * t71;
+        stiffness[4][7] = c_z * t72;
+        stiffness[4][8] = t44 + c_z * t73;
+        stiffness[5][0] = a_x * t64 + b_x * t71 + t52 * (t39 * t52) + t88;
+        stiffness[5][1] = t82;
+        stiffness[5][2] = t83;
+        stiffness[5][3] = t82;
+        stiffness[5][4] = a_y * t65 + b_y * t72 + t53 * t74 + t88;
+        stiffness[5][5] = t84;
+        stiffness[5][6] = t83;
+        stiffness[5][7] = t84;
+        stiffness[5][8] = a_z * t66 + b_z * t73 + t54 * t75 + t88;
+    }
+    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 26 additions, 41 multiplications.
+    pub fn beam_spatial_curved_points3_energy(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 6],
+        fields: &[[f64; 3]; 3],
+        energy: &mut f64,
+    ) {
+        let BeamSpatialCurved {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            GA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            ..
+        } = *row;
+        let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
+        let t35 = 0.5 * (length * EA);
+        let t36 = (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0])
+            .powi(2);
+        let t37 = (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1])
+            .powi(2);
+        let t38 = (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2])
+            .powi(2);
+        let t39 = 0.5 * (length * kyGA)
+            * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]).powi(2);
+        let t40 = 0.5 * (length * kzGA)
+            * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]).powi(2);
+        let t41 = 0.5 * (length * GA)
+            * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]).powi(2);
+        *energy = t35 * t36 + t35 * t37 + t35 * t38 + t39 + t40 + t41;
+    }
+    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 39 additions, 79 multiplications, 1 divisions.
+    pub fn beam_spatial_curved_points2_force(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 5],
+        fields: &[[f64; 3]; 5],
+        forces: &mut [[f64; 3]; 5],
+    ) {
+        let BeamSpatialCurved {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            GA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            ..
+        } = *row;
+        let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
+        unit_db_z], [unit_dc_x, unit_dc_y, unit_dc_z]] = *fields;
+        let inverse_length = 1.0 / length;
+        let db_x = inverse_length * unit_db_x;
+        let db_y = inverse_length * unit_db_y;
+        let db_z = inverse_length * unit_db_z;
+        let dc_x = inverse_length * unit_dc_x;
+        let dc_y = inverse_length * unit_dc_y;
+        let dc_z = inverse_length * unit_dc_z;
+        let t48 = length * EIz * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]);
+        let t49 = length * EIy * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]);
+        let t50 = length * GIz * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]);
+        let t51 = c_x * db_x + c_y * db_y + c_z * db_z
+            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
+        let t52 = length * GJ * (0.5 * t51 - reference[2]);
+        let t53 = -0.5 * t52;
+        let t54 = 0.5 * t52;
+        let t55 = length * GIy * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]);
+        forces[0][0] = db_x * t48 + dc_x * t49;
+        forces[0][1] = db_y * t48 + dc_y * t49;
+        forces[0][2] = db_z * t48 + dc_z * t49;
+        forces[1][0] = db_x * t50 + dc_x * t53;
+        forces[1][1] = db_y * t50 + dc_y * t53;
+        forces[1][2] = db_z * t50 + dc_z * t53;
+        forces[2][0] = db_x * t54 + dc_x * t55;
+        forces[2][1] = db_y * t54 + dc_y * t55;
+        forces[2][2] = db_z * t54 + dc_z * t55;
+        forces[3][0] = inverse_length * (a_x * t48 + b_x * t50 + c_x * t54);
+        forces[3][1] = inverse_length * (a_y * t48 + b_y * t50 + c_y * t54);
+        forces[3][2] = inverse_length * (a_z * t48 + b_z * t50 + c_z * t54);
+        forces[4][0] = inverse_length * (a_x * t49 + b_x * t53 + c_x * t55);
+        forces[4][1] = inverse_length * (a_y * t49 + b_y * t53 + c_y * t55);
+        forces[4][2] = inverse_length * (a_z * t49 + b_z * t53 + c_z * t55);
+    }
+    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 141 additions, 425 multiplications, 1 divisions.
+    pub fn beam_spatial_curved_points2_tangent(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 5],
+        fields: &[[f64; 3]; 5],
+        stiffness: &mut [[f64; 9]; 15],
+    ) {
+        let BeamSpatialCurved {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            GA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            ..
+        } = *row;
+        let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
+        unit_db_z], [unit_dc_x, unit_dc_y, unit_dc_z]] = *fields;
+        let inverse_length = 1.0 / length;
+        let db_x = inverse_length * unit_db_x;
+        let db_y = inverse_length * unit_db_y;
+        let db_z = inverse_length * unit_db_z;
+        let dc_x = inverse_length * unit_dc_x;
+        let dc_y = inverse_length * unit_dc_y;
+        let dc_z = inverse_length * unit_dc_z;
+        let t48 = length * EIz;
+        let t49 = length * EIy;
+        let t50 = length * GJ;
+        let t51 = 0.5 * t50;
+        let t52 = length * GIz;
+        let t53 = length * GIy;
+        let t54 = t50 * (-0.5);
+        let t55 = -0.5 * t54;
+        let t56 = -0.5 * t51;
+        let t57 = 0.5 * t54;
+        let t58 = 0.5 * t51;
+        let t59 = t48 * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]);
+        let t60 = t49 * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]);
+        let t61 = t52 * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]);
+        let t62 = c_x * db_x + c_y * db_y + c_z * db_z
+            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
+        let t63 = t50 * (0.5 * t62 - reference[2]);
+        let t64 = -0.5 * t63;
+        let t65 = 0.5 * t63;
+        let t66 = t53 * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]);
+        let t67 = db_x * t48;
+        let t68 = db_y * t48;
+        let t69 = db_z * t48;
+        let t70 = a_x * t48;
+        let t71 = a_y * t48;
+        let t72 = a_z * t48;
+        let t73 = dc_x * t49;
+        let t74 = dc_y * t49;
+        let t75 = dc_z * t49;
+        let t76 = a_x * t49;
+        let t77 = a_y * t49;
+        let t78 = a_z * t49;
+        let t79 = db_x * t52;
+        let t80 = db_y * t52;
+        let t81 = db_z * t52;
+        let t82 = b_x * t52;
+        let t83 = b_y * t52;
+        let t84 = b_z * t52;
+        let t85 = dc_x * t55;
+        let t86 = dc_y * t55;
+        let t87 = dc_z * t55;
+        let t88 = db_x * t56;
+        let t89 = db_y * t56;
+        let t90 = db_z * t56;
+        let t91 = c_x * t56;
+        let t92 = c_y * t56;
+        let t93 = c_z * t56;
+        let t94 = b_x * t55;
+        let t95 = b_y * t55;
+        let t96 = b_z * t55;
+        let t97 = dc_x * t57;
+        let t98 = dc_y * t57;
+        let t99 = dc_z * t57;
+        let t100 = db_x * t58;
+        let t101 = db_y * t58;
+        let t102 = db_z * t58;
+        let t103 = c_x * t58;
+        let t104 = c_y * t58;
+        let t105 = c_z * t58;
+        let t106 = b_x * t57;
+        let t107 = b_y * t57;
+        let t108 = b_z * t57;
+        let t109 = dc_x * t53;
+        let t110 = dc_y * t53;
+        let t111 = dc_z * t53;
+        let t112 = c_x * t53;
+        let t113 = c_y * t53;
+        let t114 = c_z * t53;
+        let t115 = inverse_length * inverse_length;
+        stiffness[0][0] = db_x * t67 + dc_x * t73;
+        stiffness[0][1] = db_x * t68 + dc_x * t74;
+        stiffness[0][2] = db_x * t69 + dc_x * t75;
+        stiffness[0][3] = db_y * t67 + dc_y * t73;
+        stiffness[0][4] = db_y * t68 + dc_y * t74;
+        stiffness[0][5] = db_y * t69 + dc_y * t75;
+        stiffness[0][6] = db_z * t67 + dc_z * t73;
+        stiffness[0][7] = db_z * t68 + dc_z * t74;
+        stiffness[0][8] = db_z * t69 + dc_z * t75;
+        stiffness[1][0] = inverse_length * (t59 + db_x * t70);
+        stiffness[1][1] = inverse_length * (db_x * t71);
+        stiffness[1][2] = inverse_length * (db_x * t72);
+        stiffness[1][3] = inverse_length * (db_y * t70);
+        stiffness[1][4] = inverse_length * (t59 + db_y * t71);
+        stiffness[1][5] = inverse_length * (db_y * t72);
+        stiffness[1][6] = inverse_length * (db_z * t70);
+        stiffness[1][7] = inverse_length * (db_z * t71);
+        stiffness[1][8] = inverse_length * (t59 + db_z * t72);
+        stiffness[2][0] = inverse_length * (t60 + dc_x * t76);
+        stiffness[2][1] = inverse_length * (dc_x * t77);
+        stiffness[2][2] = inverse_length * (dc_x * t78);
+        stiffness[2][3] = inverse_length * (dc_y * t76);
+        stiffness[2][4] = inverse_length * (t60 + dc_y * t77);
+        stiffness[2][5] = inverse_length * (dc_y * t78);
+        stiffness[2][6] = inverse_length * (dc_z * t76);
+        stiffness[2][7] = inverse_length * (dc_z * t77);
+        stiffness[2][8] = inverse_length * (t60 + dc_z * t78);
+        stiffness[3][0] = db_x * t79 + dc_x * t85;
+        stiffness[3][1] = db_x * t80 + dc_x * t86;
+        stiffness[3][2] = db_x * t81 + dc_x * t87;
+        stiffness[3][3] = db_y * t79 + dc_y * t85;
+        stiffness[3][4] = db_y * t80 + dc_y * t86;
+        stiffness[3][5] = db_y * t81 + dc_y * t87;
+        stiffness[3][6] = db_z * t79 + dc_z * t85;
+        stiffness[3][7] = db_z * t80 + dc_z * t86;
+        stiffness[3][8] = db_z * t81 + dc_z * t87;
+        stiffness[4][0] = inverse_length * (t61 + (db_x * t82 + dc_x * t91));
+        stiffness[4][1] = inverse_length * (db_x * t83 + dc_x * t92);
+        stiffness[4][2] = inverse_length * (db_x * t84 + dc_x * t93);
+        stiffness[4][3] = inverse_length * (db_y * t82 + dc_y * t91);
+        stiffness[4][4] = inverse_length * (t61 + (db_y * t83 + dc_y * t92));
+        stiffness[4][5] = inverse_length * (db_y * t84 + dc_y * t93);
+        stiffness[4][6] = inverse_length * (db_z * t82 + dc_z * t91);
+        stiffness[4][7] = inverse_length * (db_z * t83 + dc_z * t92);
+        stiffness[4][8] = inverse_length * (t61 + (db_z * t84 + dc_z * t93));
+        stiffness[5][0] = inverse_length * (t61 + (b_x * t79 + c_x * t97));
+        stiffness[5][1] = inverse_length * (b_x * t80 + c_x * t98);
+        stiffness[5][2] = inverse_length * (b_x * t81 + c_x * t99);
+        stiffness[5][3] = inverse_length * (b_y * t79 + c_y * t97);
+        stiffness[5][4] = inverse_length * (t61 + (b_y * t80 + c_y * t98));
+        stiffness[5][5] = inverse_length * (b_y * t81 + c_y * t99);
+        stiffness[5][6] = inverse_length * (b_z * t79 + c_z * t97);
+        stiffness[5][7] = inverse_length * (b_z * t80 + c_z * t98);
+        stiffness[5][8] = inverse_length * (t61 + (b_z * t81 + c_z * t99));
+        stiffness[6][0] = (a_x * t70 + b_x * t82 + c_x * t103) * t115;
+        stiffness[6][1] = (a_x * t71 + b_x * t83 + c_x * t104) * t115;
+        stiffness[6][2] = (a_x * t72 + b_x * t84 + c_x * t105) * t115;
+        stiffness[6][3] = (a_y * t70 + b_y * t82 + c_y * t103) * t115;
+        stiffness[6][4] = (a_y * t71 + b_y * t83 + c_y * t104) * t115;
+        stiffness[6][5] = (a_y * t72 + b_y * t84 + c_y * t105) * t115;
+        stiffness[6][6] = (a_z * t70 + b_z * t82 + c_z * t103) * t115;
+        stiffness[6][7] = (a_z * t71 + b_z * t83 + c_z * t104) * t115;
+        stiffness[6][8] = (a_z * t72 + b_z * t84 + c_z * t105) * t115;
+        stiffness[7][0] = dc_x * t88;
+        stiffness[7][1] = dc_x * t89;
+        stiffness[7][2] = dc_x * t90;
+        stiffness[7][3] = dc_y * t88;
+        stiffness[7][4] = dc_y * t89;
+        stiffness[7][5] = dc_y * t90;
+        stiffness[7][6] = dc_z * t88;
+        stiffness[7][7] = dc_z * t89;
+        stiffness[7][8] = dc_z * t90;
+        stiffness[8][0] = inverse_length * (t64 + dc_x * t94);
+        stiffness[8][1] = inverse_length * (dc_x * t95);
+        stiffness[8][2] = inverse_length * (dc_x * t96);
+        stiffness[8][3] = inverse_length * (dc_y * t94);
+        stiffness[8][4] = inverse_length * (t64 + dc_y * t95);
+        stiffness[8][5] = inverse_length * (dc_y * t96);
+        stiffness[8][6] = inverse_length * (dc_z * t94);
+        stiffness[8][7] = inverse_length * (dc_z * t95);
+        stiffness[8][8] = inverse_length * (t64 + dc_z * t96);
+        stiffness[9][0] = inverse_length * (t65 + c_x * t100);
+        stiffness[9][1] = inverse_length * (c_x * t101);
+        stiffness[9][2] = inverse_length * (c_x * t102);
+        stiffness[9][3] = inverse_length * (c_y * t100);
+        stiffness[9][4] = inverse_length * (t65 + c_y * t101);
+        stiffness[9][5] = inverse_length * (c_y * t102);
+        stiffness[9][6] = inverse_length * (c_z * t100);
+        stiffness[9][7] = inverse_length * (c_z * t101);
+        stiffness[9][8] = inverse_length * (t65 + c_z * t102);
+        stiffness[10][0] = c_x * t106 * t115;
+        stiffness[10][1] = c_x * t107 * t115;
+        stiffness[10][2] = c_x * t108 * t115;
+        stiffness[10][3] = c_y * t106 * t115;
+        stiffness[10][4] = c_y * t107 * t115;
+        stiffness[10][5] = c_y * t108 * t115;
+        stiffness[10][6] = c_z * t106 * t115;
+        stiffness[10][7] = c_z * t107 * t115;
+        stiffness[10][8] = c_z * t108 * t115;
+        stiffness[11][0] = db_x * t100 + dc_x * t109;
+        stiffness[11][1] = db_x * t101 + dc_x * t110;
+        stiffness[11][2] = db_x * t102 + dc_x * t111;
+        stiffness[11][3] = db_y * t100 + dc_y * t109;
+        stiffness[11][4] = db_y * t101 + dc_y * t110;
+        stiffness[11][5] = db_y * t102 + dc_y * t111;
+        stiffness[11][6] = db_z * t100 + dc_z * t109;
+        stiffness[11][7] = db_z * t101 + dc_z * t110;
+        stiffness[11][8] = db_z * t102 + dc_z * t111;
+        stiffness[12][0] = inverse_length * (t66 + (db_x * t106 + dc_x * t112));
+        stiffness[12][1] = inverse_length * (db_x * t107 + dc_x * t113);
+        stiffness[12][2] = inverse_length * (db_x * t108 + dc_x * t114);
+        stiffness[12][3] = inverse_length * (db_y * t106 + dc_y * t112);
+        stiffness[12][4] = inverse_length * (t66 + (db_y * t107 + dc_y * t113));
+        stiffness[12][5] = inverse_length * (db_y * t108 + dc_y * t114);
+        stiffness[12][6] = inverse_length * (db_z * t106 + dc_z * t112);
+        stiffness[12][7] = inverse_length * (db_z * t107 + dc_z * t113);
+        stiffness[12][8] = inverse_length * (t66 + (db_z * t108 + dc_z * t114));
+        stiffness[13][0] = inverse_length * (t66 + (b_x * t88 + c_x * t109));
+        stiffness[13][1] = inverse_length * (b_x * t89 + c_x * t110);
+        stiffness[13][2] = inverse_length * (b_x * t90 + c_x * t111);
+        stiffness[13][3] = inverse_length * (b_y * t88 + c_y * t109);
+        stiffness[13][4] = inverse_length * (t66 + (b_y * t89 + c_y * t110));
+        stiffness[13][5] = inverse_length * (b_y * t90 + c_y * t111);
+        stiffness[13][6] = inverse_length * (b_z * t88 + c_z * t109);
+        stiffness[13][7] = inverse_length * (b_z * t89 + c_z * t110);
+        stiffness[13][8] = inverse_length * (t66 + (b_z * t90 + c_z * t111));
+        stiffness[14][0] = (a_x * t76 + b_x * t94 + c_x * t112) * t115;
+        stiffness[14][1] = (a_x * t77 + b_x * t95 + c_x * t113) * t115;
+        stiffness[14][2] = (a_x * t78 + b_x * t96 + c_x * t114) * t115;
+        stiffness[14][3] = (a_y * t76 + b_y * t94 + c_y * t112) * t115;
+        stiffness[14][4] = (a_y * t77 + b_y * t95 + c_y * t113) * t115;
+        stiffness[14][5] = (a_y * t78 + b_y * t96 + c_y * t114) * t115;
+        stiffness[14][6] = (a_z * t76 + b_z * t94 + c_z * t112) * t115;
+        stiffness[14][7] = (a_z * t77 + b_z * t95 + c_z * t113) * t115;
+        stiffness[14][8] = (a_z * t78 + b_z * t96 + c_z * t114) * t115;
+    }
+    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 22 additions, 45 multiplications, 1 divisions.
+    pub fn beam_spatial_curved_points2_energy(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 5],
+        fields: &[[f64; 3]; 5],
+        energy: &mut f64,
+    ) {
+        let BeamSpatialCurved {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            GA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            ..
+        } = *row;
+        let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
+        unit_db_z], [unit_dc_x, unit_dc_y, unit_dc_z]] = *fields;
+        let inverse_length = 1.0 / length;
+        let db_x = inverse_length * unit_db_x;
+        let db_y = inverse_length * unit_db_y;
+        let db_z = inverse_length * unit_db_z;
+        let dc_x = inverse_length * unit_dc_x;
+        let dc_y = inverse_length * unit_dc_y;
+        let dc_z = inverse_length * unit_dc_z;
+        let t48 = c_x * db_x + c_y * db_y + c_z * db_z
+            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
+        let t49 = 0.5 * (length * EIz)
+            * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]).powi(2);
+        let t50 = 0.5 * (length * EIy)
+            * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]).powi(2);
+        let t51 = 0.5 * (length * GIz)
+            * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]).powi(2);
+        let t52 = t49 + t50 + 0.5 * (length * GJ) * (0.5 * t48 - reference[2]).powi(2)
+            + t51;
+        let t53 = 0.5 * (length * GIy)
+            * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]).powi(2);
+        *energy = t52 + t53;
+    }
+    /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    ///
+    /// Operations: 537 additions, 710 multiplications, 2 divisions.
+    pub fn beam_spatial_curved_elastic_force(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 28],
+        q: &[f64; 30],
+        force: &mut [f64; 30],
+    ) {
+        let vectors = BEAM_SPATIAL_CURVED_VECTORS.relative(row.length, q);
+        let mut sums = Default::default();
+        BEAM_SPATIAL_CURVED_POINTS3
+            .force(
+                &vectors,
+                &vectors,
+                |point, fields, rates, forces| beam_spatial_curved_points3_force(
+                    row,
+                    ::rncf::mesh::array(&reference[0 + 6 * point..][..6]),
+                    fields,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_SPATIAL_CURVED_POINTS2
+            .force(
+                &vectors,
+                &vectors,
+                |point, fields, rates, forces| beam_spatial_curved_points2_force(
+                    row,
+                    ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                    fields,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_SPATIAL_CURVED_VECTORS.add_force(row.length, &sums, force);
+    }
+    /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    ///
+    /// Operations: 4566 additions, 5377 multiplications, 2 divisions.
+    pub fn beam_spatial_curved_elastic_tangent(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 28],
+        q: &[f64; 30],
+        stiffness: &mut [f64; 900],
+    ) {
+        let vectors = BEAM_SPATIAL_CURVED_VECTORS.relative(row.length, q);
+        let mut tiles = [[[0.0; 9]; 9]; 6];
+        BEAM_SPATIAL_CURVED_POINTS3
+            .tangent(
+                &vectors,
+                (&BEAM_SPATIAL_CURVED_POINTS3_STIFFNESS, &mut tiles),
+                |point, fields, stiffness| beam_spatial_curved_points3_tangent(
+                    row,
+                    ::rncf::mesh::array(&reference[0 + 6 * point..][..6]),
+                    fields,
+                    stiffness,
+                ),
+            );
+        BEAM_SPATIAL_CURVED_POINTS2
+            .tangent(
+                &vectors,
+                (&BEAM_SPATIAL_CURVED_POINTS2_STIFFNESS, &mut tiles),
+                |point, fields, stiffness| beam_spatial_curved_points2_tangent(
+                    row,
+                    ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                    fields,
+                    stiffness,
+                ),
+            );
+        BEAM_SPATIAL_CURVED_VECTORS.add_symmetric(row.length, &tiles, stiffness);
+    }
+    /// Adds the strain energy U of one element (J).
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    ///
+    /// Operations: 298 additions, 389 multiplications, 2 divisions.
+    pub fn beam_spatial_curved_strain_energy(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 28],
+        q: &[f64; 30],
+        energy: &mut f64,
+    ) {
+        let vectors = BEAM_SPATIAL_CURVED_VECTORS.relative(row.length, q);
+        *energy
+            += BEAM_SPATIAL_CURVED_POINTS3
+                .integral(
+                    &vectors,
+                    |point, fields| {
+                        let mut density = 0.0;
+                        beam_spatial_curved_points3_energy(
+                            row,
+                            ::rncf::mesh::array(&reference[0 + 6 * point..][..6]),
+                            fields,
+                            &mut density,
+                        );
+                        density
+                    },
+                );
+        *energy
+            += BEAM_SPATIAL_CURVED_POINTS2
+                .integral(
+                    &vectors,
+                    |point, fields| {
+                        let mut density = 0.0;
+                        beam_spatial_curved_points2_energy(
+                            row,
+                            ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                            fields,
+                            &mut density,
+                        );
+                        density
+                    },
+                );
+    }
+    /// Values of one element in the stress-free shape, which the other kernels subtract.
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points, unrolled.
+    ///
+    /// Operations: 176 additions, 251 multiplications, 1 divisions.
+    pub fn beam_spatial_curved_reference(
+        row: &BeamSpatialCurved,
+        q: &[f64; 30],
+        reference: &mut [f64; 28],
+    ) {
+        let BeamSpatialCurved { length, rhoA, rhoIz, rhoIy, .. } = *row;
+        let [r0_x, r0_y, r0_z, r0x_x, r0x_y, r0x_z, r0y_x, r0y_y, r0y_z, r0z_x, r0z_y,
+        r0z_z, ry_half_x, ry_half_y, ry_half_z, rz_half_x, rz_half_y, rz_half_z, r1_x,
+        r1_y, r1_z, r1x_x, r1x_y, r1x_z, r1y_x, r1y_y, r1y_z, r1z_x, r1z_y, r1z_z] = *q;
+        let inverse_length = 1.0 / length;
+        let d_x = inverse_length * (r1_x - r0_x);
+        let d_y = inverse_length * (r1_y - r0_y);
+        let d_z = inverse_length * (r1_z - r0_z);
+        let t50 = d_x * 0.6;
+        let t51 = d_y * 0.6;
+        let t52 = d_z * 0.6;
+        let t53 = r0x_x * 0.5872983346207417 + t50 + r1x_x * (-0.18729833462074166);
+        let t54 = r0x_y * 0.5872983346207417 + t51 + r1x_y * (-0.18729833462074166);
+        let t55 = r0x_z * 0.5872983346207417 + t52 + r1x_z * (-0.18729833462074166);
+        let t56 = ry_half_x * 0.39999999999999997;
+        let t57 = ry_half_y * 0.39999999999999997;
+        let t58 = ry_half_z * 0.39999999999999997;
+        let t59 = r0y_x * 0.6872983346207417 + t56 + r1y_x * (-0.08729833462074169);
+        let t60 = r0y_y * 0.6872983346207417 + t57 + r1y_y * (-0.08729833462074169);
+        let t61 = r0y_z * 0.6872983346207417 + t58 + r1y_z * (-0.08729833462074169);
+        let t62 = rz_half_x * 0.39999999999999997;
+        let t63 = rz_half_y * 0.39999999999999997;
+        let t64 = rz_half_z * 0.39999999999999997;
+        let t65 = r0z_x * 0.6872983346207417 + t62 + r1z_x * (-0.08729833462074169);
+        let t66 = r0z_y * 0.6872983346207417 + t63 + r1z_y * (-0.08729833462074169);
+        let t67 = r0z_z * 0.6872983346207417 + t64 + r1z_z * (-0.08729833462074169);
+        let t68 = r0x_x * (-0.25) + d_x * 1.5 + r1x_x * (-0.25);
+        let t69 = r0x_y * (-0.25) + d_y * 1.5 + r1x_y * (-0.25);
+        let t70 = r0x_z * (-0.25) + d_z * 1.5 + r1x_z * (-0.25);
+        let t71 = t50 + r0x_x * (-0.18729833462074175) + r1x_x * 0.5872983346207418;
+        let t72 = t51 + r0x_y * (-0.18729833462074175) + r1x_y * 0.5872983346207418;
+        let t73 = t52 + r0x_z * (-0.18729833462074175) + r1x_z * 0.5872983346207418;
+        let t74 = t56 + r0y_x * (-0.08729833462074166) + r1y_x * 0.6872983346207417;
+        let t75 = t57 + r0y_y * (-0.08729833462074166) + r1y_y * 0.6872983346207417;
+        let t76 = t58 + r0y_z * (-0.08729833462074166) + r1y_z * 0.6872983346207417;
+        let t77 = t62 + r0z_x * (-0.08729833462074166) + r1z_x * 0.6872983346207417;
+        let t78 = t63 + r0z_y * (-0.08729833462074166) + r1z_y * 0.6872983346207417;
+        let t79 = t64 + r0z_z * (-0.08729833462074166) + r1z_z * 0.6872983346207417;
+        let t80 = d_x + r0x_x * 0.28867513459481287 + r1x_x * (-0.2886751345948129);
+        let t81 = d_y + r0x_y * 0.28867513459481287 + r1x_y * (-0.2886751345948129);
+        let t82 = d_z + r0x_z * 0.28867513459481287 + r1x_z * (-0.2886751345948129);
+        let t83 = ry_half_x * 0.6666666666666667;
+        let t84 = ry_half_y * 0.6666666666666667;
+        let t85 = ry_half_z * 0.6666666666666667;
+        let t86 = r0y_x * 0.4553418012614795 + t83 + r1y_x * (-0.12200846792814622);
+        let t87 = r0y_y * 0.4553418012614795 + t84 + r1y_y * (-0.12200846792814622);
+        let t88 = r0y_z * 0.4553418012614795 + t85 + r1y_z * (-0.12200846792814622);
+        let t89 = rz_half_x * 0.6666666666666667;
+        let t90 = rz_half_y * 0.6666666666666667;
+        let t91 = rz_half_z * 0.6666666666666667;
+        let t92 = r0z_x * 0.4553418012614795 + t89 + r1z_x * (-0.12200846792814622);
+        let t93 = r0z_y * 0.4553418012614795 + t90 + r1z_y * (-0.12200846792814622);
+        let t94 = r0z_z * 0.4553418012614795 + t91 + r1z_z * (-0.12200846792814622);
+        let t95 = inverse_length
+            * (r0y_x * (-2.1547005383792515) + ry_half_x * 2.309401076758503
+                + r1y_x * (-0.15470053837925146));
+        let t96 = inverse_length
+            * (r0y_y * (-2.1547005383792515) + ry_half_y * 2.309401076758503
+                + r1y_y * (-0.15470053837925146));
+        let t97 = inverse_length
+            * (r0y_z * (-2.1547005383792515) + ry_half_z * 2.309401076758503
+                + r1y_z * (-0.15470053837925146));
+        let t98 = inverse_length
+            * (r0z_x * (-2.1547005383792515) + rz_half_x * 2.309401076758503
+                + r1z_x * (-0.15470053837925146));
+        let t99 = inverse_length
+            * (r0z_y * (-2.1547005383792515) + rz_half_y * 2.309401076758503
+                + r1z_y * (-0.15470053837925146));
+        let t100 = inverse_length
+            * (r0z_z * (-2.1547005383792515) + rz_half_z * 2.309401076758503
+                + r1z_z * (-0.15470053837925146));
+        let t101 = t92 * t95 + t93 * t96 + t94 * t97
+            - (t86 * t98 + t87 * t99 + t88 * t100);
+        let t102 = r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
+            + r1x_x * 0.28867513459481264;
+        let t103 = r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
+            + r1x_y * 0.28867513459481264;
+        let t104 = r0x_z * (-0.2886751345948131) + d_z * 1.0000000000000004
+            + r1x_z * 0.28867513459481264;
+        let t105 = t83 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795;
+        let t106 = t84 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795;
+        let t107 = t85 + r0y_z * (-0.12200846792814612) + r1y_z * 0.4553418012614795;
+        let t108 = t89 + r0z_x * (-0.12200846792814612) + r1z_x * 0.4553418012614795;
+        let t109 = t90 + r0z_y * (-0.12200846792814612) + r1z_y * 0.4553418012614795;
+        let t110 = t91 + r0z_z * (-0.12200846792814612) + r1z_z * 0.4553418012614795;
+        let t111 = inverse_length
+            * (r0y_x * 0.15470053837925146 + ry_half_x * (-2.309401076758503)
+                + r1y_x * 2.1547005383792515);
+        let t112 = inverse_length
+            * (r0y_y * 0.15470053837925146 + ry_half_y * (-2.309401076758503)
+                + r1y_y * 2.1547005383792515);
+        let t113 = inverse_length
+            * (r0y_z * 0.15470053837925146 + ry_half_z * (-2.309401076758503)
+                + r1y_z * 2.1547005383792515);
+        let t114 = inverse_length
+            * (r0z_x * 0.15470053837925146 + rz_half_x * (-2.309401076758503)
+                + r1z_x * 2.1547005383792515);
+        let t115 = inverse_length
+            * (r0z_y * 0.15470053837925146 + rz_half_y * (-2.309401076758503)
+                + r1z_y * 2.1547005383792515);
+        let t116 = inverse_length
+            * (r0z_z * 0.15470053837925146 + rz_half_z * (-2.309401076758503)
+                + r1z_z * 2.1547005383792515);
+        let t117 = t108 * t111 + t109 * t112 + t110 * t113
+            - (t105 * t114 + t106 * t115 + t107 * t116);
+        reference[0] = 0.5 * (t53 * t53 + t54 * t54 + t55 * t55 - 1.0);
+        reference[1] = 0.5 * (t59 * t59 + t60 * t60 + t61 * t61 - 1.0);
+        reference[2] = 0.5 * (t65 * t65 + t66 * t66 + t67 * t67 - 1.0);
+        reference[3] = t53 * t59 + t54 * t60 + t55 * t61;
+        reference[4] = t53 * t65 + t54 * t66 + t55 * t67;
+        reference[5] = t59 * t65 + t60 * t66 + t61 * t67;
+        reference[6] = 0.5 * (t68 * t68 + t69 * t69 + t70 * t70 - 1.0);
+        reference[7] = 0.5
+            * (ry_half_x * ry_half_x + ry_half_y * ry_half_y + ry_half_z * ry_half_z
+                - 1.0);
+        reference[8] = 0.5
+            * (rz_half_x * rz_half_x + rz_half_y * rz_half_y + rz_half_z * rz_half_z
+                - 1.0);
+        reference[9] = ry_half_x * t68 + ry_half_y * t69 + ry_half_z * t70;
+        reference[10] = rz_half_x * t68 + rz_half_y * t69 + rz_half_z * t70;
+        reference[11] = ry_half_x * rz_half_x + ry_half_y * rz_half_y
+            + ry_half_z * rz_half_z;
+        reference[12] = 0.5 * (t71 * t71 + t72 * t72 + t73 * t73 - 1.0);
+        reference[13] = 0.5 * (t74 * t74 + t75 * t75 + t76 * t76 - 1.0);
+        reference[14] = 0.5 * (t77 * t77 + t78 * t78 + t79 * t79 - 1.0);
+        reference[15] = t71 * t74 + t72 * t75 + t73 * t76;
+        reference[16] = t71 * t77 + t72 * t78 + t73 * t79;
+        reference[17] = t74 * t77 + t75 * t78 + t76 * t79;
+        reference[18] = t80 * t95 + t81 * t96 + t82 * t97;
+        reference[19] = t80 * t98 + t81 * t99 + t82 * t100;
+        reference[20] = 0.5 * t101;
+        reference[21] = t86 * t95 + t87 * t96 + t88 * t97;
+        reference[22] = t92 * t98 + t93 * t99 + t94 * t100;
+        reference[23] = t102 * t111 + t103 * t112 + t104 * t113;
+        reference[24] = t102 * t114 + t103 * t115 + t104 * t116;
+        reference[25] = 0.5 * t117;
+        reference[26] = t105 * t111 + t106 * t112 + t107 * t113;
+        reference[27] = t108 * t114 + t109 * t115 + t110 * t116;
+    }
+    /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 0 additions, 22 multiplications.
+    pub fn beam_spatial_curved_mass(row: &BeamSpatialCurved, mass: &mut [f64; 100]) {
+        let BeamSpatialCurved { length, rhoA, rhoIz, rhoIy, .. } = *row;
+        let element_mass = length * rhoA;
+        let section_y_mass = length * rhoIz;
+        let section_z_mass = length * rhoIy;
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t23 = length * element_mass;
+        let mass_r0_r0x = t23 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_r1x = t23 * (-0.030952380952380953);
+        let t27 = element_mass * (length * length);
+        let mass_r0x_r0x = t27 * 0.009523809523809525;
+        let mass_r0x_r1 = t23 * 0.030952380952380953;
+        let mass_r0x_r1x = t27 * (-0.007142857142857143);
+        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
+        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
+        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
+        let mass_r0z_r0z = section_z_mass * 0.13333333333333333;
+        let mass_r0z_rz_half = section_z_mass * 0.06666666666666667;
+        let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
+        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
+        let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
+        let mass_r1_r1x = t23 * (-0.05238095238095238);
+        mass[0] = mass_r0_r0;
+        mass[1] = mass_r0_r0x;
+        mass[2] = 0.0;
+        mass[3] = 0.0;
+        mass[4] = 0.0;
+        mass[5] = 0.0;
+        mass[6] = mass_r0_r1;
+        mass[7] = mass_r0_r1x;
+        mass[8] = 0.0;
+        mass[9] = 0.0;
+        mass[10] = mass_r0_r0x;
+        mass[11] = mass_r0x_r0x;
+        mass[12] = 0.0;
+        mass[13] = 0.0;
+        mass[14] = 0.0;
+        mass[15] = 0.0;
+        mass[16] = mass_r0x_r1;
+        mass[17] = mass_r0x_r1x;
+        mass[18] = 0.0;
+        mass[19] = 0.0;
+        mass[20] = 0.0;
+        mass[21] = 0.0;
+        mass[22] = mass_r0y_r0y;
+        mass[23] = 0.0;
+        mass[24] = mass_r0y_ry_half;
+        mass[25] = 0.0;
+        mass[26] = 0.0;
+        mass[27] = 0.0;
+        mass[28] = mass_r0y_r1y;
+        mass[29] = 0.0;
+        mass[30] = 0.0;
+        mass[31] = 0.0;
+        mass[32] = 0.0;
+        mass[33] = mass_r0z_r0z;
+        mass[34] = 0.0;
+        mass[35] = mass_r0z_rz_half;
+        mass[36] = 0.0;
+        mass[37] = 0.0;
+        mass[38] = 0.0;
+        mass[39] = mass_r0z_r1z;
+        mass[40] = 0.0;
+        mass[41] = 0.0;
+        mass[42] = mass_r0y_ry_half;
+        mass[43] = 0.0;
+        mass[44] = mass_ry_half_ry_half;
+        mass[45] = 0.0;
+        mass[46] = 0.0;
+        mass[47] = 0.0;
+        mass[48] = mass_r0y_ry_half;
+        mass[49] = 0.0;
+        mass[50] = 0.0;
+        mass[51] = 0.0;
+        mass[52] = 0.0;
+        mass[53] = mass_r0z_rz_half;
+        mass[54] = 0.0;
+        mass[55] = mass_rz_half_rz_half;
+        mass[56] = 0.0;
+        mass[57] = 0.0;
+        mass[58] = 0.0;
+        mass[59] = mass_r0z_rz_half;
+        mass[60] = mass_r0_r1;
+        mass[61] = mass_r0x_r1;
+        mass[62] = 0.0;
+        mass[63] = 0.0;
+        mass[64] = 0.0;
+        mass[65] = 0.0;
+        mass[66] = mass_r0_r0;
+        mass[67] = mass_r1_r1x;
+        mass[68] = 0.0;
+        mass[69] = 0.0;
+        mass[70] = mass_r0_r1x;
+        mass[71] = mass_r0x_r1x;
+        mass[72] = 0.0;
+        mass[73] = 0.0;
+        mass[74] = 0.0;
+        mass[75] = 0.0;
+        mass[76] = mass_r1_r1x;
+        mass[77] = mass_r0x_r0x;
+        mass[78] = 0.0;
+        mass[79] = 0.0;
+        mass[80] = 0.0;
+        mass[81] = 0.0;
+        mass[82] = mass_r0y_r1y;
+        mass[83] = 0.0;
+        mass[84] = mass_r0y_ry_half;
+        mass[85] = 0.0;
+        mass[86] = 0.0;
+        mass[87] = 0.0;
+        mass[88] = mass_r0y_r0y;
+        mass[89] = 0.0;
+        mass[90] = 0.0;
+        mass[91] = 0.0;
+        mass[92] = 0.0;
+        mass[93] = mass_r0z_r1z;
+        mass[94] = 0.0;
+        mass[95] = mass_r0z_rz_half;
+        mass[96] = 0.0;
+        mass[97] = 0.0;
+        mass[98] = 0.0;
+        mass[99] = mass_r0z_r0z;
+    }
+    /// Adds the inertia forces of one element in the inertial frame; e is minus gravity.
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 108 additions, 118 multiplications.
+    pub fn beam_spatial_curved_absolute_inertia_force(
+        row: &BeamSpatialCurved,
+        frame: &::rncf::mesh::FrameAction,
+        a: &[f64; 30],
+        force: &mut [f64; 30],
+    ) {
+        let BeamSpatialCurved { length, rhoA, rhoIz, rhoIy, .. } = *row;
+        let [e_x, e_y, e_z] = frame.acceleration;
+        let [a_r0_x, a_r0_y, a_r0_z, a_r0x_x, a_r0x_y, a_r0x_z, a_r0y_x, a_r0y_y,
+        a_r0y_z, a_r0z_x, a_r0z_y, a_r0z_z, a_ry_half_x, a_ry_half_y, a_ry_half_z,
+        a_rz_half_x, a_rz_half_y, a_rz_half_z, a_r1_x, a_r1_y, a_r1_z, a_r1x_x, a_r1x_y,
+        a_r1x_z, a_r1y_x, a_r1y_y, a_r1y_z, a_r1z_x, a_r1z_y, a_r1z_z] = *a;
+        let element_mass = length * rhoA;
+        let section_y_mass = length * rhoIz;
+        let section_z_mass = length * rhoIy;
+        let total_r0_x = a_r0_x + e_x;
+        let total_r0_y = a_r0_y + e_y;
+        let total_r0_z = a_r0_z + e_z;
+        let total_r1_x = a_r1_x + e_x;
+        let total_r1_y = a_r1_y + e_y;
+        let total_r1_z = a_r1_z + e_z;
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t62 = length * element_mass;
+        let mass_r0_r0x = t62 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_r1x = t62 * (-0.030952380952380953);
+        let t66 = element_mass * (length * length);
+        let mass_r0x_r0x = t66 * 0.009523809523809525;
+        let mass_r0x_r1 = t62 * 0.030952380952380953;
+        let mass_r0x_r1x = t66 * (-0.007142857142857143);
+        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
+        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
+        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
+        let t73 = a_ry_half_x * mass_r0y_ry_half;
+        let t74 = a_ry_half_y * mass_r0y_ry_half;
+        let t75 = a_ry_half_z * mass_r0y_ry_half;
+        let mass_r0z_r0z = section_z_mass * 0.13333333333333333;
+        let mass_r0z_rz_half = section_z_mass * 0.06666666666666667;
+        let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
+        let t79 = a_rz_half_x * mass_r0z_rz_half;
+        let t80 = a_rz_half_y * mass_r0z_rz_half;
+        let t81 = a_rz_half_z * mass_r0z_rz_half;
+        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
+        let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
+        let mass_r1_r1x = t62 * (-0.05238095238095238);
+        force[0]
+            += total_r0_x * mass_r0_r0 + a_r0x_x * mass_r0_r0x + total_r1_x * mass_r0_r1
+                + a_r1x_x * mass_r0_r1x;
+        force[1]
+            += total_r0_y * mass_r0_r0 + a_r0x_y * mass_r0_r0x + total_r1_y * mass_r0_r1
+                + a_r1x_y * mass_r0_r1x;
+        force[2]
+            += total_r0_z * mass_r0_r0 + a_r0x_z * mass_r0_r0x + total_r1_z * mass_r0_r1
+                + a_r1x_z * mass_r0_r1x;
+        force[3]
+            += total_r0_x * mass_r0_r0x + a_r0x_x * mass_r0x_r0x
+                + total_r1_x * mass_r0x_r1 + a_r1x_x * mass_r0x_r1x;
+        force[4]
+            += total_r0_y * mass_r0_r0x + a_r0x_y * mass_r0x_r0x
+                + total_r1_y * mass_r0x_r1 + a_r1x_y * mass_r0x_r1x;
+        force[5]
+            += total_r0_z * mass_r0_r0x + a_r0x_z * mass_r0x_r0x
+                + total_r1_z * mass_r0x_r1 + a_r1x_z * mass_r0x_r1x;
+        force[6] += a_r0y_x * mass_r0y_r0y + t73 + a_r1y_x * mass_r0y_r1y;
+        force[7] += a_r0y_y * mass_r0y_r0y + t74 + a_r1y_y * mass_r0y_r1y;
+        force[8] += a_r0y_z * mass_r0y_r0y + t75 + a_r1y_z * mass_r0y_r1y;
+        force[9] += a_r0z_x * mass_r0z_r0z + t79 + a_r1z_x * mass_r0z_r1z;
+        force[10] += a_r0z_y * mass_r0z_r0z + t80 + a_r1z_y * mass_r0z_r1z;
+        force[11] += a_r0z_z * mass_r0z_r0z + t81 + a_r1z_z * mass_r0z_r1z;
+        force[12]
+            += a_r0y_x * mass_r0y_ry_half + a_ry_half_x * mass_ry_half_ry_half
+                + a_r1y_x * mass_r0y_ry_half;
+        force[13]
+            += a_r0y_y * mass_r0y_ry_half + a_ry_half_y * mass_ry_half_ry_half
+                + a_r1y_y * mass_r0y_ry_half;
+        force[14]
+            += a_r0y_z * mass_r0y_ry_half + a_ry_half_z * mass_ry_half_ry_half
+                + a_r1y_z * mass_r0y_ry_half;
+        force[15]
+            += a_r0z_x * mass_r0z_rz_half + a_rz_half_x * mass_rz_half_rz_half
+                + a_r1z_x * mass_r0z_rz_half;
+        force[16]
+            += a_r0z_y * mass_r0z_rz_half + a_rz_half_y * mass_rz_half_rz_half
+                + a_r1z_y * mass_r0z_rz_half;
+        force[17]
+            += a_r0z_z * mass_r0z_rz_half + a_rz_half_z * mass_rz_half_rz_half
+                + a_r1z_z * mass_r0z_rz_half;
+        force[18]
+            += total_r0_x * mass_r0_r1 + a_r0x_x * mass_r0x_r1 + total_r1_x * mass_r0_r0
+                + a_r1x_x * mass_r1_r1x;
+        force[19]
+            += total_r0_y * mass_r0_r1 + a_r0x_y * mass_r0x_r1 + total_r1_y * mass_r0_r0
+                + a_r1x_y * mass_r1_r1x;
+        force[20]
+            += total_r0_z * mass_r0_r1 + a_r0x_z * mass_r0x_r1 + total_r1_z * mass_r0_r0
+                + a_r1x_z * mass_r1_r1x;
+        force[21]
+            += total_r0_x * mass_r0_r1x + a_r0x_x * mass_r0x_r1x
+                + total_r1_x * mass_r1_r1x + a_r1x_x * mass_r0x_r0x;
+        force[22]
+            += total_r0_y * mass_r0_r1x + a_r0x_y * mass_r0x_r1x
+                + total_r1_y * mass_r1_r1x + a_r1x_y * mass_r0x_r0x;
+        force[23]
+            += total_r0_z * mass_r0_r1x + a_r0x_z * mass_r0x_r1x
+                + total_r1_z * mass_r1_r1x + a_r1x_z * mass_r0x_r0x;
+        force[24] += t73 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
+        force[25] += t74 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
+        force[26] += t75 + a_r0y_z * mass_r0y_r1y + a_r1y_z * mass_r0y_r0y;
+        force[27] += t79 + a_r0z_x * mass_r0z_r1z + a_r1z_x * mass_r0z_r0z;
+        force[28] += t80 + a_r0z_y * mass_r0z_r1z + a_r1z_y * mass_r0z_r0z;
+        force[29] += t81 + a_r0z_z * mass_r0z_r1z + a_r1z_z * mass_r0z_r0z;
+    }
+    /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 6 additions, 12 multiplications.
+    pub fn beam_spatial_curved_shapes_position_0(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        weights[0] = 1.0 + xi * (xi * (-3.0 + xi * 2.0));
+        weights[1] = length * (xi * (1.0 + xi * (xi + (-2.0))));
+        weights[6] = xi * (xi * (3.0 + xi * (-2.0)));
+        weights[7] = length * (xi * (xi * (xi + (-1.0))));
+    }
+    /// Weights of the nodal vectors in d/dx of the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 5 additions, 9 multiplications, 1 divisions.
+    pub fn beam_spatial_curved_shapes_position_1(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t17 = 1.0 / length;
+        let t18 = xi * 3.0;
+        weights[0] = xi * (-6.0 + xi * 6.0) * t17;
+        weights[1] = 1.0 + xi * (-4.0 + t18);
+        weights[6] = t17 * (xi * (6.0 + xi * (-6.0)));
+        weights[7] = xi * (t18 + (-2.0));
+    }
+    /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 4 additions, 8 multiplications, 2 divisions.
+    pub fn beam_spatial_curved_shapes_position_2(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t17 = 1.0 / (length * length);
+        let t18 = xi * 6.0;
+        let t19 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t17;
+        weights[1] = (-4.0 + t18) * t19;
+        weights[6] = t17 * (6.0 + xi * (-12.0));
+        weights[7] = t19 * (t18 + (-2.0));
+    }
+    /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 4 additions, 5 multiplications.
+    pub fn beam_spatial_curved_shapes_section_y_0(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t16 = xi * 2.0;
+        weights[2] = 1.0 + xi * (-3.0 + t16);
+        weights[4] = xi * (4.0 + xi * (-4.0));
+        weights[8] = xi * (t16 + (-1.0));
+    }
+    /// Weights of the nodal vectors in d/dx of the section's y axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 3 additions, 5 multiplications, 1 divisions.
+    pub fn beam_spatial_curved_shapes_section_y_1(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t17 = xi * 4.0;
+        let t18 = 1.0 / length;
+        weights[2] = (-3.0 + t17) * t18;
+        weights[4] = t18 * (4.0 + xi * (-8.0));
+        weights[8] = t18 * (t17 + (-1.0));
+    }
+    /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 0 additions, 3 multiplications, 1 divisions.
+    pub fn beam_spatial_curved_shapes_section_y_2(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t16 = 1.0 / (length * length);
+        let t17 = 4.0 * t16;
+        weights[2] = t17;
+        weights[4] = t16 * (-8.0);
+        weights[8] = t17;
+    }
+    /// Weights of the nodal vectors in the section's z axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 4 additions, 5 multiplications.
+    pub fn beam_spatial_curved_shapes_section_z_0(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t16 = xi * 2.0;
+        weights[3] = 1.0 + xi * (-3.0 + t16);
+        weights[5] = xi * (4.0 + xi * (-4.0));
+        weights[9] = xi * (t16 + (-1.0));
+    }
+    /// Weights of the nodal vectors in d/dx of the section's z axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 3 additions, 5 multiplications, 1 divisions.
+    pub fn beam_spatial_curved_shapes_section_z_1(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t17 = xi * 4.0;
+        let t18 = 1.0 / length;
+        weights[3] = (-3.0 + t17) * t18;
+        weights[5] = t18 * (4.0 + xi * (-8.0));
+        weights[9] = t18 * (t17 + (-1.0));
+    }
+    /// Weights of the nodal vectors in d2/dx2 of the section's z axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 0 additions, 3 multiplications, 1 divisions.
+    pub fn beam_spatial_curved_shapes_section_z_2(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t16 = 1.0 / (length * length);
+        let t17 = 4.0 * t16;
+        weights[3] = t17;
+        weights[5] = t16 * (-8.0);
+        weights[9] = t17;
+    }
+    /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
+    ///
+    /// Operations: 115 additions, 184 multiplications.
+    pub fn beam_spatial_curved_field_forces(
+        row: &BeamSpatialCurved,
+        stress_free: &[f64; 15],
+        fields: &[f64; 15],
+        forces: &mut [f64; 15],
+    ) {
+        let BeamSpatialCurved {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            GA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            ..
+        } = *row;
+        let t54 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
+            - (fields[3] * fields[12] + fields[4] * fields[13] + fields[5] * fields[14]);
+        let t55 = 0.5
+            * (fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2]
+                - 1.0)
+            - 0.5
+                * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
+                    + stress_free[2] * stress_free[2] - 1.0);
+        let t56 = EA * t55;
+        let t57 = 0.5
+            * (fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5]
+                - 1.0)
+            - 0.5
+                * (stress_free[3] * stress_free[3] + stress_free[4] * stress_free[4]
+                    + stress_free[5] * stress_free[5] - 1.0);
+        let t58 = EA * t57;
+        let t59 = 0.5
+            * (fields[6] * fields[6] + fields[7] * fields[7] + fields[8] * fields[8]
+                - 1.0)
+            - 0.5
+                * (stress_free[6] * stress_free[6] + stress_free[7] * stress_free[7]
+                    + stress_free[8] * stress_free[8] - 1.0);
+        let t60 = EA * t59;
+        let t61 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
+            - (stress_free[0] * stress_free[3] + stress_free[1] * stress_free[4]
+                + stress_free[2] * stress_free[5]);
+        let t62 = kyGA * t61;
+        let t63 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
+            - (stress_free[0] * stress_free[6] + stress_free[1] * stress_free[7]
+                + stress_free[2] * stress_free[8]);
+        let t64 = kzGA * t63;
+        let t65 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
+            - (stress_free[3] * stress_free[6] + stress_free[4] * stress_free[7]
+                + stress_free[5] * stress_free[8]);
+        let t66 = GA * t65;
+        let t67 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
+            - (stress_free[0] * stress_free[9] + stress_free[1] * stress_free[10]
+                + stress_free[2] * stress_free[11]);
+        let t68 = EIz * t67;
+        let t69 = t56 * (0.5 * (fields[0] * 2.0)) + fields[3] * t62 + fields[6] * t64
+            + fields[9] * t68;
+        let t70 = t56 * (0.5 * (fields[1] * 2.0)) + fields[4] * t62 + fields[7] * t64
+            + fields[10] * t68;
+        let t71 = t56 * (0.5 * (fields[2] * 2.0)) + fields[5] * t62 + fields[8] * t64
+            + fields[11] * t68;
+        let t72 = fields[0] * fields[12] + fields[1] * fields[13]
+            + fields[2] * fields[14]
+            - (stress_free[0] * stress_free[12] + stress_free[1] * stress_free[13]
+                + stress_free[2] * stress_free[14]);
+        let t73 = EIy * t72;
+        let t74 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
+            + stress_free[8] * stress_free[11]
+            - (stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
+                + stress_free[5] * stress_free[14]);
+        let t75 = GJ * (0.5 * t54 - 0.5 * t74);
+        let t76 = t58 * (0.5 * (fields[3] * 2.0)) + fields[0] * t62 + fields[6] * t66
+            - t75 * (fields[12] * 0.5);
+        let t77 = t58 * (0.5 * (fields[4] * 2.0)) + fields[1] * t62 + fields[7] * t66
+            - t75 * (fields[13] * 0.5);
+        let t78 = t58 * (0.5 * (fields[5] * 2.0)) + fields[2] * t62 + fields[8] * t66
+            - t75 * (fields[14] * 0.5);
+        let t79 = t60 * (0.5 * (fields[6] * 2.0)) + fields[0] * t64 + fields[3] * t66
+            + t75 * (fields[9] * 0.5);
+        let t80 = t60 * (0.5 * (fields[7] * 2.0)) + fields[1] * t64 + fields[4] * t66
+            + t75 * (fields[10] * 0.5);
+        let t81 = t60 * (0.5 * (fields[8] * 2.0)) + fields[2] * t64 + fields[5] * t66
+            + t75 * (fields[11] * 0.5);
+        let t82 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
+            - (stress_free[3] * stress_free[9] + stress_free[4] * stress_free[10]
+                + stress_free[5] * stress_free[11]);
+        let t83 = GIz * t82;
+        let t84 = fields[6] * fields[12] + fields[7] * fields[13]
+            + fields[8] * fields[14]
+            - (stress_free[6] * stress_free[12] + stress_free[7] * stress_free[13]
+                + stress_free[8] * stress_free[14]);
+        let t85 = GIy * t84;
+        forces[0] = t69 + fields[12] * t73;
+        forces[1] = t70 + fields[13] * t73;
+        forces[2] = t71 + fields[14] * t73;
+        forces[3] = t76 + fields[9] * t83;
+        forces[4] = t77 + fields[10] * t83;
+        forces[5] = t78 + fields[11] * t83;
+        forces[6] = t79 + fields[12] * t85;
+        forces[7] = t80 + fields[13] * t85;
+        forces[8] = t81 + fields[14] * t85;
+        forces[9] = fields[0] * t68 + t75 * (fields[6] * 0.5) + fields[3] * t83;
+        forces[10] = fields[1] * t68 + t75 * (fields[7] * 0.5) + fields[4] * t83;
+        forces[11] = fields[2] * t68 + t75 * (fields[8] * 0.5) + fields[5] * t83;
+        forces[12] = fields[0] * t73 - t75 * (fields[3] * 0.5) + fields[6] * t85;
+        forces[13] = fields[1] * t73 - t75 * (fields[4] * 0.5) + fields[7] * t85;
+        forces[14] = fields[2] * t73 - t75 * (fields[5] * 0.5) + fields[8] * t85;
+    }
+    /// Load `pull` in its frame's axes.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn load_pull(model: &super::Bend45, t: f64, value: &mut [f64; 3]) {
+        value[0] = 0.0;
+        value[1] = 0.0;
+        value[2] = model.load;
+    }
+    /// Joint `root`: conditions, position level.
+    ///
+    /// Operations: 11 additions, 12 multiplications.
+    pub fn joint_root_absolute_position(
+        model: &super::Bend45,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = q[0] - data.point[0];
+        rows[1] = q[1] - data.point[1];
+        rows[2] = q[2] - data.point[2];
+        rows[3] = data.normals[0][0] * q[3] + data.normals[0][1] * q[4]
+            + data.normals[0][2] * q[5];
+        rows[4] = data.normals[1][0] * q[3] + data.normals[1][1] * q[4]
+            + data.normals[1][2] * q[5];
+        rows[5] = data.second[1][0] * q[6] + data.second[1][1] * q[7]
+            + data.second[1][2] * q[8];
+        rows[6] = data.second[2][0] * q[6] + data.second[2][1] * q[7]
+            + data.second[2][2] * q[8];
+    }
+    /// Joint `root`: conditions, velocity level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_velocity(
+        model: &super::Bend45,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+        rows[3] = 0.0;
+        rows[4] = 0.0;
+        rows[5] = 0.0;
+        rows[6] = 0.0;
+    }
+    /// Joint `root`: conditions, acceleration level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_acceleration(
+        model: &super::Bend45,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+        rows[3] = 0.0;
+        rows[4] = 0.0;
+        rows[5] = 0.0;
+        rows[6] = 0.0;
+    }
+    /// Joint `root`: conditions, jerk level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_jerk(
+        model: &super::Bend45,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+        rows[3] = 0.0;
+        rows[4] = 0.0;
+        rows[5] = 0.0;
+        rows[6] = 0.0;
+    }
+    /// Joint `root`: derivatives of the conditions.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_jacobian(
+        model: &super::Bend45,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        jacobian: &mut [f64],
+    ) {
+        jacobian[0] = 1.0;
+        jacobian[1] = 0.0;
+        jacobian[2] = 0.0;
+        jacobian[3] = 0.0;
+        jacobian[4] = 0.0;
+        jacobian[5] = 0.0;
+        jacobian[6] = 0.0;
+        jacobian[7] = 0.0;
+        jacobian[8] = 0.0;
+        jacobian[9] = 0.0;
+        jacobian[10] = 1.0;
+        jacobian[11] = 0.0;
+        jacobian[12] = 0.0;
+        jacobian[13] = 0.0;
+        jacobian[14] = 0.0;
+        jacobian[15] = 0.0;
+        jacobian[16] = 0.0;
+        jacobian[17] = 0.0;
+        jacobian[18] = 0.0;
+        jacobian[19] = 0.0;
+        jacobian[20] = 1.0;
+        jacobian[21] = 0.0;
+        jacobian[22] = 0.0;
+        jacobian[23] = 0.0;
+        jacobian[24] = 0.0;
+        jacobian[25] = 0.0;
+        jacobian[26] = 0.0;
+        jacobian[27] = 0.0;
+        jacobian[28] = 0.0;
+        jacobian[29] = 0.0;
+        jacobian[30] = data.normals[0][0];
+        jacobian[31] = data.normals[0][1];
+        jacobian[32] = data.normals[0][2];
+        jacobian[33] = 0.0;
+        jacobian[34] = 0.0;
+        jacobian[35] = 0.0;
+        jacobian[36] = 0.0;
+        jacobian[37] = 0.0;
+        jacobian[38] = 0.0;
+        jacobian[39] = data.normals[1][0];
+        jacobian[40] = data.normals[1][1];
+        jacobian[41] = data.normals[1][2];
+        jacobian[42] = 0.0;
+        jacobian[43] = 0.0;
+        jacobian[44] = 0.0;
+        jacobian[45] = 0.0;
+        jacobian[46] = 0.0;
+        jacobian[47] = 0.0;
+        jacobian[48] = 0.0;
+        jacobian[49] = 0.0;
+        jacobian[50] = 0.0;
+        jacobian[51] = data.second[1][0];
+        jacobian[52] = data.second[1][1];
+        jacobian[53] = data.second[1][2];
+        jacobian[54] = 0.0;
+        jacobian[55] = 0.0;
+        jacobian[56] = 0.0;
+        jacobian[57] = 0.0;
+        jacobian[58] = 0.0;
+        jacobian[59] = 0.0;
+        jacobian[60] = data.second[2][0];
+        jacobian[61] = data.second[2][1];
+        jacobian[62] = data.second[2][2];
+    }
+    /// Joint `root`: what it prescribes, with three derivatives.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_prescribed(
+        model: &super::Bend45,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        prescribed: &mut ::rncf::mesh::Prescribed,
+    ) {
+        prescribed.position[0][0] = data.point[0];
+        prescribed.position[0][1] = data.point[1];
+        prescribed.position[0][2] = data.point[2];
+        prescribed.position[1][0] = 0.0;
+        prescribed.position[1][1] = 0.0;
+        prescribed.position[1][2] = 0.0;
+        prescribed.position[2][0] = 0.0;
+        prescribed.position[2][1] = 0.0;
+        prescribed.position[2][2] = 0.0;
+        prescribed.position[3][0] = 0.0;
+        prescribed.position[3][1] = 0.0;
+        prescribed.position[3][2] = 0.0;
+        prescribed.slope[0][0] = data.tangent[0];
+        prescribed.slope[0][1] = data.tangent[1];
+        prescribed.slope[0][2] = data.tangent[2];
+        prescribed.slope[1][0] = 0.0;
+        prescribed.slope[1][1] = 0.0;
+        prescribed.slope[1][2] = 0.0;
+        prescribed.slope[2][0] = 0.0;
+        prescribed.slope[2][1] = 0.0;
+        prescribed.slope[2][2] = 0.0;
+        prescribed.slope[3][0] = 0.0;
+        prescribed.slope[3][1] = 0.0;
+        prescribed.slope[3][2] = 0.0;
+        prescribed.second[0][0] = data.second[0][0];
+        prescribed.second[0][1] = data.second[0][1];
+        prescribed.second[0][2] = data.second[0][2];
+        prescribed.second[1][0] = 0.0;
+        prescribed.second[1][1] = 0.0;
+        prescribed.second[1][2] = 0.0;
+        prescribed.second[2][0] = 0.0;
+        prescribed.second[2][1] = 0.0;
+        prescribed.second[2][2] = 0.0;
+        prescribed.second[3][0] = 0.0;
+        prescribed.second[3][1] = 0.0;
+        prescribed.second[3][2] = 0.0;
+    }
+    /// Times at which a derivative of a motion or load may jump (s).
+    pub fn kinks(model: &super::Bend45, kinks: &mut [f64; 0]) {}
+    /// Output columns from what they observe.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn outputs(model: &super::Bend45, t: f64, observed: &[f64], out: &mut [f64]) {
+        out[0] = observed[0];
+        out[1] = observed[1];
+        out[2] = observed[2];
+    }
+    /// Defaults of a run (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn run_defaults(model: &super::Bend45, run: &mut ::rncf::RunDefaults) {
+        run.t_end = 100.0;
+        run.every = 0.5;
+    }
+    /// Constants of all bodies.
+    #[derive(Clone, Debug)]
+    pub struct Equations {
+        pub model: super::Bend45,
+        pub row_bend: BeamSpatialCurved,
+        pub reference_bend: ::std::vec::Vec<[f64; 28]>,
+    }
+    impl Equations {
+        /// Constants for the given parameters; filled in when the bodies are meshed.
+        pub fn new(model: &super::Bend45) -> Self {
+            Self {
+                model: model.clone(),
+                row_bend: Default::default(),
+                reference_bend: ::std::vec::Vec::new(),
+            }
+        }
+    }
+    impl ::rncf::mesh::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::BodySpec {
+                    name: "bend",
+                    frame: 0,
+                    axes: &[0, 1, 2],
+                    line: ::rncf::mesh::Line::Arc {
+                        from: [0.0, 0.0, 0.0],
+                        direction: [1.0, 0.0, 0.0],
+                        normal: [0.0, 0.0, 1.0],
+                        radius: 100.0,
+                        angle: 0.7853981633974483,
+                    },
+                    count: (model.elements as f64) as usize,
+                    nodal: &[
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "position",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 0,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "slope",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 1,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section y axis",
+                            of: ::rncf::mesh::Interpolant::SectionY,
+                            order: 0,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section z axis",
+                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            order: 0,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section y axis",
+                            of: ::rncf::mesh::Interpolant::SectionY,
+                            order: 0,
+                            xi: 0.5,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section z axis",
+                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            order: 0,
+                            xi: 0.5,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "position",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 0,
+                            xi: 1.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "slope",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 1,
+                            xi: 1.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section y axis",
+                            of: ::rncf::mesh::Interpolant::SectionY,
+                            order: 0,
+                            xi: 1.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section z axis",
+                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            order: 0,
+                            xi: 1.0,
+                        },
+                    ],
+                    connectivity: &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9],
+                    vectors_per_node: 4,
+                    stride: 6,
+                    section_y: None,
+                    twist: 0.0,
+                    fidelity: ::rncf::mesh::Fidelity::Full,
+                    mean_axes: false,
+                },
+            ])
+        }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 0,
+                    point: None,
+                },
+            ])
+        }
+        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::LoadSpec {
+                    name: "pull",
+                    kind: ::rncf::mesh::LoadKind::Force {
+                        body: 0,
+                        at: ::rncf::mesh::Place::End,
+                    },
+                    frame: 0,
+                },
+            ])
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            1
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial"][frame]
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 1] = [false];
+            VARIES[load]
+        }
+        fn conservative(&self) -> bool {
+            true
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 0];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn prepare(
+            &mut self,
+            body: usize,
+            length: f64,
+            shape: &[f64],
+        ) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            let density = ::rncf::mesh::positive(
+                "material `soft`",
+                "density",
+                1.0,
+                "kg/m^3",
+            )?;
+            let young = ::rncf::mesh::positive(
+                "material `soft`",
+                "young",
+                10000000.0,
+                "Pa",
+            )?;
+            let poisson = ::rncf::mesh::poisson("material `soft`", "poisson", 0.0, "1")?;
+            let damping = ::rncf::mesh::non_negative(
+                "material `soft`",
+                "damping",
+                0.0,
+                "s",
+            )?;
+            let area = ::rncf::mesh::positive("section `square`", "area", 1.0, "m^2")?;
+            let second_moment_y = ::rncf::mesh::positive(
+                "section `square`",
+                "second_moment_y",
+                0.08333333333333333,
+                "m^4",
+            )?;
+            let second_moment_z = ::rncf::mesh::positive(
+                "section `square`",
+                "second_moment_z",
+                0.08333333333333333,
+                "m^4",
+            )?;
+            let torsion_constant = ::rncf::mesh::positive(
+                "section `square`",
+                "torsion_constant",
+                0.14057701493497562,
+                "m^4",
+            )?;
+            let shear_factor_y = ::rncf::mesh::positive(
+                "section `square`",
+                "shear_factor_y",
+                0.8333333333333334,
+                "1",
+            )?;
+            let shear_factor_z = ::rncf::mesh::positive(
+                "section `square`",
+                "shear_factor_z",
+                0.8333333333333334,
+                "1",
+            )?;
+            let size_y = ::rncf::mesh::positive("section `square`", "size_y", 1.0, "m")?;
+            let size_z = ::rncf::mesh::positive("section `square`", "size_z", 1.0, "m")?;
+            let shear_modulus = young / (2.0 * (1.0 + poisson));
+            self.row_bend = BeamSpatialCurved {
+                length,
+                EA: young * area,
+                kyGA: shear_factor_y * shear_modulus * area,
+                kzGA: shear_factor_z * shear_modulus * area,
+                GA: shear_modulus * area,
+                EIz: young * second_moment_z,
+                EIy: young * second_moment_y,
+                GJ: shear_modulus * torsion_constant,
+                GIz: shear_modulus * second_moment_z,
+                GIy: shear_modulus * second_moment_y,
+                rhoA: density * area,
+                rhoIz: density * second_moment_z,
+                rhoIy: density * second_moment_y,
+                damping: damping,
+            };
+            self.reference_bend = shape
+                .chunks_exact(30)
+                .map(|shape| {
+                    let mut reference = [0.0; 28];
+                    beam_spatial_curved_reference(
+                        &self.row_bend,
+                        ::rncf::mesh::array(shape),
+                        &mut reference,
+                    );
+                    reference
+                })
+                .collect();
+            Ok(())
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                0 => load_pull(&self.model, t, &mut value),
+                _ => {}
+            }
+            value
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn mass(&self, body: usize, mass: &mut [f64]) {
+            beam_spatial_curved_mass(&self.row_bend, ::rncf::mesh::array_mut(mass));
+        }
+        fn force(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            force: &mut [f64],
+        ) {
+            let [q, v, a]: [&[f64; 30]; 3] = [q, v, a].map(::rncf::mesh::array);
+            let force = ::rncf::mesh::array_mut(force);
+            beam_spatial_curved_elastic_force(
+                &self.row_bend,
+                &self.reference_bend[element],
+                q,
+                force,
+            );
+            beam_spatial_curved_absolute_inertia_force(&self.row_bend, frame, a, force);
+        }
+        fn tangent(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            let [q, v]: [&[f64; 30]; 2] = [q, v].map(::rncf::mesh::array);
+            let stiffness = ::rncf::mesh::array_mut(stiffness);
+            beam_spatial_curved_elastic_tangent(
+                &self.row_bend,
+                &self.reference_bend[element],
+                q,
+                stiffness,
+            );
+        }
+        fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
+            let mut energy = 0.0;
+            beam_spatial_curved_strain_energy(
+                &self.row_bend,
+                &self.reference_bend[element],
+                ::rncf::mesh::array(q),
+                &mut energy,
+            );
+            energy
+        }
+        fn shapes(
+            &self,
+            body: usize,
+            of: ::rncf::mesh::Interpolant,
+            order: usize,
+            xi: f64,
+            weights: &mut [f64],
+        ) {
+            weights.fill(0.0);
+            match (of, order) {
+                (::rncf::mesh::Interpolant::Position, 0) => {
+                    beam_spatial_curved_shapes_position_0(
+                        self.row_bend.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::Position, 1) => {
+                    beam_spatial_curved_shapes_position_1(
+                        self.row_bend.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::Position, 2) => {
+                    beam_spatial_curved_shapes_position_2(
+                        self.row_bend.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionY, 0) => {
+                    beam_spatial_curved_shapes_section_y_0(
+                        self.row_bend.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionY, 1) => {
+                    beam_spatial_curved_shapes_section_y_1(
+                        self.row_bend.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionY, 2) => {
+                    beam_spatial_curved_shapes_section_y_2(
+                        self.row_bend.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionZ, 0) => {
+                    beam_spatial_curved_shapes_section_z_0(
+                        self.row_bend.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionZ, 1) => {
+                    beam_spatial_curved_shapes_section_z_1(
+                        self.row_bend.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionZ, 2) => {
+                    beam_spatial_curved_shapes_section_z_2(
+                        self.row_bend.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                _ => {}
+            }
+        }
+        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+            let model = &self.model;
+            ::rncf::mesh::SectionSpec {
+                shape: ::rncf::mesh::SectionShape::Rectangle {
+                    sizes: [1.0, 1.0],
+                },
+                area: 1.0,
+                second_moments: [0.08333333333333333, 0.08333333333333333],
+                torsion_constant: 0.14057701493497562,
+                yield_stress: None,
+                material: "soft",
+            }
+        }
+        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+            &[
+                (::rncf::mesh::Interpolant::Position, 1),
+                (::rncf::mesh::Interpolant::SectionY, 0),
+                (::rncf::mesh::Interpolant::SectionZ, 0),
+                (::rncf::mesh::Interpolant::SectionY, 1),
+                (::rncf::mesh::Interpolant::SectionZ, 1),
+            ]
+        }
+        fn field_forces(
+            &self,
+            body: usize,
+            stress_free: &[f64],
+            fields: &[f64],
+            rates: &[f64],
+            forces: &mut [f64],
+        ) {
+            beam_spatial_curved_field_forces(
+                &self.row_bend,
+                ::rncf::mesh::array(stress_free),
+                ::rncf::mesh::array(fields),
+                ::rncf::mesh::array_mut(forces),
+            );
+        }
+        fn moment(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            force: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn moment_tangent(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            tangent: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn condition(
+            &self,
+            joint: usize,
+            absolute: bool,
+            level: ::rncf::system::ConstraintLevel,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            rows: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                (0, _) => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            joint_root_absolute_position(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            joint_root_absolute_velocity(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            joint_root_absolute_acceleration(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            joint_root_absolute_jerk(&self.model, t, data, q, v, a, rows)
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        fn condition_jacobian(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            jacobian: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                (0, _) => {
+                    joint_root_absolute_jacobian(&self.model, t, data, jacobian);
+                }
+                _ => {}
+            }
+        }
+        fn prescribed(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            prescribed: &mut ::rncf::mesh::Prescribed,
+        ) {
+            match (joint, absolute) {
+                (0, _) => {
+                    joint_root_absolute_prescribed(&self.model, t, data, prescribed);
+                }
+                _ => {}
+            }
+        }
+    }
+}

@@ -1,0 +1,2212 @@
+//! Expansion of `models/src/curved_upwind.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
+
+/// Spin-up of a beam that is curved towards its motion (Ren & Yang 2021, section 4.1.2).
+#[derive(Clone, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct CurvedUpwind {
+    /// Steady angular velocity. (SI; declared in rad/s)
+    pub omega_s: f64,
+    /// Time to reach it. (SI; declared in s)
+    pub T_s: f64,
+    /// Number of elements. (count)
+    pub elements: usize,
+}
+#[allow(clippy::all)]
+impl Default for CurvedUpwind {
+    fn default() -> Self {
+        Self {
+            omega_s: 4.0,
+            T_s: 15.0,
+            elements: 8,
+        }
+    }
+}
+#[allow(unused_variables, clippy::all)]
+impl ::rncf::Model for CurvedUpwind {
+    const NAME: &'static str = "CurvedUpwind";
+    const DOC: &'static str = "Spin-up of a beam that is curved towards its motion (Ren & Yang 2021, section 4.1.2).";
+    const SOURCE: &'static str = r#"pub model CurvedUpwind {
+    /// Steady angular velocity.
+    param omega_s = 4 rad/s;
+    /// Time to reach it.
+    param T_s = 15 s;
+    /// Number of elements.
+    param elements: count = 8;
+
+    const bend = 16 m;
+    const turn = 0.5 rad;
+
+    material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; poisson = 0.3; }
+    section tube {
+        area = 0.7299 cm^2;
+        second_moment = 0.8215 cm^4;
+        torsion_constant = 1.643 cm^4;
+        shear_factor = 0.53;
+    }
+
+    /// Angle of the hub, Eq. (22).
+    motion theta(t) =
+        if t <= T_s { (omega_s/T_s) * (t^2/2 + (T_s/(2*pi))^2 * (cos(2*pi*t/T_s) - 1)) }
+        else { omega_s * (t - T_s/2) };
+    frame hub = rotating(axis = z, angle = theta(t));
+
+    body beam in hub {
+        planar xy;
+        arc from [0, 0, 0] m direction [1, 0, 0] radius bend angle turn;
+        mesh elements * beam(tube, aluminium);
+    }
+    joint root = clamp(beam.start, hub);
+
+    /// Deflection of the tip from its stress-free place along x of the hub, which is the tangent at the root.
+    output u = beam.end.x - bend * sin(turn);
+    /// The same along y, in the plane of rotation.
+    output v = beam.end.y - bend * (1 - cos(turn));
+    /// The same along z, the axis of rotation.
+    output w = 0 m;
+
+    run { t_end = 20 s; every = 0.05 s; }
+}"#;
+    const NOTES: &'static [&'static str] = &[
+        "Body `beam` uses `beam_planar_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1981).",
+        "Body `beam` is planar: two components a vector, no motion along the normal.",
+        "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+    ];
+    fn params() -> &'static [::rncf::Param] {
+        &[
+            ::rncf::Param {
+                name: "omega_s",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "rad/s",
+                unit_si: 1.0,
+                dimension: [0, 0, -1, 0, 0, 1],
+                default: 4.0,
+                doc: "Steady angular velocity.",
+            },
+            ::rncf::Param {
+                name: "T_s",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "s",
+                unit_si: 1.0,
+                dimension: [0, 0, 1, 0, 0, 0],
+                default: 15.0,
+                doc: "Time to reach it.",
+            },
+            ::rncf::Param {
+                name: "elements",
+                kind: ::rncf::ParamKind::Count,
+                unit: "1",
+                unit_si: 1.0,
+                dimension: [0, 0, 0, 0, 0, 0],
+                default: 8.0,
+                doc: "Number of elements.",
+            },
+        ]
+    }
+    fn outputs() -> &'static [::rncf::Output] {
+        &[
+            ::rncf::Output {
+                name: "u",
+                unit: "m",
+                components: &[],
+                doc: "Deflection of the tip from its stress-free place along x of the hub, which is the tangent at the root.",
+            },
+            ::rncf::Output {
+                name: "v",
+                unit: "m",
+                components: &[],
+                doc: "The same along y, in the plane of rotation.",
+            },
+            ::rncf::Output {
+                name: "w",
+                unit: "m",
+                components: &[],
+                doc: "The same along z, the axis of rotation.",
+            },
+        ]
+    }
+    fn get(&self, index: usize) -> f64 {
+        match index {
+            0 => self.omega_s,
+            1 => self.T_s,
+            2 => self.elements as f64,
+            _ => panic!("CurvedUpwind has 3 parameters, not {index}"),
+        }
+    }
+    fn set(&mut self, index: usize, value: f64) {
+        match index {
+            0 => self.omega_s = value,
+            1 => self.T_s = value,
+            2 => self.elements = value as usize,
+            _ => panic!("CurvedUpwind has 3 parameters, not {index}"),
+        }
+    }
+    fn run(&self) -> ::rncf::RunDefaults {
+        let mut run = ::rncf::RunDefaults {
+            t_end: 0.0,
+            every: 0.0,
+        };
+        curved_upwind_equations::run_defaults(self, &mut run);
+        run
+    }
+    fn build(
+        &self,
+        formulation: ::rncf::Formulation,
+        joints: ::rncf::Joints,
+    ) -> ::std::result::Result<
+        ::std::boxed::Box<dyn ::rncf::Scene>,
+        ::rncf::ModelError,
+    > {
+        ::rncf::mesh::check_params(self)?;
+        let equations = curved_upwind_equations::Equations::new(self);
+        ::rncf::mesh::build(equations, formulation, joints)
+    }
+}
+/// Equations of [`CurvedUpwind`]: derived, checked and written by the generator.
+#[allow(
+    missing_docs,
+    non_snake_case,
+    unused_variables,
+    unused_mut,
+    unused_parens,
+    clippy::all
+)]
+pub mod curved_upwind_equations {
+    /// Constants of one element `beam_planar_curved`. Beam with a cross-section: axial strain, shear, bending, torsion.
+    ///
+    /// Nodal vectors: r0, r0x, r0y, ry_half, r1, r1x, r1y, 2 components each.
+    ///
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1981).
+    ///
+    /// The energy is integrated with 3 Gauss points.
+    #[derive(Clone, Copy, Debug, Default, PartialEq)]
+    pub struct BeamPlanarCurved {
+        /// Length, m.
+        pub length: f64,
+        /// young * area, N.
+        pub EA: f64,
+        /// shear_factor_y * shear_modulus * area, N.
+        pub kyGA: f64,
+        /// young * second_moment_z, N m^2.
+        pub EIz: f64,
+        /// shear_modulus * second_moment_z, N m^2.
+        pub GIz: f64,
+        /// density * area, kg/m.
+        pub rhoA: f64,
+        /// density * second_moment_z, kg m.
+        pub rhoIz: f64,
+        /// Damping of the strain measures, s.
+        pub damping: f64,
+    }
+    /// Nodal vectors by what they interpolate: Position, SectionY.
+    static BEAM_PLANAR_CURVED_VECTORS: ::rncf::mesh::Vectors<7, 2, 2, 3> = ::rncf::mesh::Vectors {
+        base: 0,
+        nodal: [[1, 4, 5], [2, 3, 6]],
+        positions: [[false, true, false], [false, false, false]],
+    };
+    /// Gauss rule with 3 points, and derivatives of the shape functions there.
+    static BEAM_PLANAR_CURVED_POINTS3: ::rncf::mesh::Rule<3, 2, 3> = ::rncf::mesh::Rule {
+        groups: [0, 1],
+        weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
+        shapes: [
+            [
+                [0.5872983346207417, 0.6, -0.18729833462074166],
+                [0.6872983346207417, 0.39999999999999997, -0.08729833462074169],
+            ],
+            [[-0.25, 1.5, -0.25], [0.0, 1.0, 0.0]],
+            [
+                [-0.18729833462074175, 0.6, 0.5872983346207418],
+                [-0.08729833462074166, 0.39999999999999997, 0.6872983346207417],
+            ],
+        ],
+    };
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_PLANAR_CURVED_POINTS3_STIFFNESS: ::rncf::mesh::Blocks<3, 9, 3> = BEAM_PLANAR_CURVED_POINTS3
+        .blocks(&[(0, 0), (0, 1), (1, 1)], &[(0, 0, 1), (1, 1, 2), (2, 2, 3)]);
+    /// Gauss rule with 2 points, and derivatives of the shape functions there.
+    static BEAM_PLANAR_CURVED_POINTS2: ::rncf::mesh::Rule<2, 3, 3> = ::rncf::mesh::Rule {
+        groups: [0, 1, 1],
+        weights: [0.5000000000000001, 0.5000000000000001],
+        shapes: [
+            [
+                [0.28867513459481287, 1.0, -0.2886751345948129],
+                [0.4553418012614795, 0.6666666666666667, -0.12200846792814622],
+                [-2.1547005383792515, 2.309401076758503, -0.15470053837925146],
+            ],
+            [
+                [-0.2886751345948131, 1.0000000000000004, 0.28867513459481264],
+                [-0.12200846792814612, 0.6666666666666667, 0.4553418012614795],
+                [0.15470053837925146, -2.309401076758503, 2.1547005383792515],
+            ],
+        ],
+    };
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_PLANAR_CURVED_POINTS2_STIFFNESS: ::rncf::mesh::Blocks<2, 9, 6> = BEAM_PLANAR_CURVED_POINTS2
+        .blocks(
+            &[(0, 0), (0, 2), (1, 1), (1, 2), (2, 1), (2, 2)],
+            &[(0, 0, 1), (1, 1, 2), (2, 2, 6)],
+        );
+    /// Writes the forces on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 12 additions, 27 multiplications.
+    pub fn beam_planar_curved_points3_force(
+        row: &BeamPlanarCurved,
+        reference: &[f64; 3],
+        fields: &[[f64; 2]; 2],
+        forces: &mut [[f64; 2]; 2],
+    ) {
+        let BeamPlanarCurved { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[a_x, a_y], [b_x, b_y]] = *fields;
+        let t25 = length * EA;
+        let t26 = 0.5 * (t25 * (0.5 * (a_x * a_x + a_y * a_y - 1.0) - reference[0]));
+        let t27 = length * kyGA * (a_x * b_x + a_y * b_y - reference[2]);
+        let t28 = 0.5 * (t25 * (0.5 * (b_x * b_x + b_y * b_y - 1.0) - reference[1]));
+        forces[0][0] = t26 * (a_x * 2.0) + b_x * t27;
+        forces[0][1] = t26 * (a_y * 2.0) + b_y * t27;
+        forces[1][0] = a_x * t27 + t28 * (b_x * 2.0);
+        forces[1][1] = a_y * t27 + t28 * (b_y * 2.0);
+    }
+    /// Writes the blocks of the tangent on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 20 additions, 47 multiplications.
+    pub fn beam_planar_curved_points3_tangent(
+        row: &BeamPlanarCurved,
+        reference: &[f64; 3],
+        fields: &[[f64; 2]; 2],
+        stiffness: &mut [[f64; 4]; 3],
+    ) {
+        let BeamPlanarCurved { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[a_x, a_y], [b_x, b_y]] = *fields;
+        let t25 = length * EA;
+        let t26 = length * kyGA;
+        let t27 = 0.5 * (0.5 * t25);
+        let t28 = t26 * (a_x * b_x + a_y * b_y - reference[2]);
+        let t29 = a_x * 2.0;
+        let t30 = a_y * 2.0;
+        let t31 = b_x * 2.0;
+        let t32 = b_y * 2.0;
+        let t33 = t27 * t30;
+        let t34 = b_y * t26;
+        let t35 = a_x * t26;
+        let t36 = a_y * t26;
+        let t37 = t27 * t32;
+        let t38 = t29 * t33 + b_x * t34;
+        let t39 = a_x * t36 + t31 * t37;
+        let t40 = 0.5 * (t25 * (0.5 * (a_x * a_x + a_y * a_y - 1.0) - reference[0]))
+            * 2.0;
+        let t41 = 0.5 * (t25 * (0.5 * (b_x * b_x + b_y * b_y - 1.0) - reference[1]))
+            * 2.0;
+        stiffness[0][0] = t29 * (t27 * t29) + b_x * (b_x * t26) + t40;
+        stiffness[0][1] = t38;
+        stiffness[0][2] = t38;
+        stiffness[0][3] = t30 * t33 + b_y * t34 + t40;
+        stiffness[1][0] = t28 + b_x * t35;
+        stiffness[1][1] = b_x * t36;
+        stiffness[1][2] = b_y * t35;
+        stiffness[1][3] = t28 + b_y * t36;
+        stiffness[2][0] = a_x * t35 + t31 * (t27 * t31) + t41;
+        stiffness[2][1] = t39;
+        stiffness[2][2] = t39;
+        stiffness[2][3] = a_y * t36 + t32 * t37 + t41;
+    }
+    /// Writes the strain energy a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 10 additions, 18 multiplications.
+    pub fn beam_planar_curved_points3_energy(
+        row: &BeamPlanarCurved,
+        reference: &[f64; 3],
+        fields: &[[f64; 2]; 2],
+        energy: &mut f64,
+    ) {
+        let BeamPlanarCurved { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[a_x, a_y], [b_x, b_y]] = *fields;
+        let t25 = 0.5 * (length * EA);
+        let t26 = t25 * (0.5 * (a_x * a_x + a_y * a_y - 1.0) - reference[0]).powi(2)
+            + t25 * (0.5 * (b_x * b_x + b_y * b_y - 1.0) - reference[1]).powi(2);
+        let t27 = t26
+            + 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y - reference[2]).powi(2);
+        *energy = t27;
+    }
+    /// Writes the forces on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 6 additions, 20 multiplications, 1 divisions.
+    pub fn beam_planar_curved_points2_force(
+        row: &BeamPlanarCurved,
+        reference: &[f64; 2],
+        fields: &[[f64; 2]; 3],
+        forces: &mut [[f64; 2]; 3],
+    ) {
+        let BeamPlanarCurved { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[a_x, a_y], [b_x, b_y], [unit_db_x, unit_db_y]] = *fields;
+        let inverse_length = 1.0 / length;
+        let db_x = inverse_length * unit_db_x;
+        let db_y = inverse_length * unit_db_y;
+        let t29 = length * EIz * (a_x * db_x + a_y * db_y - reference[0]);
+        let t30 = length * GIz * (b_x * db_x + b_y * db_y - reference[1]);
+        forces[0][0] = db_x * t29;
+        forces[0][1] = db_y * t29;
+        forces[1][0] = db_x * t30;
+        forces[1][1] = db_y * t30;
+        forces[2][0] = inverse_length * (a_x * t29 + b_x * t30);
+        forces[2][1] = inverse_length * (a_y * t29 + b_y * t30);
+    }
+    /// Writes the blocks of the tangent on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 11 additions, 50 multiplications, 1 divisions.
+    pub fn beam_planar_curved_points2_tangent(
+        row: &BeamPlanarCurved,
+        reference: &[f64; 2],
+        fields: &[[f64; 2]; 3],
+        stiffness: &mut [[f64; 4]; 6],
+    ) {
+        let BeamPlanarCurved { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[a_x, a_y], [b_x, b_y], [unit_db_x, unit_db_y]] = *fields;
+        let inverse_length = 1.0 / length;
+        let db_x = inverse_length * unit_db_x;
+        let db_y = inverse_length * unit_db_y;
+        let t29 = length * EIz;
+        let t30 = length * GIz;
+        let t31 = t29 * (a_x * db_x + a_y * db_y - reference[0]);
+        let t32 = t30 * (b_x * db_x + b_y * db_y - reference[1]);
+        let t33 = db_y * t29;
+        let t34 = a_x * t29;
+        let t35 = a_y * t29;
+        let t36 = db_y * t30;
+        let t37 = b_x * t30;
+        let t38 = b_y * t30;
+        let t39 = db_x * t33;
+        let t40 = db_x * t36;
+        let t41 = inverse_length * (t32 + db_x * t37);
+        let t42 = inverse_length * (db_x * t38);
+        let t43 = inverse_length * (db_y * t37);
+        let t44 = inverse_length * (t32 + db_y * t38);
+        let t45 = inverse_length * inverse_length;
+        let t46 = (a_x * t35 + b_x * t38) * t45;
+        stiffness[0][0] = db_x * (db_x * t29);
+        stiffness[0][1] = t39;
+        stiffness[0][2] = t39;
+        stiffness[0][3] = db_y * t33;
+        stiffness[1][0] = inverse_length * (t31 + db_x * t34);
+        stiffness[1][1] = inverse_length * (db_x * t35);
+        stiffness[1][2] = inverse_length * (db_y * t34);
+        stiffness[1][3] = inverse_length * (t31 + db_y * t35);
+        stiffness[2][0] = db_x * (db_x * t30);
+        stiffness[2][1] = t40;
+        stiffness[2][2] = t40;
+        stiffness[2][3] = db_y * t36;
+        stiffness[3][0] = t41;
+        stiffness[3][1] = t42;
+        stiffness[3][2] = t43;
+        stiffness[3][3] = t44;
+        stiffness[4][0] = t41;
+        stiffness[4][1] = t43;
+        stiffness[4][2] = t42;
+        stiffness[4][3] = t44;
+        stiffness[5][0] = (a_x * t34 + b_x * t37) * t45;
+        stiffness[5][1] = t46;
+        stiffness[5][2] = t46;
+        stiffness[5][3] = (a_y * t35 + b_y * t38) * t45;
+    }
+    /// Writes the strain energy a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 5 additions, 14 multiplications, 1 divisions.
+    pub fn beam_planar_curved_points2_energy(
+        row: &BeamPlanarCurved,
+        reference: &[f64; 2],
+        fields: &[[f64; 2]; 3],
+        energy: &mut f64,
+    ) {
+        let BeamPlanarCurved { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[a_x, a_y], [b_x, b_y], [unit_db_x, unit_db_y]] = *fields;
+        let inverse_length = 1.0 / length;
+        let db_x = inverse_length * unit_db_x;
+        let db_y = inverse_length * unit_db_y;
+        let t29 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y - reference[0]).powi(2)
+            + 0.5 * (length * GIz) * (b_x * db_x + b_y * db_y - reference[1]).powi(2);
+        *energy = t29;
+    }
+    /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    ///
+    /// Operations: 192 additions, 265 multiplications, 2 divisions.
+    pub fn beam_planar_curved_elastic_force(
+        row: &BeamPlanarCurved,
+        reference: &[f64; 13],
+        q: &[f64; 14],
+        force: &mut [f64; 14],
+    ) {
+        let vectors = BEAM_PLANAR_CURVED_VECTORS.relative(row.length, q);
+        let mut sums = Default::default();
+        BEAM_PLANAR_CURVED_POINTS3
+            .force(
+                &vectors,
+                &vectors,
+                |point, fields, rates, forces| beam_planar_curved_points3_force(
+                    row,
+                    ::rncf::mesh::array(&reference[0 + 3 * point..][..3]),
+                    fields,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_PLANAR_CURVED_POINTS2
+            .force(
+                &vectors,
+                &vectors,
+                |point, fields, rates, forces| beam_planar_curved_points2_force(
+                    row,
+                    ::rncf::mesh::array(&reference[9 + 2 * point..][..2]),
+                    fields,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_PLANAR_CURVED_VECTORS.add_force(row.length, &sums, force);
+    }
+    /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    ///
+    /// Operations: 910 additions, 1069 multiplications, 2 divisions.
+    pub fn beam_planar_curved_elastic_tangent(
+        row: &BeamPlanarCurved,
+        reference: &[f64; 13],
+        q: &[f64; 14],
+        stiffness: &mut [f64; 196],
+    ) {
+        let vectors = BEAM_PLANAR_CURVED_VECTORS.relative(row.length, q);
+        let mut tiles = [[[0.0; 9]; 4]; 3];
+        BEAM_PLANAR_CURVED_POINTS3
+            .tangent(
+                &vectors,
+                (&BEAM_PLANAR_CURVED_POINTS3_STIFFNESS, &mut tiles),
+                |point, fields, stiffness| beam_planar_curved_points3_tangent(
+                    row,
+                    ::rncf::mesh::array(&reference[0 + 3 * point..][..3]),
+                    fields,
+                    stiffness,
+                ),
+            );
+        BEAM_PLANAR_CURVED_POINTS2
+            .tangent(
+                &vectors,
+                (&BEAM_PLANAR_CURVED_POINTS2_STIFFNESS, &mut tiles),
+                |point, fields, stiffness| beam_planar_curved_points2_tangent(
+                    row,
+                    ::rncf::mesh::array(&reference[9 + 2 * point..][..2]),
+                    fields,
+                    stiffness,
+                ),
+            );
+        BEAM_PLANAR_CURVED_VECTORS.add_symmetric(row.length, &tiles, stiffness);
+    }
+    /// Adds the strain energy U of one element (J).
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    ///
+    /// Operations: 117 additions, 159 multiplications, 2 divisions.
+    pub fn beam_planar_curved_strain_energy(
+        row: &BeamPlanarCurved,
+        reference: &[f64; 13],
+        q: &[f64; 14],
+        energy: &mut f64,
+    ) {
+        let vectors = BEAM_PLANAR_CURVED_VECTORS.relative(row.length, q);
+        *energy
+            += BEAM_PLANAR_CURVED_POINTS3
+                .integral(
+                    &vectors,
+                    |point, fields| {
+                        let mut density = 0.0;
+                        beam_planar_curved_points3_energy(
+                            row,
+                            ::rncf::mesh::array(&reference[0 + 3 * point..][..3]),
+                            fields,
+                            &mut density,
+                        );
+                        density
+                    },
+                );
+        *energy
+            += BEAM_PLANAR_CURVED_POINTS2
+                .integral(
+                    &vectors,
+                    |point, fields| {
+                        let mut density = 0.0;
+                        beam_planar_curved_points2_energy(
+                            row,
+                            ::rncf::mesh::array(&reference[9 + 2 * point..][..2]),
+                            fields,
+                            &mut density,
+                        );
+                        density
+                    },
+                );
+    }
+    /// Values of one element in the stress-free shape, which the other kernels subtract.
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points, unrolled.
+    ///
+    /// Operations: 65 additions, 96 multiplications, 1 divisions.
+    pub fn beam_planar_curved_reference(
+        row: &BeamPlanarCurved,
+        q: &[f64; 14],
+        reference: &mut [f64; 13],
+    ) {
+        let BeamPlanarCurved { length, rhoA, rhoIz, .. } = *row;
+        let [r0_x, r0_y, r0x_x, r0x_y, r0y_x, r0y_y, ry_half_x, ry_half_y, r1_x, r1_y,
+        r1x_x, r1x_y, r1y_x, r1y_y] = *q;
+        let inverse_length = 1.0 / length;
+        let d_x = inverse_length * (r1_x - r0_x);
+        let d_y = inverse_length * (r1_y - r0_y);
+        let t33 = d_x * 0.6;
+        let t34 = d_y * 0.6;
+        let t35 = r0x_x * 0.5872983346207417 + t33 + r1x_x * (-0.18729833462074166);
+        let t36 = r0x_y * 0.5872983346207417 + t34 + r1x_y * (-0.18729833462074166);
+        let t37 = ry_half_x * 0.39999999999999997;
+        let t38 = ry_half_y * 0.39999999999999997;
+        let t39 = r0y_x * 0.6872983346207417 + t37 + r1y_x * (-0.08729833462074169);
+        let t40 = r0y_y * 0.6872983346207417 + t38 + r1y_y * (-0.08729833462074169);
+        let t41 = r0x_x * (-0.25) + d_x * 1.5 + r1x_x * (-0.25);
+        let t42 = r0x_y * (-0.25) + d_y * 1.5 + r1x_y * (-0.25);
+        let t43 = t33 + r0x_x * (-0.18729833462074175) + r1x_x * 0.5872983346207418;
+        let t44 = t34 + r0x_y * (-0.18729833462074175) + r1x_y * 0.5872983346207418;
+        let t45 = t37 + r0y_x * (-0.08729833462074166) + r1y_x * 0.6872983346207417;
+        let t46 = t38 + r0y_y * (-0.08729833462074166) + r1y_y * 0.6872983346207417;
+        let t47 = ry_half_x * 0.6666666666666667;
+        let t48 = ry_half_y * 0.6666666666666667;
+        let t49 = inverse_length
+            * (r0y_x * (-2.1547005383792515) + ry_half_x * 2.309401076758503
+                + r1y_x * (-0.15470053837925146));
+        let t50 = inverse_length
+            * (r0y_y * (-2.1547005383792515) + ry_half_y * 2.309401076758503
+                + r1y_y * (-0.15470053837925146));
+        let t51 = (d_x + r0x_x * 0.28867513459481287 + r1x_x * (-0.2886751345948129))
+            * t49
+            + (d_y + r0x_y * 0.28867513459481287 + r1x_y * (-0.2886751345948129)) * t50;
+        let t52 = (r0y_x * 0.4553418012614795 + t47 + r1y_x * (-0.12200846792814622))
+            * t49
+            + (r0y_y * 0.4553418012614795 + t48 + r1y_y * (-0.12200846792814622)) * t50;
+        let t53 = inverse_length
+            * (r0y_x * 0.15470053837925146 + ry_half_x * (-2.309401076758503)
+                + r1y_x * 2.1547005383792515);
+        let t54 = inverse_length
+            * (r0y_y * 0.15470053837925146 + ry_half_y * (-2.309401076758503)
+                + r1y_y * 2.1547005383792515);
+        let t55 = (r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
+            + r1x_x * 0.28867513459481264) * t53
+            + (r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
+                + r1x_y * 0.28867513459481264) * t54;
+        let t56 = (t47 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795)
+            * t53
+            + (t48 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795) * t54;
+        reference[0] = 0.5 * (t35 * t35 + t36 * t36 - 1.0);
+        reference[1] = 0.5 * (t39 * t39 + t40 * t40 - 1.0);
+        reference[2] = t35 * t39 + t36 * t40;
+        reference[3] = 0.5 * (t41 * t41 + t42 * t42 - 1.0);
+        reference[4] = 0.5 * (ry_half_x * ry_half_x + ry_half_y * ry_half_y - 1.0);
+        reference[5] = ry_half_x * t41 + ry_half_y * t42;
+        reference[6] = 0.5 * (t43 * t43 + t44 * t44 - 1.0);
+        reference[7] = 0.5 * (t45 * t45 + t46 * t46 - 1.0);
+        reference[8] = t43 * t45 + t44 * t46;
+        reference[9] = t51;
+        reference[10] = t52;
+        reference[11] = t55;
+        reference[12] = t56;
+    }
+    /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 0 additions, 17 multiplications.
+    pub fn beam_planar_curved_mass(row: &BeamPlanarCurved, mass: &mut [f64; 49]) {
+        let BeamPlanarCurved { length, rhoA, rhoIz, .. } = *row;
+        let element_mass = length * rhoA;
+        let section_y_mass = length * rhoIz;
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t21 = length * element_mass;
+        let mass_r0_r0x = t21 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_r1x = t21 * (-0.030952380952380953);
+        let t25 = element_mass * (length * length);
+        let mass_r0x_r0x = t25 * 0.009523809523809525;
+        let mass_r0x_r1 = t21 * 0.030952380952380953;
+        let mass_r0x_r1x = t25 * (-0.007142857142857143);
+        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
+        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
+        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
+        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
+        let mass_r1_r1x = t21 * (-0.05238095238095238);
+        mass[0] = mass_r0_r0;
+        mass[1] = mass_r0_r0x;
+        mass[2] = 0.0;
+        mass[3] = 0.0;
+        mass[4] = mass_r0_r1;
+        mass[5] = mass_r0_r1x;
+        mass[6] = 0.0;
+        mass[7] = mass_r0_r0x;
+        mass[8] = mass_r0x_r0x;
+        mass[9] = 0.0;
+        mass[10] = 0.0;
+        mass[11] = mass_r0x_r1;
+        mass[12] = mass_r0x_r1x;
+        mass[13] = 0.0;
+        mass[14] = 0.0;
+        mass[15] = 0.0;
+        mass[16] = mass_r0y_r0y;
+        mass[17] = mass_r0y_ry_half;
+        mass[18] = 0.0;
+        mass[19] = 0.0;
+        mass[20] = mass_r0y_r1y;
+        mass[21] = 0.0;
+        mass[22] = 0.0;
+        mass[23] = mass_r0y_ry_half;
+        mass[24] = mass_ry_half_ry_half;
+        mass[25] = 0.0;
+        mass[26] = 0.0;
+        mass[27] = mass_r0y_ry_half;
+        mass[28] = mass_r0_r1;
+        mass[29] = mass_r0x_r1;
+        mass[30] = 0.0;
+        mass[31] = 0.0;
+        mass[32] = mass_r0_r0;
+        mass[33] = mass_r1_r1x;
+        mass[34] = 0.0;
+        mass[35] = mass_r0_r1x;
+        mass[36] = mass_r0x_r1x;
+        mass[37] = 0.0;
+        mass[38] = 0.0;
+        mass[39] = mass_r1_r1x;
+        mass[40] = mass_r0x_r0x;
+        mass[41] = 0.0;
+        mass[42] = 0.0;
+        mass[43] = 0.0;
+        mass[44] = mass_r0y_r1y;
+        mass[45] = mass_r0y_ry_half;
+        mass[46] = 0.0;
+        mass[47] = 0.0;
+        mass[48] = mass_r0y_r0y;
+    }
+    /// Adds the inertia forces of one element in a moving frame (Eq. 13): relative, Coriolis, Euler and centrifugal acceleration, the frame's acceleration and gravity.
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 96 additions, 135 multiplications.
+    pub fn beam_planar_curved_inertia_force(
+        row: &BeamPlanarCurved,
+        frame: &::rncf::mesh::FrameAction,
+        q: &[f64; 14],
+        v: &[f64; 14],
+        a: &[f64; 14],
+        force: &mut [f64; 14],
+    ) {
+        let BeamPlanarCurved { length, rhoA, rhoIz, .. } = *row;
+        let [e_x, e_y, _] = frame.acceleration;
+        let ([w, ..], [dw, ..]) = (frame.spin, frame.spin_rate);
+        let [r0_x, r0_y, r0x_x, r0x_y, r0y_x, r0y_y, ry_half_x, ry_half_y, r1_x, r1_y,
+        r1x_x, r1x_y, r1y_x, r1y_y] = *q;
+        let [v_r0_x, v_r0_y, v_r0x_x, v_r0x_y, v_r0y_x, v_r0y_y, v_ry_half_x,
+        v_ry_half_y, v_r1_x, v_r1_y, v_r1x_x, v_r1x_y, v_r1y_x, v_r1y_y] = *v;
+        let [a_r0_x, a_r0_y, a_r0x_x, a_r0x_y, a_r0y_x, a_r0y_y, a_ry_half_x,
+        a_ry_half_y, a_r1_x, a_r1_y, a_r1x_x, a_r1x_y, a_r1y_x, a_r1y_y] = *a;
+        let element_mass = length * rhoA;
+        let section_y_mass = length * rhoIz;
+        let total_r0_x = e_x + (a_r0_x - v_r0_y * w * 2.0 - r0_y * dw - w * (r0_x * w));
+        let total_r0_y = e_y
+            + (r0_x * dw + (a_r0_y + v_r0_x * w * 2.0) - w * (r0_y * w));
+        let total_r0x_x = a_r0x_x - 2.0 * (v_r0x_y * w) - r0x_y * dw - w * (r0x_x * w);
+        let total_r0x_y = r0x_x * dw + (a_r0x_y + 2.0 * (v_r0x_x * w)) - w * (r0x_y * w);
+        let total_r0y_x = a_r0y_x - 2.0 * (v_r0y_y * w) - r0y_y * dw - w * (r0y_x * w);
+        let total_r0y_y = r0y_x * dw + (a_r0y_y + 2.0 * (v_r0y_x * w)) - w * (r0y_y * w);
+        let total_ry_half_x = a_ry_half_x - 2.0 * (v_ry_half_y * w) - ry_half_y * dw
+            - w * (ry_half_x * w);
+        let total_ry_half_y = ry_half_x * dw + (a_ry_half_y + 2.0 * (v_ry_half_x * w))
+            - w * (ry_half_y * w);
+        let total_r1_x = e_x
+            + (a_r1_x - 2.0 * (v_r1_y * w) - r1_y * dw - w * (r1_x * w));
+        let total_r1_y = e_y
+            + (r1_x * dw + (a_r1_y + 2.0 * (v_r1_x * w)) - w * (r1_y * w));
+        let total_r1x_x = a_r1x_x - 2.0 * (v_r1x_y * w) - r1x_y * dw - w * (r1x_x * w);
+        let total_r1x_y = r1x_x * dw + (a_r1x_y + 2.0 * (v_r1x_x * w)) - w * (r1x_y * w);
+        let total_r1y_x = a_r1y_x - 2.0 * (v_r1y_y * w) - r1y_y * dw - w * (r1y_x * w);
+        let total_r1y_y = r1y_x * dw + (a_r1y_y + 2.0 * (v_r1y_x * w)) - w * (r1y_y * w);
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t81 = length * element_mass;
+        let mass_r0_r0x = t81 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_r1x = t81 * (-0.030952380952380953);
+        let t85 = element_mass * (length * length);
+        let mass_r0x_r0x = t85 * 0.009523809523809525;
+        let mass_r0x_r1 = t81 * 0.030952380952380953;
+        let mass_r0x_r1x = t85 * (-0.007142857142857143);
+        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
+        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
+        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
+        let t92 = total_ry_half_x * mass_r0y_ry_half;
+        let t93 = total_ry_half_y * mass_r0y_ry_half;
+        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
+        let mass_r1_r1x = t81 * (-0.05238095238095238);
+        force[0]
+            += total_r0_x * mass_r0_r0 + total_r0x_x * mass_r0_r0x
+                + total_r1_x * mass_r0_r1 + total_r1x_x * mass_r0_r1x;
+        force[1]
+            += total_r0_y * mass_r0_r0 + total_r0x_y * mass_r0_r0x
+                + total_r1_y * mass_r0_r1 + total_r1x_y * mass_r0_r1x;
+        force[2]
+            += total_r0_x * mass_r0_r0x + total_r0x_x * mass_r0x_r0x
+                + total_r1_x * mass_r0x_r1 + total_r1x_x * mass_r0x_r1x;
+        force[3]
+            += total_r0_y * mass_r0_r0x + total_r0x_y * mass_r0x_r0x
+                + total_r1_y * mass_r0x_r1 + total_r1x_y * mass_r0x_r1x;
+        force[4] += total_r0y_x * mass_r0y_r0y + t92 + total_r1y_x * mass_r0y_r1y;
+        force[5] += total_r0y_y * mass_r0y_r0y + t93 + total_r1y_y * mass_r0y_r1y;
+        force[6]
+            += total_r0y_x * mass_r0y_ry_half + total_ry_half_x * mass_ry_half_ry_half
+                + total_r1y_x * mass_r0y_ry_half;
+        force[7]
+            += total_r0y_y * mass_r0y_ry_half + total_ry_half_y * mass_ry_half_ry_half
+                + total_r1y_y * mass_r0y_ry_half;
+        force[8]
+            += total_r0_x * mass_r0_r1 + total_r0x_x * mass_r0x_r1
+                + total_r1_x * mass_r0_r0 + total_r1x_x * mass_r1_r1x;
+        force[9]
+            += total_r0_y * mass_r0_r1 + total_r0x_y * mass_r0x_r1
+                + total_r1_y * mass_r0_r0 + total_r1x_y * mass_r1_r1x;
+        force[10]
+            += total_r0_x * mass_r0_r1x + total_r0x_x * mass_r0x_r1x
+                + total_r1_x * mass_r1_r1x + total_r1x_x * mass_r0x_r0x;
+        force[11]
+            += total_r0_y * mass_r0_r1x + total_r0x_y * mass_r0x_r1x
+                + total_r1_y * mass_r1_r1x + total_r1x_y * mass_r0x_r0x;
+        force[12] += t92 + total_r0y_x * mass_r0y_r1y + total_r1y_x * mass_r0y_r0y;
+        force[13] += t93 + total_r0y_y * mass_r0y_r1y + total_r1y_y * mass_r0y_r0y;
+    }
+    /// Adds the derivatives of the inertia forces with respect to q (Euler and centrifugal) and q' (gyroscopic).
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 392 additions, 55 multiplications.
+    pub fn beam_planar_curved_inertia_tangent(
+        row: &BeamPlanarCurved,
+        frame: &::rncf::mesh::FrameAction,
+        stiffness: &mut [f64; 196],
+        damping_matrix: &mut [f64; 196],
+    ) {
+        let BeamPlanarCurved { length, rhoA, rhoIz, .. } = *row;
+        let ([w, ..], [dw, ..]) = (frame.spin, frame.spin_rate);
+        let element_mass = length * rhoA;
+        let section_y_mass = length * rhoIz;
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t23 = length * element_mass;
+        let mass_r0_r0x = t23 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_r1x = t23 * (-0.030952380952380953);
+        let t27 = element_mass * (length * length);
+        let mass_r0x_r0x = t27 * 0.009523809523809525;
+        let mass_r0x_r1 = t23 * 0.030952380952380953;
+        let mass_r0x_r1x = t27 * (-0.007142857142857143);
+        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
+        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
+        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
+        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
+        let mass_r1_r1x = t23 * (-0.05238095238095238);
+        let t36 = w * w;
+        let t37 = -mass_r0_r0 * t36;
+        let t38 = dw * mass_r0_r0;
+        let t39 = -mass_r0_r0x * t36;
+        let t40 = dw * mass_r0_r0x;
+        let t41 = -mass_r0_r1 * t36;
+        let t42 = dw * mass_r0_r1;
+        let t43 = -mass_r0_r1x * t36;
+        let t44 = dw * mass_r0_r1x;
+        let t45 = -mass_r0x_r0x * t36;
+        let t46 = dw * mass_r0x_r0x;
+        let t47 = -mass_r0x_r1 * t36;
+        let t48 = dw * mass_r0x_r1;
+        let t49 = -mass_r0x_r1x * t36;
+        let t50 = dw * mass_r0x_r1x;
+        let t51 = -mass_r0y_r0y * t36;
+        let t52 = dw * mass_r0y_r0y;
+        let t53 = -mass_r0y_ry_half * t36;
+        let t54 = dw * mass_r0y_ry_half;
+        let t55 = -mass_r0y_r1y * t36;
+        let t56 = dw * mass_r0y_r1y;
+        let t57 = -mass_ry_half_ry_half * t36;
+        let t58 = dw * mass_ry_half_ry_half;
+        let t59 = -mass_r1_r1x * t36;
+        let t60 = dw * mass_r1_r1x;
+        let t61 = w * 2.0;
+        let t62 = mass_r0_r0 * t61;
+        let t63 = mass_r0_r0x * t61;
+        let t64 = mass_r0_r1 * t61;
+        let t65 = mass_r0_r1x * t61;
+        let t66 = mass_r0x_r0x * t61;
+        let t67 = mass_r0x_r1 * t61;
+        let t68 = mass_r0x_r1x * t61;
+        let t69 = mass_r0y_r0y * t61;
+        let t70 = mass_r0y_ry_half * t61;
+        let t71 = mass_r0y_r1y * t61;
+        let t72 = mass_ry_half_ry_half * t61;
+        let t73 = mass_r1_r1x * t61;
+        stiffness[0] += t37;
+        stiffness[1] -= t38;
+        stiffness[2] += t39;
+        stiffness[3] -= t40;
+        stiffness[8] += t41;
+        stiffness[9] -= t42;
+        stiffness[10] += t43;
+        stiffness[11] -= t44;
+        stiffness[14] += t38;
+        stiffness[15] += t37;
+        stiffness[16] += t40;
+        stiffness[17] += t39;
+        stiffness[22] += t42;
+        stiffness[23] += t41;
+        stiffness[24] += t44;
+        stiffness[25] += t43;
+        stiffness[28] += t39;
+        stiffness[29] -= t40;
+        stiffness[30] += t45;
+        stiffness[31] -= t46;
+        stiffness[36] += t47;
+        stiffness[37] -= t48;
+        stiffness[38] += t49;
+        stiffness[39] -= t50;
+        stiffness[42] += t40;
+        stiffness[43] += t39;
+        stiffness[44] += t46;
+        stiffness[45] += t45;
+        stiffness[50] += t48;
+        stiffness[51] += t47;
+        stiffness[52] += t50;
+        stiffness[53] += t49;
+        stiffness[60] += t51;
+        stiffness[61] -= t52;
+        stiffness[62] += t53;
+        stiffness[63] -= t54;
+        stiffness[68] += t55;
+        stiffness[69] -= t56;
+        stiffness[74] += t52;
+        stiffness[75] += t51;
+        stiffness[76] += t54;
+        stiffness[77] += t53;
+        stiffness[82] += t56;
+        stiffness[83] += t55;
+        stiffness[88] += t53;
+        stiffness[89] -= t54;
+        stiffness[90] += t57;
+        stiffness[91] -= t58;
+        stiffness[96] += t53;
+        stiffness[97] -= t54;
+        stiffness[102] += t54;
+        stiffness[103] += t53;
+        stiffness[104] += t58;
+        stiffness[105] += t57;
+        stiffness[110] += t54;
+        stiffness[111] += t53;
+        stiffness[112] += t41;
+        stiffness[113] -= t42;
+        stiffness[114] += t47;
+        stiffness[115] -= t48;
+        stiffness[120] += t37;
+        stiffness[121] -= t38;
+        stiffness[122] += t59;
+        stiffness[123] -= t60;
+        stiffness[126] += t42;
+        stiffness[127] += t41;
+        stiffness[128] += t48;
+        stiffness[129] += t47;
+        stiffness[134] += t38;
+        stiffness[135] += t37;
+        stiffness[136] += t60;
+        stiffness[137] += t59;
+        stiffness[140] += t43;
+        stiffness[141] -= t44;
+        stiffness[142] += t49;
+        stiffness[143] -= t50;
+        stiffness[148] += t59;
+        stiffness[149] -= t60;
+        stiffness[150] += t45;
+        stiffness[151] -= t46;
+        stiffness[154] += t44;
+        stiffness[155] += t43;
+        stiffness[156] += t50;
+        stiffness[157] += t49;
+        stiffness[162] += t60;
+        stiffness[163] += t59;
+        stiffness[164] += t46;
+        stiffness[165] += t45;
+        stiffness[172] += t55;
+        stiffness[173] -= t56;
+        stiffness[174] += t53;
+        stiffness[175] -= t54;
+        stiffness[180] += t51;
+        stiffness[181] -= t52;
+        stiffness[186] += t56;
+        stiffness[187] += t55;
+        stiffness[188] += t54;
+        stiffness[189] += t53;
+        stiffness[194] += t52;
+        stiffness[195] += t51;
+        damping_matrix[1] -= t62;
+        damping_matrix[3] -= t63;
+        damping_matrix[9] -= t64;
+        damping_matrix[11] -= t65;
+        damping_matrix[14] += t62;
+        damping_matrix[16] += t63;
+        damping_matrix[22] += t64;
+        damping_matrix[24] += t65;
+        damping_matrix[29] -= t63;
+        damping_matrix[31] -= t66;
+        damping_matrix[37] -= t67;
+        damping_matrix[39] -= t68;
+        damping_matrix[42] += t63;
+        damping_matrix[44] += t66;
+        damping_matrix[50] += t67;
+        damping_matrix[52] += t68;
+        damping_matrix[61] -= t69;
+        damping_matrix[63] -= t70;
+        damping_matrix[69] -= t71;
+        damping_matrix[74] += t69;
+        damping_matrix[76] += t70;
+        damping_matrix[82] += t71;
+        damping_matrix[89] -= t70;
+        damping_matrix[91] -= t72;
+        damping_matrix[97] -= t70;
+        damping_matrix[102] += t70;
+        damping_matrix[104] += t72;
+        damping_matrix[110] += t70;
+        damping_matrix[113] -= t64;
+        damping_matrix[115] -= t67;
+        damping_matrix[121] -= t62;
+        damping_matrix[123] -= t73;
+        damping_matrix[126] += t64;
+        damping_matrix[128] += t67;
+        damping_matrix[134] += t62;
+        damping_matrix[136] += t73;
+        damping_matrix[141] -= t65;
+        damping_matrix[143] -= t68;
+        damping_matrix[149] -= t73;
+        damping_matrix[151] -= t66;
+        damping_matrix[154] += t65;
+        damping_matrix[156] += t68;
+        damping_matrix[162] += t73;
+        damping_matrix[164] += t66;
+        damping_matrix[173] -= t71;
+        damping_matrix[175] -= t70;
+        damping_matrix[181] -= t69;
+        damping_matrix[186] += t71;
+        damping_matrix[188] += t70;
+        damping_matrix[194] += t69;
+    }
+    /// Adds the inertia forces of one element in the inertial frame; e is minus gravity.
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 54 additions, 65 multiplications.
+    pub fn beam_planar_curved_absolute_inertia_force(
+        row: &BeamPlanarCurved,
+        frame: &::rncf::mesh::FrameAction,
+        a: &[f64; 14],
+        force: &mut [f64; 14],
+    ) {
+        let BeamPlanarCurved { length, rhoA, rhoIz, .. } = *row;
+        let [e_x, e_y, _] = frame.acceleration;
+        let [a_r0_x, a_r0_y, a_r0x_x, a_r0x_y, a_r0y_x, a_r0y_y, a_ry_half_x,
+        a_ry_half_y, a_r1_x, a_r1_y, a_r1x_x, a_r1x_y, a_r1y_x, a_r1y_y] = *a;
+        let element_mass = length * rhoA;
+        let section_y_mass = length * rhoIz;
+        let total_r0_x = a_r0_x + e_x;
+        let total_r0_y = a_r0_y + e_y;
+        let total_r1_x = a_r1_x + e_x;
+        let total_r1_y = a_r1_y + e_y;
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t41 = length * element_mass;
+        let mass_r0_r0x = t41 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_r1x = t41 * (-0.030952380952380953);
+        let t45 = element_mass * (length * length);
+        let mass_r0x_r0x = t45 * 0.009523809523809525;
+        let mass_r0x_r1 = t41 * 0.030952380952380953;
+        let mass_r0x_r1x = t45 * (-0.007142857142857143);
+        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
+        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
+        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
+        let t52 = a_ry_half_x * mass_r0y_ry_half;
+        let t53 = a_ry_half_y * mass_r0y_ry_half;
+        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
+        let mass_r1_r1x = t41 * (-0.05238095238095238);
+        force[0]
+            += total_r0_x * mass_r0_r0 + a_r0x_x * mass_r0_r0x + total_r1_x * mass_r0_r1
+                + a_r1x_x * mass_r0_r1x;
+        force[1]
+            += total_r0_y * mass_r0_r0 + a_r0x_y * mass_r0_r0x + total_r1_y * mass_r0_r1
+                + a_r1x_y * mass_r0_r1x;
+        force[2]
+            += total_r0_x * mass_r0_r0x + a_r0x_x * mass_r0x_r0x
+                + total_r1_x * mass_r0x_r1 + a_r1x_x * mass_r0x_r1x;
+        force[3]
+            += total_r0_y * mass_r0_r0x + a_r0x_y * mass_r0x_r0x
+                + total_r1_y * mass_r0x_r1 + a_r1x_y * mass_r0x_r1x;
+        force[4] += a_r0y_x * mass_r0y_r0y + t52 + a_r1y_x * mass_r0y_r1y;
+        force[5] += a_r0y_y * mass_r0y_r0y + t53 + a_r1y_y * mass_r0y_r1y;
+        force[6]
+            += a_r0y_x * mass_r0y_ry_half + a_ry_half_x * mass_ry_half_ry_half
+                + a_r1y_x * mass_r0y_ry_half;
+        force[7]
+            += a_r0y_y * mass_r0y_ry_half + a_ry_half_y * mass_ry_half_ry_half
+                + a_r1y_y * mass_r0y_ry_half;
+        force[8]
+            += total_r0_x * mass_r0_r1 + a_r0x_x * mass_r0x_r1 + total_r1_x * mass_r0_r0
+                + a_r1x_x * mass_r1_r1x;
+        force[9]
+            += total_r0_y * mass_r0_r1 + a_r0x_y * mass_r0x_r1 + total_r1_y * mass_r0_r0
+                + a_r1x_y * mass_r1_r1x;
+        force[10]
+            += total_r0_x * mass_r0_r1x + a_r0x_x * mass_r0x_r1x
+                + total_r1_x * mass_r1_r1x + a_r1x_x * mass_r0x_r0x;
+        force[11]
+            += total_r0_y * mass_r0_r1x + a_r0x_y * mass_r0x_r1x
+                + total_r1_y * mass_r1_r1x + a_r1x_y * mass_r0x_r0x;
+        force[12] += t52 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
+        force[13] += t53 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
+    }
+    /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 6 additions, 12 multiplications.
+    pub fn beam_planar_curved_shapes_position_0(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 7],
+    ) {
+        weights[0] = 1.0 + xi * (xi * (-3.0 + xi * 2.0));
+        weights[1] = length * (xi * (1.0 + xi * (xi + (-2.0))));
+        weights[4] = xi * (xi * (3.0 + xi * (-2.0)));
+        weights[5] = length * (xi * (xi * (xi + (-1.0))));
+    }
+    /// Weights of the nodal vectors in d/dx of the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 5 additions, 9 multiplications, 1 divisions.
+    pub fn beam_planar_curved_shapes_position_1(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 7],
+    ) {
+        let t17 = 1.0 / length;
+        let t18 = xi * 3.0;
+        weights[0] = xi * (-6.0 + xi * 6.0) * t17;
+        weights[1] = 1.0 + xi * (-4.0 + t18);
+        weights[4] = t17 * (xi * (6.0 + xi * (-6.0)));
+        weights[5] = xi * (t18 + (-2.0));
+    }
+    /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 4 additions, 8 multiplications, 2 divisions.
+    pub fn beam_planar_curved_shapes_position_2(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 7],
+    ) {
+        let t17 = 1.0 / (length * length);
+        let t18 = xi * 6.0;
+        let t19 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t17;
+        weights[1] = (-4.0 + t18) * t19;
+        weights[4] = t17 * (6.0 + xi * (-12.0));
+        weights[5] = t19 * (t18 + (-2.0));
+    }
+    /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 4 additions, 5 multiplications.
+    pub fn beam_planar_curved_shapes_section_y_0(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 7],
+    ) {
+        let t16 = xi * 2.0;
+        weights[2] = 1.0 + xi * (-3.0 + t16);
+        weights[3] = xi * (4.0 + xi * (-4.0));
+        weights[6] = xi * (t16 + (-1.0));
+    }
+    /// Weights of the nodal vectors in d/dx of the section's y axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 3 additions, 5 multiplications, 1 divisions.
+    pub fn beam_planar_curved_shapes_section_y_1(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 7],
+    ) {
+        let t17 = xi * 4.0;
+        let t18 = 1.0 / length;
+        weights[2] = (-3.0 + t17) * t18;
+        weights[3] = t18 * (4.0 + xi * (-8.0));
+        weights[6] = t18 * (t17 + (-1.0));
+    }
+    /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 0 additions, 3 multiplications, 1 divisions.
+    pub fn beam_planar_curved_shapes_section_y_2(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 7],
+    ) {
+        let t16 = 1.0 / (length * length);
+        let t17 = 4.0 * t16;
+        weights[2] = t17;
+        weights[3] = t16 * (-8.0);
+        weights[6] = t17;
+    }
+    /// Writes the forces on the fields a, b, db at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
+    ///
+    /// Operations: 29 additions, 53 multiplications.
+    pub fn beam_planar_curved_field_forces(
+        row: &BeamPlanarCurved,
+        stress_free: &[f64; 6],
+        fields: &[f64; 6],
+        forces: &mut [f64; 6],
+    ) {
+        let BeamPlanarCurved { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let t31 = 0.5 * (fields[0] * fields[0] + fields[1] * fields[1] - 1.0)
+            - 0.5
+                * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
+                    - 1.0);
+        let t32 = EA * t31;
+        let t33 = 0.5 * (fields[2] * fields[2] + fields[3] * fields[3] - 1.0)
+            - 0.5
+                * (stress_free[2] * stress_free[2] + stress_free[3] * stress_free[3]
+                    - 1.0);
+        let t34 = EA * t33;
+        let t35 = kyGA
+            * (fields[0] * fields[2] + fields[1] * fields[3]
+                - (stress_free[0] * stress_free[2] + stress_free[1] * stress_free[3]));
+        let t36 = EIz
+            * (fields[0] * fields[4] + fields[1] * fields[5]
+                - (stress_free[0] * stress_free[4] + stress_free[1] * stress_free[5]));
+        let t37 = GIz
+            * (fields[2] * fields[4] + fields[3] * fields[5]
+                - (stress_free[2] * stress_free[4] + stress_free[3] * stress_free[5]));
+        forces[0] = t32 * (0.5 * (fields[0] * 2.0)) + fields[2] * t35 + fields[4] * t36;
+        forces[1] = t32 * (0.5 * (fields[1] * 2.0)) + fields[3] * t35 + fields[5] * t36;
+        forces[2] = t34 * (0.5 * (fields[2] * 2.0)) + fields[0] * t35 + fields[4] * t37;
+        forces[3] = t34 * (0.5 * (fields[3] * 2.0)) + fields[1] * t35 + fields[5] * t37;
+        forces[4] = fields[0] * t36 + fields[2] * t37;
+        forces[5] = fields[1] * t36 + fields[3] * t37;
+    }
+    /// Motion of frame `hub` and its first three derivatives.
+    ///
+    /// Operations: 9 additions, 17 multiplications, 6 divisions, 4 function calls.
+    pub fn frame_hub(
+        model: &super::CurvedUpwind,
+        t: f64,
+        motion: &mut ::rncf::mesh::FrameMotion,
+    ) {
+        *motion = ::rncf::mesh::FrameMotion::INERTIAL;
+        let t18 = model.omega_s / model.T_s;
+        let t19 = (model.T_s / 6.283185307179586).powi(2);
+        let t20 = t * 6.283185307179586 / model.T_s;
+        let t21 = t20.cos();
+        let theta = (if t <= model.T_s {
+            t18 * (t * t / 2.0 + t19 * (t21 - 1.0))
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t23 = theta.cos();
+        let t24 = theta.sin();
+        let t25 = 6.283185307179586 / model.T_s;
+        let t26 = t25 * t20.sin();
+        let theta_t = (if t <= model.T_s {
+            t18 * (t - t19 * t26)
+        } else {
+            model.omega_s
+        });
+        let theta_t_t = (if t <= model.T_s {
+            t18 * (1.0 - t19 * (t25 * (t21 * t25)))
+        } else {
+            0.0
+        });
+        let theta_t_t_t = (if t <= model.T_s {
+            t18 * (t19 * (t25 * (t25 * t26)))
+        } else {
+            0.0
+        });
+        motion.spin[2] = theta_t;
+        motion.spin_rate[2] = theta_t_t;
+        motion.spin_jerk[2] = theta_t_t_t;
+        motion.rotation[0][0] = t23;
+        motion.rotation[0][1] = -t24;
+        motion.rotation[1][0] = t24;
+        motion.rotation[1][1] = t23;
+    }
+    /// Joint `root`: conditions, position level.
+    ///
+    /// Operations: 3 additions, 2 multiplications.
+    pub fn joint_root_referenced_position(
+        model: &super::CurvedUpwind,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = q[0] - data.point[0];
+        rows[1] = q[1] - data.point[1];
+        rows[2] = data.normals[0][0] * q[2] + data.normals[0][1] * q[3];
+    }
+    /// Joint `root`: conditions, velocity level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_referenced_velocity(
+        model: &super::CurvedUpwind,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+    }
+    /// Joint `root`: conditions, acceleration level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_referenced_acceleration(
+        model: &super::CurvedUpwind,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+    }
+    /// Joint `root`: conditions, jerk level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_referenced_jerk(
+        model: &super::CurvedUpwind,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+    }
+    /// Joint `root`: derivatives of the conditions.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_referenced_jacobian(
+        model: &super::CurvedUpwind,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        jacobian: &mut [f64],
+    ) {
+        jacobian[0] = 1.0;
+        jacobian[1] = 0.0;
+        jacobian[2] = 0.0;
+        jacobian[3] = 0.0;
+        jacobian[4] = 0.0;
+        jacobian[5] = 1.0;
+        jacobian[6] = 0.0;
+        jacobian[7] = 0.0;
+        jacobian[8] = 0.0;
+        jacobian[9] = 0.0;
+        jacobian[10] = data.normals[0][0];
+        jacobian[11] = data.normals[0][1];
+    }
+    /// Joint `root`: what it prescribes, with three derivatives.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_referenced_prescribed(
+        model: &super::CurvedUpwind,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        prescribed: &mut ::rncf::mesh::Prescribed,
+    ) {
+        prescribed.position[0][0] = data.point[0];
+        prescribed.position[0][1] = data.point[1];
+        prescribed.position[1][0] = 0.0;
+        prescribed.position[1][1] = 0.0;
+        prescribed.position[2][0] = 0.0;
+        prescribed.position[2][1] = 0.0;
+        prescribed.position[3][0] = 0.0;
+        prescribed.position[3][1] = 0.0;
+        prescribed.slope[0][0] = data.tangent[0];
+        prescribed.slope[0][1] = data.tangent[1];
+        prescribed.slope[1][0] = 0.0;
+        prescribed.slope[1][1] = 0.0;
+        prescribed.slope[2][0] = 0.0;
+        prescribed.slope[2][1] = 0.0;
+        prescribed.slope[3][0] = 0.0;
+        prescribed.slope[3][1] = 0.0;
+    }
+    /// Joint `root`: conditions, position level.
+    ///
+    /// Operations: 11 additions, 16 multiplications, 5 divisions, 3 function calls.
+    pub fn joint_root_absolute_position(
+        model: &super::CurvedUpwind,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        let t26 = t * t / 2.0
+            + (model.T_s / 6.283185307179586).powi(2)
+                * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
+        let theta = (if t <= model.T_s {
+            model.omega_s / model.T_s * t26
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t28 = theta.cos();
+        let t29 = theta.sin();
+        let t30 = q[2] * (t28 * data.normals[0][0] - t29 * data.normals[0][1])
+            + q[3] * (t29 * data.normals[0][0] + t28 * data.normals[0][1]);
+        rows[0] = q[0] - (t28 * data.point[0] - t29 * data.point[1]);
+        rows[1] = q[1] - (t29 * data.point[0] + t28 * data.point[1]);
+        rows[2] = t30;
+    }
+    /// Joint `root`: conditions, velocity level.
+    ///
+    /// Operations: 11 additions, 21 multiplications, 6 divisions, 4 function calls.
+    pub fn joint_root_absolute_velocity(
+        model: &super::CurvedUpwind,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        let t24 = model.omega_s / model.T_s;
+        let t25 = (model.T_s / 6.283185307179586).powi(2);
+        let t26 = t * 6.283185307179586 / model.T_s;
+        let theta = (if t <= model.T_s {
+            t24 * (t * t / 2.0 + t25 * (t26.cos() - 1.0))
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t28 = (if t <= model.T_s {
+            t24 * (t - t25 * (6.283185307179586 / model.T_s * t26.sin()))
+        } else {
+            model.omega_s
+        });
+        let t29 = theta.sin() * t28;
+        let t30 = theta.cos() * t28;
+        let t31 = q[3] * (data.normals[0][0] * t30 - data.normals[0][1] * t29)
+            - q[2] * (data.normals[0][0] * t29 + data.normals[0][1] * t30);
+        rows[0] = data.point[0] * t29 + data.point[1] * t30;
+        rows[1] = data.point[1] * t29 - data.point[0] * t30;
+        rows[2] = t31;
+    }
+    /// Joint `root`: conditions, acceleration level.
+    ///
+    /// Operations: 21 additions, 35 multiplications, 6 divisions, 4 function calls.
+    pub fn joint_root_absolute_acceleration(
+        model: &super::CurvedUpwind,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        let t26 = model.omega_s / model.T_s;
+        let t27 = (model.T_s / 6.283185307179586).powi(2);
+        let t28 = t * 6.283185307179586 / model.T_s;
+        let t29 = t28.cos();
+        let theta = (if t <= model.T_s {
+            t26 * (t * t / 2.0 + t27 * (t29 - 1.0))
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t31 = theta.cos();
+        let t32 = theta.sin();
+        let t33 = 6.283185307179586 / model.T_s;
+        let t34 = (if t <= model.T_s {
+            t26 * (t - t27 * (t33 * t28.sin()))
+        } else {
+            model.omega_s
+        });
+        let t35 = t32 * t34;
+        let t36 = t31 * t34;
+        let t37 = (if t <= model.T_s {
+            t26 * (1.0 - t27 * (t33 * (t29 * t33)))
+        } else {
+            0.0
+        });
+        let t38 = t34 * t36 + t32 * t37;
+        let t39 = t31 * t37 - t34 * t35;
+        let t40 = v[2] * (data.normals[0][0] * t35 + data.normals[0][1] * t36);
+        let t41 = v[3] * (data.normals[0][0] * t36 - data.normals[0][1] * t35);
+        let t42 = t41
+            + (t41 + q[3] * (data.normals[0][0] * t39 - data.normals[0][1] * t38))
+            - (t40
+                + (t40 + q[2] * (data.normals[0][0] * t38 + data.normals[0][1] * t39)));
+        rows[0] = data.point[0] * t38 + data.point[1] * t39;
+        rows[1] = data.point[1] * t38 - data.point[0] * t39;
+        rows[2] = t42;
+    }
+    /// Joint `root`: conditions, jerk level.
+    ///
+    /// Operations: 36 additions, 51 multiplications, 6 divisions, 4 function calls.
+    pub fn joint_root_absolute_jerk(
+        model: &super::CurvedUpwind,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        let t28 = model.omega_s / model.T_s;
+        let t29 = (model.T_s / 6.283185307179586).powi(2);
+        let t30 = t * 6.283185307179586 / model.T_s;
+        let t31 = t30.cos();
+        let theta = (if t <= model.T_s {
+            t28 * (t * t / 2.0 + t29 * (t31 - 1.0))
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t33 = theta.cos();
+        let t34 = theta.sin();
+        let t35 = 6.283185307179586 / model.T_s;
+        let t36 = t35 * t30.sin();
+        let t37 = (if t <= model.T_s { t28 * (t - t29 * t36) } else { model.omega_s });
+        let t38 = t34 * t37;
+        let t39 = t33 * t37;
+        let t40 = (if t <= model.T_s {
+            t28 * (1.0 - t29 * (t35 * (t31 * t35)))
+        } else {
+            0.0
+        });
+        let t41 = t37 * t39 + t34 * t40;
+        let t42 = t33 * t40 - t37 * t38;
+        let t43 = (if t <= model.T_s { t28 * (t29 * (t35 * (t35 * t36))) } else { 0.0 });
+        let t44 = t39 * t40;
+        let t45 = t44 + t37 * t42 + (t44 + t34 * t43);
+        let t46 = t38 * t40;
+        let t47 = t33 * t43 - t46 - (t46 + t37 * t41);
+        let t48 = a[2] * (data.normals[0][0] * t38 + data.normals[0][1] * t39);
+        let t49 = v[2] * (data.normals[0][0] * t41 + data.normals[0][1] * t42);
+        let t50 = t48 + t49;
+        let t51 = a[3] * (data.normals[0][0] * t39 - data.normals[0][1] * t38);
+        let t52 = v[3] * (data.normals[0][0] * t42 - data.normals[0][1] * t41);
+        let t53 = t51 + t52;
+        let t54 = t51 + t53
+            + (t53
+                + (t52 + q[3] * (data.normals[0][0] * t47 - data.normals[0][1] * t45)))
+            - (t48 + t50
+                + (t50
+                    + (t49
+                        + q[2]
+                            * (data.normals[0][0] * t45 + data.normals[0][1] * t47))));
+        rows[0] = data.point[0] * t45 + data.point[1] * t47;
+        rows[1] = data.point[1] * t45 - data.point[0] * t47;
+        rows[2] = t54;
+    }
+    /// Joint `root`: derivatives of the conditions.
+    ///
+    /// Operations: 6 additions, 10 multiplications, 5 divisions, 3 function calls.
+    pub fn joint_root_absolute_jacobian(
+        model: &super::CurvedUpwind,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        jacobian: &mut [f64],
+    ) {
+        let t20 = t * t / 2.0
+            + (model.T_s / 6.283185307179586).powi(2)
+                * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
+        let theta = (if t <= model.T_s {
+            model.omega_s / model.T_s * t20
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t22 = theta.cos();
+        let t23 = theta.sin();
+        jacobian[0] = 1.0;
+        jacobian[1] = 0.0;
+        jacobian[2] = 0.0;
+        jacobian[3] = 0.0;
+        jacobian[4] = 0.0;
+        jacobian[5] = 1.0;
+        jacobian[6] = 0.0;
+        jacobian[7] = 0.0;
+        jacobian[8] = 0.0;
+        jacobian[9] = 0.0;
+        jacobian[10] = t22 * data.normals[0][0] - t23 * data.normals[0][1];
+        jacobian[11] = t23 * data.normals[0][0] + t22 * data.normals[0][1];
+    }
+    /// Joint `root`: what it prescribes, with three derivatives.
+    ///
+    /// Operations: 33 additions, 61 multiplications, 6 divisions, 4 function calls.
+    pub fn joint_root_absolute_prescribed(
+        model: &super::CurvedUpwind,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        prescribed: &mut ::rncf::mesh::Prescribed,
+    ) {
+        let t22 = model.omega_s / model.T_s;
+        let t23 = (model.T_s / 6.283185307179586).powi(2);
+        let t24 = t * 6.283185307179586 / model.T_s;
+        let t25 = t24.cos();
+        let theta = (if t <= model.T_s {
+            t22 * (t * t / 2.0 + t23 * (t25 - 1.0))
+        } else {
+            model.omega_s * (t - model.T_s / 2.0)
+        });
+        let t27 = theta.cos();
+        let t28 = theta.sin();
+        let t29 = 6.283185307179586 / model.T_s;
+        let t30 = t29 * t24.sin();
+        let t31 = (if t <= model.T_s { t22 * (t - t23 * t30) } else { model.omega_s });
+        let t32 = t28 * t31;
+        let t33 = t27 * t31;
+        let t34 = (if t <= model.T_s {
+            t22 * (1.0 - t23 * (t29 * (t25 * t29)))
+        } else {
+            0.0
+        });
+        let t35 = t31 * t33 + t28 * t34;
+        let t36 = t27 * t34 - t31 * t32;
+        let t37 = (if t <= model.T_s { t22 * (t23 * (t29 * (t29 * t30))) } else { 0.0 });
+        let t38 = t33 * t34;
+        let t39 = t38 + t31 * t36 + (t38 + t28 * t37);
+        let t40 = t32 * t34;
+        let t41 = t27 * t37 - t40 - (t40 + t31 * t35);
+        prescribed.position[0][0] = t27 * data.point[0] - t28 * data.point[1];
+        prescribed.position[0][1] = t28 * data.point[0] + t27 * data.point[1];
+        prescribed.position[1][0] = -(data.point[0] * t32 + data.point[1] * t33);
+        prescribed.position[1][1] = data.point[0] * t33 - data.point[1] * t32;
+        prescribed.position[2][0] = -(data.point[0] * t35 + data.point[1] * t36);
+        prescribed.position[2][1] = data.point[0] * t36 - data.point[1] * t35;
+        prescribed.position[3][0] = -(data.point[0] * t39 + data.point[1] * t41);
+        prescribed.position[3][1] = data.point[0] * t41 - data.point[1] * t39;
+        prescribed.slope[0][0] = t27 * data.tangent[0] - t28 * data.tangent[1];
+        prescribed.slope[0][1] = t28 * data.tangent[0] + t27 * data.tangent[1];
+        prescribed.slope[1][0] = -(data.tangent[0] * t32 + data.tangent[1] * t33);
+        prescribed.slope[1][1] = data.tangent[0] * t33 - data.tangent[1] * t32;
+        prescribed.slope[2][0] = -(data.tangent[0] * t35 + data.tangent[1] * t36);
+        prescribed.slope[2][1] = data.tangent[0] * t36 - data.tangent[1] * t35;
+        prescribed.slope[3][0] = -(data.tangent[0] * t39 + data.tangent[1] * t41);
+        prescribed.slope[3][1] = data.tangent[0] * t41 - data.tangent[1] * t39;
+    }
+    /// Times at which a derivative of a motion or load may jump (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn kinks(model: &super::CurvedUpwind, kinks: &mut [f64; 1]) {
+        kinks[0] = model.T_s;
+    }
+    /// Output columns from what they observe.
+    ///
+    /// Operations: 2 additions, 0 multiplications.
+    pub fn outputs(
+        model: &super::CurvedUpwind,
+        t: f64,
+        observed: &[f64],
+        out: &mut [f64],
+    ) {
+        out[0] = observed[0] - 7.670808617667248;
+        out[1] = observed[1] - 1.9586790097540359;
+        out[2] = 0.0;
+    }
+    /// Defaults of a run (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn run_defaults(model: &super::CurvedUpwind, run: &mut ::rncf::RunDefaults) {
+        run.t_end = 20.0;
+        run.every = 0.05;
+    }
+    /// Constants of all bodies.
+    #[derive(Clone, Debug)]
+    pub struct Equations {
+        pub model: super::CurvedUpwind,
+        pub row_beam: BeamPlanarCurved,
+        pub reference_beam: ::std::vec::Vec<[f64; 13]>,
+    }
+    impl Equations {
+        /// Constants for the given parameters; filled in when the bodies are meshed.
+        pub fn new(model: &super::CurvedUpwind) -> Self {
+            Self {
+                model: model.clone(),
+                row_beam: Default::default(),
+                reference_beam: ::std::vec::Vec::new(),
+            }
+        }
+    }
+    impl ::rncf::mesh::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::BodySpec {
+                    name: "beam",
+                    frame: 1,
+                    axes: &[0, 1],
+                    line: ::rncf::mesh::Line::Arc {
+                        from: [0.0, 0.0, 0.0],
+                        direction: [1.0, 0.0, 0.0],
+                        normal: [0.0, 0.0, 1.0],
+                        radius: 16.0,
+                        angle: 0.5,
+                    },
+                    count: (model.elements as f64) as usize,
+                    nodal: &[
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "position",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 0,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "slope",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 1,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section y axis",
+                            of: ::rncf::mesh::Interpolant::SectionY,
+                            order: 0,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section y axis",
+                            of: ::rncf::mesh::Interpolant::SectionY,
+                            order: 0,
+                            xi: 0.5,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "position",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 0,
+                            xi: 1.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "slope",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 1,
+                            xi: 1.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section y axis",
+                            of: ::rncf::mesh::Interpolant::SectionY,
+                            order: 0,
+                            xi: 1.0,
+                        },
+                    ],
+                    connectivity: &[0, 1, 2, 3, 4, 5, 6],
+                    vectors_per_node: 3,
+                    stride: 4,
+                    section_y: None,
+                    twist: 0.0,
+                    fidelity: ::rncf::mesh::Fidelity::Full,
+                    mean_axes: false,
+                },
+            ])
+        }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 1,
+                    point: None,
+                },
+            ])
+        }
+        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([])
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "hub"][frame]
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 0] = [];
+            VARIES[load]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 1];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn prepare(
+            &mut self,
+            body: usize,
+            length: f64,
+            shape: &[f64],
+        ) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            let density = ::rncf::mesh::positive(
+                "material `aluminium`",
+                "density",
+                2766.67,
+                "kg/m^3",
+            )?;
+            let young = ::rncf::mesh::positive(
+                "material `aluminium`",
+                "young",
+                68950000000.0,
+                "Pa",
+            )?;
+            let poisson = ::rncf::mesh::poisson(
+                "material `aluminium`",
+                "poisson",
+                0.3,
+                "1",
+            )?;
+            let damping = ::rncf::mesh::non_negative(
+                "material `aluminium`",
+                "damping",
+                0.0,
+                "s",
+            )?;
+            let area = ::rncf::mesh::positive(
+                "section `tube`",
+                "area",
+                7.299e-5,
+                "m^2",
+            )?;
+            let second_moment_y = ::rncf::mesh::positive(
+                "section `tube`",
+                "second_moment_y",
+                8.215e-9,
+                "m^4",
+            )?;
+            let second_moment_z = ::rncf::mesh::positive(
+                "section `tube`",
+                "second_moment_z",
+                8.215e-9,
+                "m^4",
+            )?;
+            let torsion_constant = ::rncf::mesh::positive(
+                "section `tube`",
+                "torsion_constant",
+                1.643e-8,
+                "m^4",
+            )?;
+            let shear_factor_y = ::rncf::mesh::positive(
+                "section `tube`",
+                "shear_factor_y",
+                0.53,
+                "1",
+            )?;
+            let shear_factor_z = ::rncf::mesh::positive(
+                "section `tube`",
+                "shear_factor_z",
+                0.53,
+                "1",
+            )?;
+            let shear_modulus = young / (2.0 * (1.0 + poisson));
+            self.row_beam = BeamPlanarCurved {
+                length,
+                EA: young * area,
+                kyGA: shear_factor_y * shear_modulus * area,
+                EIz: young * second_moment_z,
+                GIz: shear_modulus * second_moment_z,
+                rhoA: density * area,
+                rhoIz: density * second_moment_z,
+                damping: damping,
+            };
+            self.reference_beam = shape
+                .chunks_exact(14)
+                .map(|shape| {
+                    let mut reference = [0.0; 13];
+                    beam_planar_curved_reference(
+                        &self.row_beam,
+                        ::rncf::mesh::array(shape),
+                        &mut reference,
+                    );
+                    reference
+                })
+                .collect();
+            Ok(())
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+            frame_hub(&self.model, t, &mut motions[1]);
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                _ => {}
+            }
+            value
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn mass(&self, body: usize, mass: &mut [f64]) {
+            beam_planar_curved_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
+        }
+        fn force(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            force: &mut [f64],
+        ) {
+            let [q, v, a]: [&[f64; 14]; 3] = [q, v, a].map(::rncf::mesh::array);
+            let force = ::rncf::mesh::array_mut(force);
+            beam_planar_curved_elastic_force(
+                &self.row_beam,
+                &self.reference_beam[element],
+                q,
+                force,
+            );
+            if absolute {
+                beam_planar_curved_absolute_inertia_force(
+                    &self.row_beam,
+                    frame,
+                    a,
+                    force,
+                );
+            } else {
+                beam_planar_curved_inertia_force(&self.row_beam, frame, q, v, a, force);
+            }
+        }
+        fn tangent(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            let [q, v]: [&[f64; 14]; 2] = [q, v].map(::rncf::mesh::array);
+            let stiffness = ::rncf::mesh::array_mut(stiffness);
+            let damping_matrix = ::rncf::mesh::array_mut(damping);
+            beam_planar_curved_elastic_tangent(
+                &self.row_beam,
+                &self.reference_beam[element],
+                q,
+                stiffness,
+            );
+            if !absolute {
+                beam_planar_curved_inertia_tangent(
+                    &self.row_beam,
+                    frame,
+                    stiffness,
+                    damping_matrix,
+                );
+            }
+        }
+        fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
+            let mut energy = 0.0;
+            beam_planar_curved_strain_energy(
+                &self.row_beam,
+                &self.reference_beam[element],
+                ::rncf::mesh::array(q),
+                &mut energy,
+            );
+            energy
+        }
+        fn shapes(
+            &self,
+            body: usize,
+            of: ::rncf::mesh::Interpolant,
+            order: usize,
+            xi: f64,
+            weights: &mut [f64],
+        ) {
+            weights.fill(0.0);
+            match (of, order) {
+                (::rncf::mesh::Interpolant::Position, 0) => {
+                    beam_planar_curved_shapes_position_0(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::Position, 1) => {
+                    beam_planar_curved_shapes_position_1(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::Position, 2) => {
+                    beam_planar_curved_shapes_position_2(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionY, 0) => {
+                    beam_planar_curved_shapes_section_y_0(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionY, 1) => {
+                    beam_planar_curved_shapes_section_y_1(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionY, 2) => {
+                    beam_planar_curved_shapes_section_y_2(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                _ => {}
+            }
+        }
+        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+            let model = &self.model;
+            ::rncf::mesh::SectionSpec {
+                shape: ::rncf::mesh::SectionShape::General {
+                    extent: [None, None],
+                },
+                area: 7.299e-5,
+                second_moments: [8.215e-9, 8.215e-9],
+                torsion_constant: 1.643e-8,
+                yield_stress: None,
+                material: "aluminium",
+            }
+        }
+        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+            &[
+                (::rncf::mesh::Interpolant::Position, 1),
+                (::rncf::mesh::Interpolant::SectionY, 0),
+                (::rncf::mesh::Interpolant::SectionY, 1),
+            ]
+        }
+        fn field_forces(
+            &self,
+            body: usize,
+            stress_free: &[f64],
+            fields: &[f64],
+            rates: &[f64],
+            forces: &mut [f64],
+        ) {
+            beam_planar_curved_field_forces(
+                &self.row_beam,
+                ::rncf::mesh::array(stress_free),
+                ::rncf::mesh::array(fields),
+                ::rncf::mesh::array_mut(forces),
+            );
+        }
+        fn moment(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            force: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn moment_tangent(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            tangent: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn condition(
+            &self,
+            joint: usize,
+            absolute: bool,
+            level: ::rncf::system::ConstraintLevel,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            rows: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                (0, false) => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            joint_root_referenced_position(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            joint_root_referenced_velocity(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            joint_root_referenced_acceleration(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            joint_root_referenced_jerk(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                    }
+                }
+                (0, _) => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            joint_root_absolute_position(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            joint_root_absolute_velocity(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            joint_root_absolute_acceleration(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            joint_root_absolute_jerk(&self.model, t, data, q, v, a, rows)
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        fn condition_jacobian(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            jacobian: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                (0, false) => {
+                    joint_root_referenced_jacobian(&self.model, t, data, jacobian);
+                }
+                (0, _) => {
+                    joint_root_absolute_jacobian(&self.model, t, data, jacobian);
+                }
+                _ => {}
+            }
+        }
+        fn prescribed(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            prescribed: &mut ::rncf::mesh::Prescribed,
+        ) {
+            match (joint, absolute) {
+                (0, false) => {
+                    joint_root_referenced_prescribed(&self.model, t, data, prescribed);
+                }
+                (0, _) => {
+                    joint_root_absolute_prescribed(&self.model, t, data, prescribed);
+                }
+                _ => {}
+            }
+        }
+    }
+}

@@ -1,0 +1,2093 @@
+//! Expansion of `models/src/princeton_beam.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
+
+/// Princeton beam experiment: a cantilever strip under a dead load at its tip, at an angle to its principal axes.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PrincetonBeam {
+    /// Load at the tip. (SI; declared in N)
+    pub load: f64,
+    /// Angle of the load from the strip's wide side. (SI; declared in deg)
+    pub angle: f64,
+    /// Number of elements. (count)
+    pub elements: usize,
+}
+#[allow(clippy::all)]
+impl Default for PrincetonBeam {
+    fn default() -> Self {
+        Self {
+            load: 8.896,
+            angle: 0.5235987755982988,
+            elements: 16,
+        }
+    }
+}
+#[allow(unused_variables, clippy::all)]
+impl ::rncf::Model for PrincetonBeam {
+    const NAME: &'static str = "PrincetonBeam";
+    const DOC: &'static str = "Princeton beam experiment: a cantilever strip under a dead load at its tip, at an angle to its principal axes.";
+    const SOURCE: &'static str = r#"pub model PrincetonBeam {
+    /// Load at the tip.
+    param load = 8.896 N;
+    /// Angle of the load from the strip's wide side.
+    param angle = 30 deg;
+    /// Number of elements.
+    param elements: count = 16;
+
+    const length = 0.508 m;
+
+    material aluminium { density = 2700 kg/m^3; young = 71.7 GPa; poisson = 0.31; }
+    section strip = rectangle(y = 12.3777 mm, z = 3.2024 mm);
+
+    body beam {
+        spatial;
+        line from [0, 0, 0] m to [length, 0, 0];
+        mesh elements * beam(strip, aluminium);
+    }
+    joint root = clamp(beam.start, inertial);
+    load weight = force(beam.end, [0 N, load * cos(angle), load * sin(angle)], in = inertial);
+
+    /// Displacement of the tip along the strip.
+    output tip_x = beam.end.x - length;
+    /// Displacement of the tip along its wide side.
+    output tip_y = beam.end.y;
+    /// Displacement of the tip along its thin side.
+    output tip_z = beam.end.z;
+
+    run { t_end = 1 s; every = 1 ms; }
+}"#;
+    const NOTES: &'static [&'static str] = &[
+        "Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9917).",
+        "Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+    ];
+    fn params() -> &'static [::rncf::Param] {
+        &[
+            ::rncf::Param {
+                name: "load",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "N",
+                unit_si: 1.0,
+                dimension: [1, 1, -2, 0, 0, 0],
+                default: 8.896,
+                doc: "Load at the tip.",
+            },
+            ::rncf::Param {
+                name: "angle",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "deg",
+                unit_si: 0.017453292519943295,
+                dimension: [0, 0, 0, 0, 0, 1],
+                default: 0.5235987755982988,
+                doc: "Angle of the load from the strip's wide side.",
+            },
+            ::rncf::Param {
+                name: "elements",
+                kind: ::rncf::ParamKind::Count,
+                unit: "1",
+                unit_si: 1.0,
+                dimension: [0, 0, 0, 0, 0, 0],
+                default: 16.0,
+                doc: "Number of elements.",
+            },
+        ]
+    }
+    fn outputs() -> &'static [::rncf::Output] {
+        &[
+            ::rncf::Output {
+                name: "tip_x",
+                unit: "m",
+                components: &[],
+                doc: "Displacement of the tip along the strip.",
+            },
+            ::rncf::Output {
+                name: "tip_y",
+                unit: "m",
+                components: &[],
+                doc: "Displacement of the tip along its wide side.",
+            },
+            ::rncf::Output {
+                name: "tip_z",
+                unit: "m",
+                components: &[],
+                doc: "Displacement of the tip along its thin side.",
+            },
+        ]
+    }
+    fn get(&self, index: usize) -> f64 {
+        match index {
+            0 => self.load,
+            1 => self.angle,
+            2 => self.elements as f64,
+            _ => panic!("PrincetonBeam has 3 parameters, not {index}"),
+        }
+    }
+    fn set(&mut self, index: usize, value: f64) {
+        match index {
+            0 => self.load = value,
+            1 => self.angle = value,
+            2 => self.elements = value as usize,
+            _ => panic!("PrincetonBeam has 3 parameters, not {index}"),
+        }
+    }
+    fn run(&self) -> ::rncf::RunDefaults {
+        let mut run = ::rncf::RunDefaults {
+            t_end: 0.0,
+            every: 0.0,
+        };
+        princeton_beam_equations::run_defaults(self, &mut run);
+        run
+    }
+    fn build(
+        &self,
+        formulation: ::rncf::Formulation,
+        joints: ::rncf::Joints,
+    ) -> ::std::result::Result<
+        ::std::boxed::Box<dyn ::rncf::Scene>,
+        ::rncf::ModelError,
+    > {
+        ::rncf::mesh::check_params(self)?;
+        let equations = princeton_beam_equations::Equations::new(self);
+        ::rncf::mesh::build(equations, formulation, joints)
+    }
+}
+/// Equations of [`PrincetonBeam`]: derived, checked and written by the generator.
+#[allow(
+    missing_docs,
+    non_snake_case,
+    unused_variables,
+    unused_mut,
+    unused_parens,
+    clippy::all
+)]
+pub mod princeton_beam_equations {
+    /// Constants of one element `beam_spatial`. Beam with a cross-section: axial strain, shear, bending, torsion.
+    ///
+    /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
+    ///
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9917).
+    ///
+    /// The energy is integrated with 3 Gauss points.
+    #[derive(Clone, Copy, Debug, Default, PartialEq)]
+    pub struct BeamSpatial {
+        /// Length, m.
+        pub length: f64,
+        /// young * area, N.
+        pub EA: f64,
+        /// shear_factor_y * shear_modulus * area, N.
+        pub kyGA: f64,
+        /// shear_factor_z * shear_modulus * area, N.
+        pub kzGA: f64,
+        /// shear_modulus * area, N.
+        pub GA: f64,
+        /// young * second_moment_z, N m^2.
+        pub EIz: f64,
+        /// young * second_moment_y, N m^2.
+        pub EIy: f64,
+        /// shear_modulus * torsion_constant, N m^2.
+        pub GJ: f64,
+        /// shear_modulus * second_moment_z, N m^2.
+        pub GIz: f64,
+        /// shear_modulus * second_moment_y, N m^2.
+        pub GIy: f64,
+        /// density * area, kg/m.
+        pub rhoA: f64,
+        /// density * second_moment_z, kg m.
+        pub rhoIz: f64,
+        /// density * second_moment_y, kg m.
+        pub rhoIy: f64,
+        /// Damping of the strain measures, s.
+        pub damping: f64,
+    }
+    /// Nodal vectors by what they interpolate: Position, SectionY, SectionZ.
+    static BEAM_SPATIAL_VECTORS: ::rncf::mesh::Vectors<10, 3, 3, 3> = ::rncf::mesh::Vectors {
+        base: 0,
+        nodal: [[1, 6, 7], [2, 4, 8], [3, 5, 9]],
+        positions: [[false, true, false], [false, false, false], [false, false, false]],
+    };
+    /// Gauss rule with 3 points, and derivatives of the shape functions there.
+    static BEAM_SPATIAL_POINTS3: ::rncf::mesh::Rule<3, 3, 3> = ::rncf::mesh::Rule {
+        groups: [0, 1, 2],
+        weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
+        shapes: [
+            [
+                [0.5872983346207417, 0.6, -0.18729833462074166],
+                [0.6872983346207417, 0.39999999999999997, -0.08729833462074169],
+                [0.6872983346207417, 0.39999999999999997, -0.08729833462074169],
+            ],
+            [[-0.25, 1.5, -0.25], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+            [
+                [-0.18729833462074175, 0.6, 0.5872983346207418],
+                [-0.08729833462074166, 0.39999999999999997, 0.6872983346207417],
+                [-0.08729833462074166, 0.39999999999999997, 0.6872983346207417],
+            ],
+        ],
+    };
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_SPATIAL_POINTS3_STIFFNESS: ::rncf::mesh::Blocks<3, 9, 6> = BEAM_SPATIAL_POINTS3
+        .blocks(
+            &[(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)],
+            &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 4), (4, 4, 5), (5, 5, 6)],
+        );
+    /// Gauss rule with 2 points, and derivatives of the shape functions there.
+    static BEAM_SPATIAL_POINTS2: ::rncf::mesh::Rule<2, 5, 3> = ::rncf::mesh::Rule {
+        groups: [0, 1, 2, 1, 2],
+        weights: [0.5000000000000001, 0.5000000000000001],
+        shapes: [
+            [
+                [0.28867513459481287, 1.0, -0.2886751345948129],
+                [0.4553418012614795, 0.6666666666666667, -0.12200846792814622],
+                [0.4553418012614795, 0.6666666666666667, -0.12200846792814622],
+                [-2.1547005383792515, 2.309401076758503, -0.15470053837925146],
+                [-2.1547005383792515, 2.309401076758503, -0.15470053837925146],
+            ],
+            [
+                [-0.2886751345948131, 1.0000000000000004, 0.28867513459481264],
+                [-0.12200846792814612, 0.6666666666666667, 0.4553418012614795],
+                [-0.12200846792814612, 0.6666666666666667, 0.4553418012614795],
+                [0.15470053837925146, -2.309401076758503, 2.1547005383792515],
+                [0.15470053837925146, -2.309401076758503, 2.1547005383792515],
+            ],
+        ],
+    };
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_SPATIAL_POINTS2_STIFFNESS: ::rncf::mesh::Blocks<2, 9, 15> = BEAM_SPATIAL_POINTS2
+        .blocks(
+            &[
+                (0, 0),
+                (0, 3),
+                (0, 4),
+                (1, 1),
+                (1, 3),
+                (3, 1),
+                (3, 3),
+                (1, 2),
+                (1, 4),
+                (3, 2),
+                (3, 4),
+                (2, 2),
+                (2, 4),
+                (4, 2),
+                (4, 4),
+            ],
+            &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 7), (4, 7, 11), (5, 11, 15)],
+        );
+    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 33 additions, 70 multiplications.
+    pub fn beam_spatial_points3_force(
+        row: &BeamSpatial,
+        fields: &[[f64; 3]; 3],
+        forces: &mut [[f64; 3]; 3],
+    ) {
+        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
+        let t29 = length * EA;
+        let t30 = 0.5 * (t29 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0)));
+        let t31 = (a_x * b_x + a_y * b_y + a_z * b_z) * (length * kyGA);
+        let t32 = (a_x * c_x + a_y * c_y + a_z * c_z) * (length * kzGA);
+        let t33 = 0.5 * (t29 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0)));
+        let t34 = (b_x * c_x + b_y * c_y + b_z * c_z) * (length * GA);
+        let t35 = 0.5 * (t29 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)));
+        forces[0][0] = t30 * (a_x * 2.0) + b_x * t31 + c_x * t32;
+        forces[0][1] = t30 * (a_y * 2.0) + b_y * t31 + c_y * t32;
+        forces[0][2] = t30 * (a_z * 2.0) + b_z * t31 + c_z * t32;
+        forces[1][0] = a_x * t31 + t33 * (b_x * 2.0) + c_x * t34;
+        forces[1][1] = a_y * t31 + t33 * (b_y * 2.0) + c_y * t34;
+        forces[1][2] = a_z * t31 + t33 * (b_z * 2.0) + c_z * t34;
+        forces[2][0] = a_x * t32 + b_x * t34 + t35 * (c_x * 2.0);
+        forces[2][1] = a_y * t32 + b_y * t34 + t35 * (c_y * 2.0);
+        forces[2][2] = a_z * t32 + b_z * t34 + t35 * (c_z * 2.0);
+    }
+    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 69 additions, 156 multiplications.
+    pub fn beam_spatial_points3_tangent(
+        row: &BeamSpatial,
+        fields: &[[f64; 3]; 3],
+        stiffness: &mut [[f64; 9]; 6],
+    ) {
+        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
+        let t29 = length * EA;
+        let t30 = length * kyGA;
+        let t31 = length * kzGA;
+        let t32 = length * GA;
+        let t33 = 0.5 * (0.5 * t29);
+        let t34 = 0.5 * (t29 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0)));
+        let t35 = (a_x * b_x + a_y * b_y + a_z * b_z) * t30;
+        let t36 = (a_x * c_x + a_y * c_y + a_z * c_z) * t31;
+        let t37 = 0.5 * (t29 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0)));
+        let t38 = (b_x * c_x + b_y * c_y + b_z * c_z) * t32;
+        let t39 = 0.5 * (t29 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)));
+        let t40 = a_x * 2.0;
+        let t41 = a_y * 2.0;
+        let t42 = a_z * 2.0;
+        let t43 = b_x * 2.0;
+        let t44 = b_y * 2.0;
+        let t45 = b_z * 2.0;
+        let t46 = c_x * 2.0;
+        let t47 = c_y * 2.0;
+        let t48 = c_z * 2.0;
+        let t49 = t33 * t41;
+        let t50 = t33 * t42;
+        let t51 = b_y * t30;
+        let t52 = b_z * t30;
+        let t53 = a_x * t30;
+        let t54 = a_y * t30;
+        let t55 = a_z * t30;
+        let t56 = c_y * t31;
+        let t57 = c_z * t31;
+        let t58 = a_x * t31;
+        let t59 = a_y * t31;
+        let t60 = a_z * t31;
+        let t61 = t33 * t44;
+        let t62 = t33 * t45;
+        let t63 = c_y * t32;
+        let t64 = c_z * t32;
+        let t65 = b_x * t32;
+        let t66 = b_y * t32;
+        let t67 = b_z * t32;
+        let t68 = t33 * t47;
+        let t69 = t33 * t48;
+        let t70 = t40 * t49 + b_x * t51 + c_x * t56;
+        let t71 = t40 * t50 + b_x * t52 + c_x * t57;
+        let t72 = t41 * t50 + b_y * t52 + c_y * t57;
+        let t73 = a_x * t54 + t43 * t61 + c_x * t63;
+        let t74 = a_x * t55 + t43 * t62 + c_x * t64;
+        let t75 = a_y * t55 + t44 * t62 + c_y * t64;
+        let t76 = a_x * t59 + b_x * t66 + t46 * t68;
+        let t77 = a_x * t60 + b_x * t67 + t46 * t69;
+        let t78 = a_y * t60 + b_y * t67 + t47 * t69;
+        let t79 = t34 * 2.0;
+        let t80 = t40 * (t33 * t40) + b_x * (b_x * t30) + c_x * (c_x * t31) + t79;
+        let t81 = t37 * 2.0;
+        let t82 = t39 * 2.0;
+        stiffness[0][0] = t80;
+        stiffness[0][1] = t70;
+        stiffness[0][2] = t71;
+        stiffness[0][3] = t70;
+        stiffness[0][4] = t41 * t49 + b_y * t51 + c_y * t56 + t79;
+        stiffness[0][5] = t72;
+        stiffness[0][6] = t71;
+        stiffness[0][7] = t72;
+        stiffness[0][8] = t42 * t50 + b_z * t52 + c_z * t57 + t79;
+        stiffness[1][0] = t35 + b_x * t53;
+        stiffness[1][1] = b_x * t54;
+        stiffness[1][2] = b_x * t55;
+        stiffness[1][3] = b_y * t53;
+        stiffness[1][4] = t35 + b_y * t54;
+        stiffness[1][5] = b_y * t55;
+        stiffness[1][6] = b_z * t53;
+        stiffness[1][7] = b_z * t54;
+        stiffness[1][8] = t35 + b_z * t55;
+        stiffness[2][0] = t36 + c_x * t58;
+        stiffness[2][1] = c_x * t59;
+        stiffness[2][2] = c_x * t60;
+        stiffness[2][3] = c_y * t58;
+        stiffness[2][4] = t36 + c_y * t59;
+        stiffness[2][5] = c_y * t60;
+        stiffness[2][6] = c_z * t58;
+        stiffness[2][7] = c_z * t59;
+        stiffness[2][8] = t36 + c_z * t60;
+        stiffness[3][0] = a_x * t53 + t43 * (t33 * t43) + c_x * (c_x * t32) + t81;
+        stiffness[3][1] = t73;
+        stiffness[3][2] = t74;
+        stiffness[3][3] = t73;
+        stiffness[3][4] = a_y * t54 + t44 * t61 + c_y * t63 + t81;
+        stiffness[3][5] = t75;
+        stiffness[3][6] = t74;
+        stiffness[3][7] = t75;
+        stiffness[3][8] = a_z * t55 + t45 * t62 + c_z * t64 + t81;
+        stiffness[4][0] = t38 + c_x * t65;
+        stiffness[4][1] = c_x * t66;
+        stiffness[4][2] = c_x * t67;
+        stiffness[4][3] = c_y * t65;
+        stiffness[4][4] = t38 + c_y * t66;
+        stiffness[4][5] = c_y * t67;
+        stiffness[4][6] = c_z * t65;
+        stiffness[4][7] = c_z * t66;
+        stiffness[4][8] = t38 + c_z * t67;
+        stiffness[5][0] = a_x * t58 + b_x * t65 + t46 * (t33 * t46) + t82;
+        stiffness[5][1] = t76;
+        stiffness[5][2] = t77;
+        stiffness[5][3] = t76;
+        stiffness[5][4] = a_y * t59 + b_y * t66 + t47 * t68 + t82;
+        stiffness[5][5] = t78;
+        stiffness[5][6] = t77;
+        stiffness[5][7] = t78;
+        stiffness[5][8] = a_z * t60 + b_z * t67 + t48 * t69 + t82;
+    }
+    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 20 additions, 41 multiplications.
+    pub fn beam_spatial_points3_energy(
+        row: &BeamSpatial,
+        fields: &[[f64; 3]; 3],
+        energy: &mut f64,
+    ) {
+        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
+        let t29 = 0.5 * (length * EA);
+        let t30 = t29 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0)).powi(2);
+        let t31 = t29 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0)).powi(2);
+        let t32 = t29 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)).powi(2);
+        let t33 = 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y + a_z * b_z).powi(2);
+        let t34 = 0.5 * (length * kzGA) * (a_x * c_x + a_y * c_y + a_z * c_z).powi(2);
+        let t35 = 0.5 * (length * GA) * (b_x * c_x + b_y * c_y + b_z * c_z).powi(2);
+        *energy = t30 + t31 + t32 + t33 + t34 + t35;
+    }
+    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 34 additions, 79 multiplications, 1 divisions.
+    pub fn beam_spatial_points2_force(
+        row: &BeamSpatial,
+        fields: &[[f64; 3]; 5],
+        forces: &mut [[f64; 3]; 5],
+    ) {
+        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
+        unit_db_z], [unit_dc_x, unit_dc_y, unit_dc_z]] = *fields;
+        let inverse_length = 1.0 / length;
+        let db_x = inverse_length * unit_db_x;
+        let db_y = inverse_length * unit_db_y;
+        let db_z = inverse_length * unit_db_z;
+        let dc_x = inverse_length * unit_dc_x;
+        let dc_y = inverse_length * unit_dc_y;
+        let dc_z = inverse_length * unit_dc_z;
+        let t43 = (a_x * db_x + a_y * db_y + a_z * db_z) * (length * EIz);
+        let t44 = (a_x * dc_x + a_y * dc_y + a_z * dc_z) * (length * EIy);
+        let t45 = (b_x * db_x + b_y * db_y + b_z * db_z) * (length * GIz);
+        let t46 = c_x * db_x + c_y * db_y + c_z * db_z
+            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
+        let t47 = length * GJ * (0.5 * t46);
+        let t48 = -0.5 * t47;
+        let t49 = 0.5 * t47;
+        let t50 = (c_x * dc_x + c_y * dc_y + c_z * dc_z) * (length * GIy);
+        forces[0][0] = db_x * t43 + dc_x * t44;
+        forces[0][1] = db_y * t43 + dc_y * t44;
+        forces[0][2] = db_z * t43 + dc_z * t44;
+        forces[1][0] = db_x * t45 + dc_x * t48;
+        forces[1][1] = db_y * t45 + dc_y * t48;
+        forces[1][2] = db_z * t45 + dc_z * t48;
+        forces[2][0] = db_x * t49 + dc_x * t50;
+        forces[2][1] = db_y * t49 + dc_y * t50;
+        forces[2][2] = db_z * t49 + dc_z * t50;
+        forces[3][0] = inverse_length * (a_x * t43 + b_x * t45 + c_x * t49);
+        forces[3][1] = inverse_length * (a_y * t43 + b_y * t45 + c_y * t49);
+        forces[3][2] = inverse_length * (a_z * t43 + b_z * t45 + c_z * t49);
+        forces[4][0] = inverse_length * (a_x * t44 + b_x * t48 + c_x * t50);
+        forces[4][1] = inverse_length * (a_y * t44 + b_y * t48 + c_y * t50);
+        forces[4][2] = inverse_length * (a_z * t44 + b_z * t48 + c_z * t50);
+    }
+    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 136 additions, 425 multiplications, 1 divisions.
+    pub fn beam_spatial_points2_tangent(
+        row: &BeamSpatial,
+        fields: &[[f64; 3]; 5],
+        stiffness: &mut [[f64; 9]; 15],
+    ) {
+        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
+        unit_db_z], [unit_dc_x, unit_dc_y, unit_dc_z]] = *fields;
+        let inverse_length = 1.0 / length;
+        let db_x = inverse_length * unit_db_x;
+        let db_y = inverse_length * unit_db_y;
+        let db_z = inverse_length * unit_db_z;
+        let dc_x = inverse_length * unit_dc_x;
+        let dc_y = inverse_length * unit_dc_y;
+        let dc_z = inverse_length * unit_dc_z;
+        let t43 = length * EIz;
+        let t44 = length * EIy;
+        let t45 = length * GJ;
+        let t46 = 0.5 * t45;
+        let t47 = length * GIz;
+        let t48 = length * GIy;
+        let t49 = t45 * (-0.5);
+        let t50 = -0.5 * t49;
+        let t51 = -0.5 * t46;
+        let t52 = 0.5 * t49;
+        let t53 = 0.5 * t46;
+        let t54 = (a_x * db_x + a_y * db_y + a_z * db_z) * t43;
+        let t55 = (a_x * dc_x + a_y * dc_y + a_z * dc_z) * t44;
+        let t56 = (b_x * db_x + b_y * db_y + b_z * db_z) * t47;
+        let t57 = c_x * db_x + c_y * db_y + c_z * db_z
+            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
+        let t58 = t45 * (0.5 * t57);
+        let t59 = -0.5 * t58;
+        let t60 = 0.5 * t58;
+        let t61 = (c_x * dc_x + c_y * dc_y + c_z * dc_z) * t48;
+        let t62 = db_x * t43;
+        let t63 = db_y * t43;
+        let t64 = db_z * t43;
+        let t65 = a_x * t43;
+        let t66 = a_y * t43;
+        let t67 = a_z * t43;
+        let t68 = dc_x * t44;
+        let t69 = dc_y * t44;
+        let t70 = dc_z * t44;
+        let t71 = a_x * t44;
+        let t72 = a_y * t44;
+        let t73 = a_z * t44;
+        let t74 = db_x * t47;
+        let t75 = db_y * t47;
+        let t76 = db_z * t47;
+        let t77 = b_x * t47;
+        let t78 = b_y * t47;
+        let t79 = b_z * t47;
+        let t80 = dc_x * t50;
+        let t81 = dc_y * t50;
+        let t82 = dc_z * t50;
+        let t83 = db_x * t51;
+        let t84 = db_y * t51;
+        let t85 = db_z * t51;
+        let t86 = c_x * t51;
+        let t87 = c_y * t51;
+        let t88 = c_z * t51;
+        let t89 = b_x * t50;
+        let t90 = b_y * t50;
+        let t91 = b_z * t50;
+        let t92 = dc_x * t52;
+        let t93 = dc_y * t52;
+        let t94 = dc_z * t52;
+        let t95 = db_x * t53;
+        let t96 = db_y * t53;
+        let t97 = db_z * t53;
+        let t98 = c_x * t53;
+        let t99 = c_y * t53;
+        let t100 = c_z * t53;
+        let t101 = b_x * t52;
+        let t102 = b_y * t52;
+        let t103 = b_z * t52;
+        let t104 = dc_x * t48;
+        let t105 = dc_y * t48;
+        let t106 = dc_z * t48;
+        let t107 = c_x * t48;
+        let t108 = c_y * t48;
+        let t109 = c_z * t48;
+        let t110 = inverse_length * inverse_length;
+        stiffness[0][0] = db_x * t62 + dc_x * t68;
+        stiffness[0][1] = db_x * t63 + dc_x * t69;
+        stiffness[0][2] = db_x * t64 + dc_x * t70;
+        stiffness[0][3] = db_y * t62 + dc_y * t68;
+        stiffness[0][4] = db_y * t63 + dc_y * t69;
+        stiffness[0][5] = db_y * t64 + dc_y * t70;
+        stiffness[0][6] = db_z * t62 + dc_z * t68;
+        stiffness[0][7] = db_z * t63 + dc_z * t69;
+        stiffness[0][8] = db_z * t64 + dc_z * t70;
+        stiffness[1][0] = inverse_length * (t54 + db_x * t65);
+        stiffness[1][1] = inverse_length * (db_x * t66);
+        stiffness[1][2] = inverse_length * (db_x * t67);
+        stiffness[1][3] = inverse_length * (db_y * t65);
+        stiffness[1][4] = inverse_length * (t54 + db_y * t66);
+        stiffness[1][5] = inverse_length * (db_y * t67);
+        stiffness[1][6] = inverse_length * (db_z * t65);
+        stiffness[1][7] = inverse_length * (db_z * t66);
+        stiffness[1][8] = inverse_length * (t54 + db_z * t67);
+        stiffness[2][0] = inverse_length * (t55 + dc_x * t71);
+        stiffness[2][1] = inverse_length * (dc_x * t72);
+        stiffness[2][2] = inverse_length * (dc_x * t73);
+        stiffness[2][3] = inverse_length * (dc_y * t71);
+        stiffness[2][4] = inverse_length * (t55 + dc_y * t72);
+        stiffness[2][5] = inverse_length * (dc_y * t73);
+        stiffness[2][6] = inverse_length * (dc_z * t71);
+        stiffness[2][7] = inverse_length * (dc_z * t72);
+        stiffness[2][8] = inverse_length * (t55 + dc_z * t73);
+        stiffness[3][0] = db_x * t74 + dc_x * t80;
+        stiffness[3][1] = db_x * t75 + dc_x * t81;
+        stiffness[3][2] = db_x * t76 + dc_x * t82;
+        stiffness[3][3] = db_y * t74 + dc_y * t80;
+        stiffness[3][4] = db_y * t75 + dc_y * t81;
+        stiffness[3][5] = db_y * t76 + dc_y * t82;
+        stiffness[3][6] = db_z * t74 + dc_z * t80;
+        stiffness[3][7] = db_z * t75 + dc_z * t81;
+        stiffness[3][8] = db_z * t76 + dc_z * t82;
+        stiffness[4][0] = inverse_length * (t56 + (db_x * t77 + dc_x * t86));
+        stiffness[4][1] = inverse_length * (db_x * t78 + dc_x * t87);
+        stiffness[4][2] = inverse_length * (db_x * t79 + dc_x * t88);
+        stiffness[4][3] = inverse_length * (db_y * t77 + dc_y * t86);
+        stiffness[4][4] = inverse_length * (t56 + (db_y * t78 + dc_y * t87));
+        stiffness[4][5] = inverse_length * (db_y * t79 + dc_y * t88);
+        stiffness[4][6] = inverse_length * (db_z * t77 + dc_z * t86);
+        stiffness[4][7] = inverse_length * (db_z * t78 + dc_z * t87);
+        stiffness[4][8] = inverse_length * (t56 + (db_z * t79 + dc_z * t88));
+        stiffness[5][0] = inverse_length * (t56 + (b_x * t74 + c_x * t92));
+        stiffness[5][1] = inverse_length * (b_x * t75 + c_x * t93);
+        stiffness[5][2] = inverse_length * (b_x * t76 + c_x * t94);
+        stiffness[5][3] = inverse_length * (b_y * t74 + c_y * t92);
+        stiffness[5][4] = inverse_length * (t56 + (b_y * t75 + c_y * t93));
+        stiffness[5][5] = inverse_length * (b_y * t76 + c_y * t94);
+        stiffness[5][6] = inverse_length * (b_z * t74 + c_z * t92);
+        stiffness[5][7] = inverse_length * (b_z * t75 + c_z * t93);
+        stiffness[5][8] = inverse_length * (t56 + (b_z * t76 + c_z * t94));
+        stiffness[6][0] = (a_x * t65 + b_x * t77 + c_x * t98) * t110;
+        stiffness[6][1] = (a_x * t66 + b_x * t78 + c_x * t99) * t110;
+        stiffness[6][2] = (a_x * t67 + b_x * t79 + c_x * t100) * t110;
+        stiffness[6][3] = (a_y * t65 + b_y * t77 + c_y * t98) * t110;
+        stiffness[6][4] = (a_y * t66 + b_y * t78 + c_y * t99) * t110;
+        stiffness[6][5] = (a_y * t67 + b_y * t79 + c_y * t100) * t110;
+        stiffness[6][6] = (a_z * t65 + b_z * t77 + c_z * t98) * t110;
+        stiffness[6][7] = (a_z * t66 + b_z * t78 + c_z * t99) * t110;
+        stiffness[6][8] = (a_z * t67 + b_z * t79 + c_z * t100) * t110;
+        stiffness[7][0] = dc_x * t83;
+        stiffness[7][1] = dc_x * t84;
+        stiffness[7][2] = dc_x * t85;
+        stiffness[7][3] = dc_y * t83;
+        stiffness[7][4] = dc_y * t84;
+        stiffness[7][5] = dc_y * t85;
+        stiffness[7][6] = dc_z * t83;
+        stiffness[7][7] = dc_z * t84;
+        stiffness[7][8] = dc_z * t85;
+        stiffness[8][0] = inverse_length * (t59 + dc_x * t89);
+        stiffness[8][1] = inverse_length * (dc_x * t90);
+        stiffness[8][2] = inverse_length * (dc_x * t91);
+        stiffness[8][3] = inverse_length * (dc_y * t89);
+        stiffness[8][4] = inverse_length * (t59 + dc_y * t90);
+        stiffness[8][5] = inverse_length * (dc_y * t91);
+        stiffness[8][6] = inverse_length * (dc_z * t89);
+        stiffness[8][7] = inverse_length * (dc_z * t90);
+        stiffness[8][8] = inverse_length * (t59 + dc_z * t91);
+        stiffness[9][0] = inverse_length * (t60 + c_x * t95);
+        stiffness[9][1] = inverse_length * (c_x * t96);
+        stiffness[9][2] = inverse_length * (c_x * t97);
+        stiffness[9][3] = inverse_length * (c_y * t95);
+        stiffness[9][4] = inverse_length * (t60 + c_y * t96);
+        stiffness[9][5] = inverse_length * (c_y * t97);
+        stiffness[9][6] = inverse_length * (c_z * t95);
+        stiffness[9][7] = inverse_length * (c_z * t96);
+        stiffness[9][8] = inverse_length * (t60 + c_z * t97);
+        stiffness[10][0] = c_x * t101 * t110;
+        stiffness[10][1] = c_x * t102 * t110;
+        stiffness[10][2] = c_x * t103 * t110;
+        stiffness[10][3] = c_y * t101 * t110;
+        stiffness[10][4] = c_y * t102 * t110;
+        stiffness[10][5] = c_y * t103 * t110;
+        stiffness[10][6] = c_z * t101 * t110;
+        stiffness[10][7] = c_z * t102 * t110;
+        stiffness[10][8] = c_z * t103 * t110;
+        stiffness[11][0] = db_x * t95 + dc_x * t104;
+        stiffness[11][1] = db_x * t96 + dc_x * t105;
+        stiffness[11][2] = db_x * t97 + dc_x * t106;
+        stiffness[11][3] = db_y * t95 + dc_y * t104;
+        stiffness[11][4] = db_y * t96 + dc_y * t105;
+        stiffness[11][5] = db_y * t97 + dc_y * t106;
+        stiffness[11][6] = db_z * t95 + dc_z * t104;
+        stiffness[11][7] = db_z * t96 + dc_z * t105;
+        stiffness[11][8] = db_z * t97 + dc_z * t106;
+        stiffness[12][0] = inverse_length * (t61 + (db_x * t101 + dc_x * t107));
+        stiffness[12][1] = inverse_length * (db_x * t102 + dc_x * t108);
+        stiffness[12][2] = inverse_length * (db_x * t103 + dc_x * t109);
+        stiffness[12][3] = inverse_length * (db_y * t101 + dc_y * t107);
+        stiffness[12][4] = inverse_length * (t61 + (db_y * t102 + dc_y * t108));
+        stiffness[12][5] = inverse_length * (db_y * t103 + dc_y * t109);
+        stiffness[12][6] = inverse_length * (db_z * t101 + dc_z * t107);
+        stiffness[12][7] = inverse_length * (db_z * t102 + dc_z * t108);
+        stiffness[12][8] = inverse_length * (t61 + (db_z * t103 + dc_z * t109));
+        stiffness[13][0] = inverse_length * (t61 + (b_x * t83 + c_x * t104));
+        stiffness[13][1] = inverse_length * (b_x * t84 + c_x * t105);
+        stiffness[13][2] = inverse_length * (b_x * t85 + c_x * t106);
+        stiffness[13][3] = inverse_length * (b_y * t83 + c_y * t104);
+        stiffness[13][4] = inverse_length * (t61 + (b_y * t84 + c_y * t105));
+        stiffness[13][5] = inverse_length * (b_y * t85 + c_y * t106);
+        stiffness[13][6] = inverse_length * (b_z * t83 + c_z * t104);
+        stiffness[13][7] = inverse_length * (b_z * t84 + c_z * t105);
+        stiffness[13][8] = inverse_length * (t61 + (b_z * t85 + c_z * t106));
+        stiffness[14][0] = (a_x * t71 + b_x * t89 + c_x * t107) * t110;
+        stiffness[14][1] = (a_x * t72 + b_x * t90 + c_x * t108) * t110;
+        stiffness[14][2] = (a_x * t73 + b_x * t91 + c_x * t109) * t110;
+        stiffness[14][3] = (a_y * t71 + b_y * t89 + c_y * t107) * t110;
+        stiffness[14][4] = (a_y * t72 + b_y * t90 + c_y * t108) * t110;
+        stiffness[14][5] = (a_y * t73 + b_y * t91 + c_y * t109) * t110;
+        stiffness[14][6] = (a_z * t71 + b_z * t89 + c_z * t107) * t110;
+        stiffness[14][7] = (a_z * t72 + b_z * t90 + c_z * t108) * t110;
+        stiffness[14][8] = (a_z * t73 + b_z * t91 + c_z * t109) * t110;
+    }
+    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 17 additions, 45 multiplications, 1 divisions.
+    pub fn beam_spatial_points2_energy(
+        row: &BeamSpatial,
+        fields: &[[f64; 3]; 5],
+        energy: &mut f64,
+    ) {
+        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
+        unit_db_z], [unit_dc_x, unit_dc_y, unit_dc_z]] = *fields;
+        let inverse_length = 1.0 / length;
+        let db_x = inverse_length * unit_db_x;
+        let db_y = inverse_length * unit_db_y;
+        let db_z = inverse_length * unit_db_z;
+        let dc_x = inverse_length * unit_dc_x;
+        let dc_y = inverse_length * unit_dc_y;
+        let dc_z = inverse_length * unit_dc_z;
+        let t43 = c_x * db_x + c_y * db_y + c_z * db_z
+            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
+        let t44 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y + a_z * db_z).powi(2);
+        let t45 = 0.5 * (length * EIy) * (a_x * dc_x + a_y * dc_y + a_z * dc_z).powi(2);
+        let t46 = 0.5 * (length * GIz) * (b_x * db_x + b_y * db_y + b_z * db_z).powi(2);
+        let t47 = 0.5 * (length * GIy) * (c_x * dc_x + c_y * dc_y + c_z * dc_z).powi(2);
+        let t48 = t44 + t45 + 0.5 * (length * GJ) * (0.5 * t43).powi(2) + t46 + t47;
+        *energy = t48;
+    }
+    /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    ///
+    /// Operations: 509 additions, 710 multiplications, 2 divisions.
+    pub fn beam_spatial_elastic_force(
+        row: &BeamSpatial,
+        q: &[f64; 30],
+        force: &mut [f64; 30],
+    ) {
+        let vectors = BEAM_SPATIAL_VECTORS.relative(row.length, q);
+        let mut sums = Default::default();
+        BEAM_SPATIAL_POINTS3
+            .force(
+                &vectors,
+                &vectors,
+                |point, fields, rates, forces| beam_spatial_points3_force(
+                    row,
+                    fields,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_SPATIAL_POINTS2
+            .force(
+                &vectors,
+                &vectors,
+                |point, fields, rates, forces| beam_spatial_points2_force(
+                    row,
+                    fields,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_SPATIAL_VECTORS.add_force(row.length, &sums, force);
+    }
+    /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    ///
+    /// Operations: 4538 additions, 5377 multiplications, 2 divisions.
+    pub fn beam_spatial_elastic_tangent(
+        row: &BeamSpatial,
+        q: &[f64; 30],
+        stiffness: &mut [f64; 900],
+    ) {
+        let vectors = BEAM_SPATIAL_VECTORS.relative(row.length, q);
+        let mut tiles = [[[0.0; 9]; 9]; 6];
+        BEAM_SPATIAL_POINTS3
+            .tangent(
+                &vectors,
+                (&BEAM_SPATIAL_POINTS3_STIFFNESS, &mut tiles),
+                |point, fields, stiffness| beam_spatial_points3_tangent(
+                    row,
+                    fields,
+                    stiffness,
+                ),
+            );
+        BEAM_SPATIAL_POINTS2
+            .tangent(
+                &vectors,
+                (&BEAM_SPATIAL_POINTS2_STIFFNESS, &mut tiles),
+                |point, fields, stiffness| beam_spatial_points2_tangent(
+                    row,
+                    fields,
+                    stiffness,
+                ),
+            );
+        BEAM_SPATIAL_VECTORS.add_symmetric(row.length, &tiles, stiffness);
+    }
+    /// Adds the strain energy U of one element (J).
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    ///
+    /// Operations: 270 additions, 389 multiplications, 2 divisions.
+    pub fn beam_spatial_strain_energy(
+        row: &BeamSpatial,
+        q: &[f64; 30],
+        energy: &mut f64,
+    ) {
+        let vectors = BEAM_SPATIAL_VECTORS.relative(row.length, q);
+        *energy
+            += BEAM_SPATIAL_POINTS3
+                .integral(
+                    &vectors,
+                    |point, fields| {
+                        let mut density = 0.0;
+                        beam_spatial_points3_energy(row, fields, &mut density);
+                        density
+                    },
+                );
+        *energy
+            += BEAM_SPATIAL_POINTS2
+                .integral(
+                    &vectors,
+                    |point, fields| {
+                        let mut density = 0.0;
+                        beam_spatial_points2_energy(row, fields, &mut density);
+                        density
+                    },
+                );
+    }
+    /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 0 additions, 22 multiplications.
+    pub fn beam_spatial_mass(row: &BeamSpatial, mass: &mut [f64; 100]) {
+        let BeamSpatial { length, rhoA, rhoIz, rhoIy, .. } = *row;
+        let element_mass = length * rhoA;
+        let section_y_mass = length * rhoIz;
+        let section_z_mass = length * rhoIy;
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t23 = length * element_mass;
+        let mass_r0_r0x = t23 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_r1x = t23 * (-0.030952380952380953);
+        let t27 = element_mass * (length * length);
+        let mass_r0x_r0x = t27 * 0.009523809523809525;
+        let mass_r0x_r1 = t23 * 0.030952380952380953;
+        let mass_r0x_r1x = t27 * (-0.007142857142857143);
+        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
+        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
+        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
+        let mass_r0z_r0z = section_z_mass * 0.13333333333333333;
+        let mass_r0z_rz_half = section_z_mass * 0.06666666666666667;
+        let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
+        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
+        let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
+        let mass_r1_r1x = t23 * (-0.05238095238095238);
+        mass[0] = mass_r0_r0;
+        mass[1] = mass_r0_r0x;
+        mass[2] = 0.0;
+        mass[3] = 0.0;
+        mass[4] = 0.0;
+        mass[5] = 0.0;
+        mass[6] = mass_r0_r1;
+        mass[7] = mass_r0_r1x;
+        mass[8] = 0.0;
+        mass[9] = 0.0;
+        mass[10] = mass_r0_r0x;
+        mass[11] = mass_r0x_r0x;
+        mass[12] = 0.0;
+        mass[13] = 0.0;
+        mass[14] = 0.0;
+        mass[15] = 0.0;
+        mass[16] = mass_r0x_r1;
+        mass[17] = mass_r0x_r1x;
+        mass[18] = 0.0;
+        mass[19] = 0.0;
+        mass[20] = 0.0;
+        mass[21] = 0.0;
+        mass[22] = mass_r0y_r0y;
+        mass[23] = 0.0;
+        mass[24] = mass_r0y_ry_half;
+        mass[25] = 0.0;
+        mass[26] = 0.0;
+        mass[27] = 0.0;
+        mass[28] = mass_r0y_r1y;
+        mass[29] = 0.0;
+        mass[30] = 0.0;
+        mass[31] = 0.0;
+        mass[32] = 0.0;
+        mass[33] = mass_r0z_r0z;
+        mass[34] = 0.0;
+        mass[35] = mass_r0z_rz_half;
+        mass[36] = 0.0;
+        mass[37] = 0.0;
+        mass[38] = 0.0;
+        mass[39] = mass_r0z_r1z;
+        mass[40] = 0.0;
+        mass[41] = 0.0;
+        mass[42] = mass_r0y_ry_half;
+        mass[43] = 0.0;
+        mass[44] = mass_ry_half_ry_half;
+        mass[45] = 0.0;
+        mass[46] = 0.0;
+        mass[47] = 0.0;
+        mass[48] = mass_r0y_ry_half;
+        mass[49] = 0.0;
+        mass[50] = 0.0;
+        mass[51] = 0.0;
+        mass[52] = 0.0;
+        mass[53] = mass_r0z_rz_half;
+        mass[54] = 0.0;
+        mass[55] = mass_rz_half_rz_half;
+        mass[56] = 0.0;
+        mass[57] = 0.0;
+        mass[58] = 0.0;
+        mass[59] = mass_r0z_rz_half;
+        mass[60] = mass_r0_r1;
+        mass[61] = mass_r0x_r1;
+        mass[62] = 0.0;
+        mass[63] = 0.0;
+        mass[64] = 0.0;
+        mass[65] = 0.0;
+        mass[66] = mass_r0_r0;
+        mass[67] = mass_r1_r1x;
+        mass[68] = 0.0;
+        mass[69] = 0.0;
+        mass[70] = mass_r0_r1x;
+        mass[71] = mass_r0x_r1x;
+        mass[72] = 0.0;
+        mass[73] = 0.0;
+        mass[74] = 0.0;
+        mass[75] = 0.0;
+        mass[76] = mass_r1_r1x;
+        mass[77] = mass_r0x_r0x;
+        mass[78] = 0.0;
+        mass[79] = 0.0;
+        mass[80] = 0.0;
+        mass[81] = 0.0;
+        mass[82] = mass_r0y_r1y;
+        mass[83] = 0.0;
+        mass[84] = mass_r0y_ry_half;
+        mass[85] = 0.0;
+        mass[86] = 0.0;
+        mass[87] = 0.0;
+        mass[88] = mass_r0y_r0y;
+        mass[89] = 0.0;
+        mass[90] = 0.0;
+        mass[91] = 0.0;
+        mass[92] = 0.0;
+        mass[93] = mass_r0z_r1z;
+        mass[94] = 0.0;
+        mass[95] = mass_r0z_rz_half;
+        mass[96] = 0.0;
+        mass[97] = 0.0;
+        mass[98] = 0.0;
+        mass[99] = mass_r0z_r0z;
+    }
+    /// Adds the inertia forces of one element in the inertial frame; e is minus gravity.
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 108 additions, 118 multiplications.
+    pub fn beam_spatial_absolute_inertia_force(
+        row: &BeamSpatial,
+        frame: &::rncf::mesh::FrameAction,
+        a: &[f64; 30],
+        force: &mut [f64; 30],
+    ) {
+        let BeamSpatial { length, rhoA, rhoIz, rhoIy, .. } = *row;
+        let [e_x, e_y, e_z] = frame.acceleration;
+        let [a_r0_x, a_r0_y, a_r0_z, a_r0x_x, a_r0x_y, a_r0x_z, a_r0y_x, a_r0y_y,
+        a_r0y_z, a_r0z_x, a_r0z_y, a_r0z_z, a_ry_half_x, a_ry_half_y, a_ry_half_z,
+        a_rz_half_x, a_rz_half_y, a_rz_half_z, a_r1_x, a_r1_y, a_r1_z, a_r1x_x, a_r1x_y,
+        a_r1x_z, a_r1y_x, a_r1y_y, a_r1y_z, a_r1z_x, a_r1z_y, a_r1z_z] = *a;
+        let element_mass = length * rhoA;
+        let section_y_mass = length * rhoIz;
+        let section_z_mass = length * rhoIy;
+        let total_r0_x = a_r0_x + e_x;
+        let total_r0_y = a_r0_y + e_y;
+        let total_r0_z = a_r0_z + e_z;
+        let total_r1_x = a_r1_x + e_x;
+        let total_r1_y = a_r1_y + e_y;
+        let total_r1_z = a_r1_z + e_z;
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t62 = length * element_mass;
+        let mass_r0_r0x = t62 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_r1x = t62 * (-0.030952380952380953);
+        let t66 = element_mass * (length * length);
+        let mass_r0x_r0x = t66 * 0.009523809523809525;
+        let mass_r0x_r1 = t62 * 0.030952380952380953;
+        let mass_r0x_r1x = t66 * (-0.007142857142857143);
+        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
+        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
+        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
+        let t73 = a_ry_half_x * mass_r0y_ry_half;
+        let t74 = a_ry_half_y * mass_r0y_ry_half;
+        let t75 = a_ry_half_z * mass_r0y_ry_half;
+        let mass_r0z_r0z = section_z_mass * 0.13333333333333333;
+        let mass_r0z_rz_half = section_z_mass * 0.06666666666666667;
+        let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
+        let t79 = a_rz_half_x * mass_r0z_rz_half;
+        let t80 = a_rz_half_y * mass_r0z_rz_half;
+        let t81 = a_rz_half_z * mass_r0z_rz_half;
+        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
+        let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
+        let mass_r1_r1x = t62 * (-0.05238095238095238);
+        force[0]
+            += total_r0_x * mass_r0_r0 + a_r0x_x * mass_r0_r0x + total_r1_x * mass_r0_r1
+                + a_r1x_x * mass_r0_r1x;
+        force[1]
+            += total_r0_y * mass_r0_r0 + a_r0x_y * mass_r0_r0x + total_r1_y * mass_r0_r1
+                + a_r1x_y * mass_r0_r1x;
+        force[2]
+            += total_r0_z * mass_r0_r0 + a_r0x_z * mass_r0_r0x + total_r1_z * mass_r0_r1
+                + a_r1x_z * mass_r0_r1x;
+        force[3]
+            += total_r0_x * mass_r0_r0x + a_r0x_x * mass_r0x_r0x
+                + total_r1_x * mass_r0x_r1 + a_r1x_x * mass_r0x_r1x;
+        force[4]
+            += total_r0_y * mass_r0_r0x + a_r0x_y * mass_r0x_r0x
+                + total_r1_y * mass_r0x_r1 + a_r1x_y * mass_r0x_r1x;
+        force[5]
+            += total_r0_z * mass_r0_r0x + a_r0x_z * mass_r0x_r0x
+                + total_r1_z * mass_r0x_r1 + a_r1x_z * mass_r0x_r1x;
+        force[6] += a_r0y_x * mass_r0y_r0y + t73 + a_r1y_x * mass_r0y_r1y;
+        force[7] += a_r0y_y * mass_r0y_r0y + t74 + a_r1y_y * mass_r0y_r1y;
+        force[8] += a_r0y_z * mass_r0y_r0y + t75 + a_r1y_z * mass_r0y_r1y;
+        force[9] += a_r0z_x * mass_r0z_r0z + t79 + a_r1z_x * mass_r0z_r1z;
+        force[10] += a_r0z_y * mass_r0z_r0z + t80 + a_r1z_y * mass_r0z_r1z;
+        force[11] += a_r0z_z * mass_r0z_r0z + t81 + a_r1z_z * mass_r0z_r1z;
+        force[12]
+            += a_r0y_x * mass_r0y_ry_half + a_ry_half_x * mass_ry_half_ry_half
+                + a_r1y_x * mass_r0y_ry_half;
+        force[13]
+            += a_r0y_y * mass_r0y_ry_half + a_ry_half_y * mass_ry_half_ry_half
+                + a_r1y_y * mass_r0y_ry_half;
+        force[14]
+            += a_r0y_z * mass_r0y_ry_half + a_ry_half_z * mass_ry_half_ry_half
+                + a_r1y_z * mass_r0y_ry_half;
+        force[15]
+            += a_r0z_x * mass_r0z_rz_half + a_rz_half_x * mass_rz_half_rz_half
+                + a_r1z_x * mass_r0z_rz_half;
+        force[16]
+            += a_r0z_y * mass_r0z_rz_half + a_rz_half_y * mass_rz_half_rz_half
+                + a_r1z_y * mass_r0z_rz_half;
+        force[17]
+            += a_r0z_z * mass_r0z_rz_half + a_rz_half_z * mass_rz_half_rz_half
+                + a_r1z_z * mass_r0z_rz_half;
+        force[18]
+            += total_r0_x * mass_r0_r1 + a_r0x_x * mass_r0x_r1 + total_r1_x * mass_r0_r0
+                + a_r1x_x * mass_r1_r1x;
+        force[19]
+            += total_r0_y * mass_r0_r1 + a_r0x_y * mass_r0x_r1 + total_r1_y * mass_r0_r0
+                + a_r1x_y * mass_r1_r1x;
+        force[20]
+            += total_r0_z * mass_r0_r1 + a_r0x_z * mass_r0x_r1 + total_r1_z * mass_r0_r0
+                + a_r1x_z * mass_r1_r1x;
+        force[21]
+            += total_r0_x * mass_r0_r1x + a_r0x_x * mass_r0x_r1x
+                + total_r1_x * mass_r1_r1x + a_r1x_x * mass_r0x_r0x;
+        force[22]
+            += total_r0_y * mass_r0_r1x + a_r0x_y * mass_r0x_r1x
+                + total_r1_y * mass_r1_r1x + a_r1x_y * mass_r0x_r0x;
+        force[23]
+            += total_r0_z * mass_r0_r1x + a_r0x_z * mass_r0x_r1x
+                + total_r1_z * mass_r1_r1x + a_r1x_z * mass_r0x_r0x;
+        force[24] += t73 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
+        force[25] += t74 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
+        force[26] += t75 + a_r0y_z * mass_r0y_r1y + a_r1y_z * mass_r0y_r0y;
+        force[27] += t79 + a_r0z_x * mass_r0z_r1z + a_r1z_x * mass_r0z_r0z;
+        force[28] += t80 + a_r0z_y * mass_r0z_r1z + a_r1z_y * mass_r0z_r0z;
+        force[29] += t81 + a_r0z_z * mass_r0z_r1z + a_r1z_z * mass_r0z_r0z;
+    }
+    /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 6 additions, 12 multiplications.
+    pub fn beam_spatial_shapes_position_0(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        weights[0] = 1.0 + xi * (xi * (-3.0 + xi * 2.0));
+        weights[1] = length * (xi * (1.0 + xi * (xi + (-2.0))));
+        weights[6] = xi * (xi * (3.0 + xi * (-2.0)));
+        weights[7] = length * (xi * (xi * (xi + (-1.0))));
+    }
+    /// Weights of the nodal vectors in d/dx of the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 5 additions, 9 multiplications, 1 divisions.
+    pub fn beam_spatial_shapes_position_1(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t17 = 1.0 / length;
+        let t18 = xi * 3.0;
+        weights[0] = xi * (-6.0 + xi * 6.0) * t17;
+        weights[1] = 1.0 + xi * (-4.0 + t18);
+        weights[6] = t17 * (xi * (6.0 + xi * (-6.0)));
+        weights[7] = xi * (t18 + (-2.0));
+    }
+    /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 4 additions, 8 multiplications, 2 divisions.
+    pub fn beam_spatial_shapes_position_2(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t17 = 1.0 / (length * length);
+        let t18 = xi * 6.0;
+        let t19 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t17;
+        weights[1] = (-4.0 + t18) * t19;
+        weights[6] = t17 * (6.0 + xi * (-12.0));
+        weights[7] = t19 * (t18 + (-2.0));
+    }
+    /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 4 additions, 5 multiplications.
+    pub fn beam_spatial_shapes_section_y_0(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t16 = xi * 2.0;
+        weights[2] = 1.0 + xi * (-3.0 + t16);
+        weights[4] = xi * (4.0 + xi * (-4.0));
+        weights[8] = xi * (t16 + (-1.0));
+    }
+    /// Weights of the nodal vectors in d/dx of the section's y axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 3 additions, 5 multiplications, 1 divisions.
+    pub fn beam_spatial_shapes_section_y_1(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t17 = xi * 4.0;
+        let t18 = 1.0 / length;
+        weights[2] = (-3.0 + t17) * t18;
+        weights[4] = t18 * (4.0 + xi * (-8.0));
+        weights[8] = t18 * (t17 + (-1.0));
+    }
+    /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 0 additions, 3 multiplications, 1 divisions.
+    pub fn beam_spatial_shapes_section_y_2(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t16 = 1.0 / (length * length);
+        let t17 = 4.0 * t16;
+        weights[2] = t17;
+        weights[4] = t16 * (-8.0);
+        weights[8] = t17;
+    }
+    /// Weights of the nodal vectors in the section's z axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 4 additions, 5 multiplications.
+    pub fn beam_spatial_shapes_section_z_0(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t16 = xi * 2.0;
+        weights[3] = 1.0 + xi * (-3.0 + t16);
+        weights[5] = xi * (4.0 + xi * (-4.0));
+        weights[9] = xi * (t16 + (-1.0));
+    }
+    /// Weights of the nodal vectors in d/dx of the section's z axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 3 additions, 5 multiplications, 1 divisions.
+    pub fn beam_spatial_shapes_section_z_1(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t17 = xi * 4.0;
+        let t18 = 1.0 / length;
+        weights[3] = (-3.0 + t17) * t18;
+        weights[5] = t18 * (4.0 + xi * (-8.0));
+        weights[9] = t18 * (t17 + (-1.0));
+    }
+    /// Weights of the nodal vectors in d2/dx2 of the section's z axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 0 additions, 3 multiplications, 1 divisions.
+    pub fn beam_spatial_shapes_section_z_2(
+        length: f64,
+        xi: f64,
+        weights: &mut [f64; 10],
+    ) {
+        let t16 = 1.0 / (length * length);
+        let t17 = 4.0 * t16;
+        weights[3] = t17;
+        weights[5] = t16 * (-8.0);
+        weights[9] = t17;
+    }
+    /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
+    ///
+    /// Operations: 115 additions, 184 multiplications.
+    pub fn beam_spatial_field_forces(
+        row: &BeamSpatial,
+        stress_free: &[f64; 15],
+        fields: &[f64; 15],
+        forces: &mut [f64; 15],
+    ) {
+        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let t54 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
+            - (fields[3] * fields[12] + fields[4] * fields[13] + fields[5] * fields[14]);
+        let t55 = 0.5
+            * (fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2]
+                - 1.0)
+            - 0.5
+                * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
+                    + stress_free[2] * stress_free[2] - 1.0);
+        let t56 = EA * t55;
+        let t57 = 0.5
+            * (fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5]
+                - 1.0)
+            - 0.5
+                * (stress_free[3] * stress_free[3] + stress_free[4] * stress_free[4]
+                    + stress_free[5] * stress_free[5] - 1.0);
+        let t58 = EA * t57;
+        let t59 = 0.5
+            * (fields[6] * fields[6] + fields[7] * fields[7] + fields[8] * fields[8]
+                - 1.0)
+            - 0.5
+                * (stress_free[6] * stress_free[6] + stress_free[7] * stress_free[7]
+                    + stress_free[8] * stress_free[8] - 1.0);
+        let t60 = EA * t59;
+        let t61 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
+            - (stress_free[0] * stress_free[3] + stress_free[1] * stress_free[4]
+                + stress_free[2] * stress_free[5]);
+        let t62 = kyGA * t61;
+        let t63 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
+            - (stress_free[0] * stress_free[6] + stress_free[1] * stress_free[7]
+                + stress_free[2] * stress_free[8]);
+        let t64 = kzGA * t63;
+        let t65 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
+            - (stress_free[3] * stress_free[6] + stress_free[4] * stress_free[7]
+                + stress_free[5] * stress_free[8]);
+        let t66 = GA * t65;
+        let t67 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
+            - (stress_free[0] * stress_free[9] + stress_free[1] * stress_free[10]
+                + stress_free[2] * stress_free[11]);
+        let t68 = EIz * t67;
+        let t69 = t56 * (0.5 * (fields[0] * 2.0)) + fields[3] * t62 + fields[6] * t64
+            + fields[9] * t68;
+        let t70 = t56 * (0.5 * (fields[1] * 2.0)) + fields[4] * t62 + fields[7] * t64
+            + fields[10] * t68;
+        let t71 = t56 * (0.5 * (fields[2] * 2.0)) + fields[5] * t62 + fields[8] * t64
+            + fields[11] * t68;
+        let t72 = fields[0] * fields[12] + fields[1] * fields[13]
+            + fields[2] * fields[14]
+            - (stress_free[0] * stress_free[12] + stress_free[1] * stress_free[13]
+                + stress_free[2] * stress_free[14]);
+        let t73 = EIy * t72;
+        let t74 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
+            + stress_free[8] * stress_free[11]
+            - (stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
+                + stress_free[5] * stress_free[14]);
+        let t75 = GJ * (0.5 * t54 - 0.5 * t74);
+        let t76 = t58 * (0.5 * (fields[3] * 2.0)) + fields[0] * t62 + fields[6] * t66
+            - t75 * (fields[12] * 0.5);
+        let t77 = t58 * (0.5 * (fields[4] * 2.0)) + fields[1] * t62 + fields[7] * t66
+            - t75 * (fields[13] * 0.5);
+        let t78 = t58 * (0.5 * (fields[5] * 2.0)) + fields[2] * t62 + fields[8] * t66
+            - t75 * (fields[14] * 0.5);
+        let t79 = t60 * (0.5 * (fields[6] * 2.0)) + fields[0] * t64 + fields[3] * t66
+            + t75 * (fields[9] * 0.5);
+        let t80 = t60 * (0.5 * (fields[7] * 2.0)) + fields[1] * t64 + fields[4] * t66
+            + t75 * (fields[10] * 0.5);
+        let t81 = t60 * (0.5 * (fields[8] * 2.0)) + fields[2] * t64 + fields[5] * t66
+            + t75 * (fields[11] * 0.5);
+        let t82 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
+            - (stress_free[3] * stress_free[9] + stress_free[4] * stress_free[10]
+                + stress_free[5] * stress_free[11]);
+        let t83 = GIz * t82;
+        let t84 = fields[6] * fields[12] + fields[7] * fields[13]
+            + fields[8] * fields[14]
+            - (stress_free[6] * stress_free[12] + stress_free[7] * stress_free[13]
+                + stress_free[8] * stress_free[14]);
+        let t85 = GIy * t84;
+        forces[0] = t69 + fields[12] * t73;
+        forces[1] = t70 + fields[13] * t73;
+        forces[2] = t71 + fields[14] * t73;
+        forces[3] = t76 + fields[9] * t83;
+        forces[4] = t77 + fields[10] * t83;
+        forces[5] = t78 + fields[11] * t83;
+        forces[6] = t79 + fields[12] * t85;
+        forces[7] = t80 + fields[13] * t85;
+        forces[8] = t81 + fields[14] * t85;
+        forces[9] = fields[0] * t68 + t75 * (fields[6] * 0.5) + fields[3] * t83;
+        forces[10] = fields[1] * t68 + t75 * (fields[7] * 0.5) + fields[4] * t83;
+        forces[11] = fields[2] * t68 + t75 * (fields[8] * 0.5) + fields[5] * t83;
+        forces[12] = fields[0] * t73 - t75 * (fields[3] * 0.5) + fields[6] * t85;
+        forces[13] = fields[1] * t73 - t75 * (fields[4] * 0.5) + fields[7] * t85;
+        forces[14] = fields[2] * t73 - t75 * (fields[5] * 0.5) + fields[8] * t85;
+    }
+    /// Load `weight` in its frame's axes.
+    ///
+    /// Operations: 0 additions, 2 multiplications, 2 function calls.
+    pub fn load_weight(model: &super::PrincetonBeam, t: f64, value: &mut [f64; 3]) {
+        value[0] = 0.0;
+        value[1] = model.load * model.angle.cos();
+        value[2] = model.load * model.angle.sin();
+    }
+    /// Joint `root`: conditions, position level.
+    ///
+    /// Operations: 11 additions, 12 multiplications.
+    pub fn joint_root_absolute_position(
+        model: &super::PrincetonBeam,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = q[0] - data.point[0];
+        rows[1] = q[1] - data.point[1];
+        rows[2] = q[2] - data.point[2];
+        rows[3] = data.normals[0][0] * q[3] + data.normals[0][1] * q[4]
+            + data.normals[0][2] * q[5];
+        rows[4] = data.normals[1][0] * q[3] + data.normals[1][1] * q[4]
+            + data.normals[1][2] * q[5];
+        rows[5] = data.second[1][0] * q[6] + data.second[1][1] * q[7]
+            + data.second[1][2] * q[8];
+        rows[6] = data.second[2][0] * q[6] + data.second[2][1] * q[7]
+            + data.second[2][2] * q[8];
+    }
+    /// Joint `root`: conditions, velocity level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_velocity(
+        model: &super::PrincetonBeam,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+        rows[3] = 0.0;
+        rows[4] = 0.0;
+        rows[5] = 0.0;
+        rows[6] = 0.0;
+    }
+    /// Joint `root`: conditions, acceleration level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_acceleration(
+        model: &super::PrincetonBeam,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+        rows[3] = 0.0;
+        rows[4] = 0.0;
+        rows[5] = 0.0;
+        rows[6] = 0.0;
+    }
+    /// Joint `root`: conditions, jerk level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_jerk(
+        model: &super::PrincetonBeam,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+        rows[3] = 0.0;
+        rows[4] = 0.0;
+        rows[5] = 0.0;
+        rows[6] = 0.0;
+    }
+    /// Joint `root`: derivatives of the conditions.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_jacobian(
+        model: &super::PrincetonBeam,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        jacobian: &mut [f64],
+    ) {
+        jacobian[0] = 1.0;
+        jacobian[1] = 0.0;
+        jacobian[2] = 0.0;
+        jacobian[3] = 0.0;
+        jacobian[4] = 0.0;
+        jacobian[5] = 0.0;
+        jacobian[6] = 0.0;
+        jacobian[7] = 0.0;
+        jacobian[8] = 0.0;
+        jacobian[9] = 0.0;
+        jacobian[10] = 1.0;
+        jacobian[11] = 0.0;
+        jacobian[12] = 0.0;
+        jacobian[13] = 0.0;
+        jacobian[14] = 0.0;
+        jacobian[15] = 0.0;
+        jacobian[16] = 0.0;
+        jacobian[17] = 0.0;
+        jacobian[18] = 0.0;
+        jacobian[19] = 0.0;
+        jacobian[20] = 1.0;
+        jacobian[21] = 0.0;
+        jacobian[22] = 0.0;
+        jacobian[23] = 0.0;
+        jacobian[24] = 0.0;
+        jacobian[25] = 0.0;
+        jacobian[26] = 0.0;
+        jacobian[27] = 0.0;
+        jacobian[28] = 0.0;
+        jacobian[29] = 0.0;
+        jacobian[30] = data.normals[0][0];
+        jacobian[31] = data.normals[0][1];
+        jacobian[32] = data.normals[0][2];
+        jacobian[33] = 0.0;
+        jacobian[34] = 0.0;
+        jacobian[35] = 0.0;
+        jacobian[36] = 0.0;
+        jacobian[37] = 0.0;
+        jacobian[38] = 0.0;
+        jacobian[39] = data.normals[1][0];
+        jacobian[40] = data.normals[1][1];
+        jacobian[41] = data.normals[1][2];
+        jacobian[42] = 0.0;
+        jacobian[43] = 0.0;
+        jacobian[44] = 0.0;
+        jacobian[45] = 0.0;
+        jacobian[46] = 0.0;
+        jacobian[47] = 0.0;
+        jacobian[48] = 0.0;
+        jacobian[49] = 0.0;
+        jacobian[50] = 0.0;
+        jacobian[51] = data.second[1][0];
+        jacobian[52] = data.second[1][1];
+        jacobian[53] = data.second[1][2];
+        jacobian[54] = 0.0;
+        jacobian[55] = 0.0;
+        jacobian[56] = 0.0;
+        jacobian[57] = 0.0;
+        jacobian[58] = 0.0;
+        jacobian[59] = 0.0;
+        jacobian[60] = data.second[2][0];
+        jacobian[61] = data.second[2][1];
+        jacobian[62] = data.second[2][2];
+    }
+    /// Joint `root`: what it prescribes, with three derivatives.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_prescribed(
+        model: &super::PrincetonBeam,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        prescribed: &mut ::rncf::mesh::Prescribed,
+    ) {
+        prescribed.position[0][0] = data.point[0];
+        prescribed.position[0][1] = data.point[1];
+        prescribed.position[0][2] = data.point[2];
+        prescribed.position[1][0] = 0.0;
+        prescribed.position[1][1] = 0.0;
+        prescribed.position[1][2] = 0.0;
+        prescribed.position[2][0] = 0.0;
+        prescribed.position[2][1] = 0.0;
+        prescribed.position[2][2] = 0.0;
+        prescribed.position[3][0] = 0.0;
+        prescribed.position[3][1] = 0.0;
+        prescribed.position[3][2] = 0.0;
+        prescribed.slope[0][0] = data.tangent[0];
+        prescribed.slope[0][1] = data.tangent[1];
+        prescribed.slope[0][2] = data.tangent[2];
+        prescribed.slope[1][0] = 0.0;
+        prescribed.slope[1][1] = 0.0;
+        prescribed.slope[1][2] = 0.0;
+        prescribed.slope[2][0] = 0.0;
+        prescribed.slope[2][1] = 0.0;
+        prescribed.slope[2][2] = 0.0;
+        prescribed.slope[3][0] = 0.0;
+        prescribed.slope[3][1] = 0.0;
+        prescribed.slope[3][2] = 0.0;
+        prescribed.second[0][0] = data.second[0][0];
+        prescribed.second[0][1] = data.second[0][1];
+        prescribed.second[0][2] = data.second[0][2];
+        prescribed.second[1][0] = 0.0;
+        prescribed.second[1][1] = 0.0;
+        prescribed.second[1][2] = 0.0;
+        prescribed.second[2][0] = 0.0;
+        prescribed.second[2][1] = 0.0;
+        prescribed.second[2][2] = 0.0;
+        prescribed.second[3][0] = 0.0;
+        prescribed.second[3][1] = 0.0;
+        prescribed.second[3][2] = 0.0;
+    }
+    /// Times at which a derivative of a motion or load may jump (s).
+    pub fn kinks(model: &super::PrincetonBeam, kinks: &mut [f64; 0]) {}
+    /// Output columns from what they observe.
+    ///
+    /// Operations: 1 additions, 0 multiplications.
+    pub fn outputs(
+        model: &super::PrincetonBeam,
+        t: f64,
+        observed: &[f64],
+        out: &mut [f64],
+    ) {
+        out[0] = observed[0] - 0.508;
+        out[1] = observed[1];
+        out[2] = observed[2];
+    }
+    /// Defaults of a run (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn run_defaults(model: &super::PrincetonBeam, run: &mut ::rncf::RunDefaults) {
+        run.t_end = 1.0;
+        run.every = 0.001;
+    }
+    /// Constants of all bodies.
+    #[derive(Clone, Debug)]
+    pub struct Equations {
+        pub model: super::PrincetonBeam,
+        pub row_beam: BeamSpatial,
+    }
+    impl Equations {
+        /// Constants for the given parameters; filled in when the bodies are meshed.
+        pub fn new(model: &super::PrincetonBeam) -> Self {
+            Self {
+                model: model.clone(),
+                row_beam: Default::default(),
+            }
+        }
+    }
+    impl ::rncf::mesh::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::BodySpec {
+                    name: "beam",
+                    frame: 0,
+                    axes: &[0, 1, 2],
+                    line: ::rncf::mesh::Line::Straight {
+                        from: [0.0, 0.0, 0.0],
+                        to: [0.508, 0.0, 0.0],
+                    },
+                    count: (model.elements as f64) as usize,
+                    nodal: &[
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "position",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 0,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "slope",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 1,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section y axis",
+                            of: ::rncf::mesh::Interpolant::SectionY,
+                            order: 0,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section z axis",
+                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            order: 0,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section y axis",
+                            of: ::rncf::mesh::Interpolant::SectionY,
+                            order: 0,
+                            xi: 0.5,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section z axis",
+                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            order: 0,
+                            xi: 0.5,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "position",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 0,
+                            xi: 1.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "slope",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 1,
+                            xi: 1.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section y axis",
+                            of: ::rncf::mesh::Interpolant::SectionY,
+                            order: 0,
+                            xi: 1.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section z axis",
+                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            order: 0,
+                            xi: 1.0,
+                        },
+                    ],
+                    connectivity: &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9],
+                    vectors_per_node: 4,
+                    stride: 6,
+                    section_y: None,
+                    twist: 0.0,
+                    fidelity: ::rncf::mesh::Fidelity::Full,
+                    mean_axes: false,
+                },
+            ])
+        }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 0,
+                    point: None,
+                },
+            ])
+        }
+        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::LoadSpec {
+                    name: "weight",
+                    kind: ::rncf::mesh::LoadKind::Force {
+                        body: 0,
+                        at: ::rncf::mesh::Place::End,
+                    },
+                    frame: 0,
+                },
+            ])
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            1
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial"][frame]
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 1] = [false];
+            VARIES[load]
+        }
+        fn conservative(&self) -> bool {
+            true
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 0];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn prepare(
+            &mut self,
+            body: usize,
+            length: f64,
+            shape: &[f64],
+        ) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            let density = ::rncf::mesh::positive(
+                "material `aluminium`",
+                "density",
+                2700.0,
+                "kg/m^3",
+            )?;
+            let young = ::rncf::mesh::positive(
+                "material `aluminium`",
+                "young",
+                71700000000.0,
+                "Pa",
+            )?;
+            let poisson = ::rncf::mesh::poisson(
+                "material `aluminium`",
+                "poisson",
+                0.31,
+                "1",
+            )?;
+            let damping = ::rncf::mesh::non_negative(
+                "material `aluminium`",
+                "damping",
+                0.0,
+                "s",
+            )?;
+            let area = ::rncf::mesh::positive(
+                "section `strip`",
+                "area",
+                3.963834648e-5,
+                "m^2",
+            )?;
+            let second_moment_y = ::rncf::mesh::positive(
+                "section `strip`",
+                "second_moment_y",
+                3.3875478439500715e-11,
+                "m^4",
+            )?;
+            let second_moment_z = ::rncf::mesh::positive(
+                "section `strip`",
+                "second_moment_z",
+                5.060741896150687e-10,
+                "m^4",
+            )?;
+            let torsion_constant = ::rncf::mesh::positive(
+                "section `strip`",
+                "torsion_constant",
+                1.1340719248267313e-10,
+                "m^4",
+            )?;
+            let shear_factor_y = ::rncf::mesh::positive(
+                "section `strip`",
+                "shear_factor_y",
+                0.8333333333333334,
+                "1",
+            )?;
+            let shear_factor_z = ::rncf::mesh::positive(
+                "section `strip`",
+                "shear_factor_z",
+                0.8333333333333334,
+                "1",
+            )?;
+            let size_y = ::rncf::mesh::positive(
+                "section `strip`",
+                "size_y",
+                0.0123777,
+                "m",
+            )?;
+            let size_z = ::rncf::mesh::positive(
+                "section `strip`",
+                "size_z",
+                0.0032024,
+                "m",
+            )?;
+            let shear_modulus = young / (2.0 * (1.0 + poisson));
+            self.row_beam = BeamSpatial {
+                length,
+                EA: young * area,
+                kyGA: shear_factor_y * shear_modulus * area,
+                kzGA: shear_factor_z * shear_modulus * area,
+                GA: shear_modulus * area,
+                EIz: young * second_moment_z,
+                EIy: young * second_moment_y,
+                GJ: shear_modulus * torsion_constant,
+                GIz: shear_modulus * second_moment_z,
+                GIy: shear_modulus * second_moment_y,
+                rhoA: density * area,
+                rhoIz: density * second_moment_z,
+                rhoIy: density * second_moment_y,
+                damping: damping,
+            };
+            Ok(())
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                0 => load_weight(&self.model, t, &mut value),
+                _ => {}
+            }
+            value
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn mass(&self, body: usize, mass: &mut [f64]) {
+            beam_spatial_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
+        }
+        fn force(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            force: &mut [f64],
+        ) {
+            let [q, v, a]: [&[f64; 30]; 3] = [q, v, a].map(::rncf::mesh::array);
+            let force = ::rncf::mesh::array_mut(force);
+            beam_spatial_elastic_force(&self.row_beam, q, force);
+            beam_spatial_absolute_inertia_force(&self.row_beam, frame, a, force);
+        }
+        fn tangent(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            let [q, v]: [&[f64; 30]; 2] = [q, v].map(::rncf::mesh::array);
+            let stiffness = ::rncf::mesh::array_mut(stiffness);
+            beam_spatial_elastic_tangent(&self.row_beam, q, stiffness);
+        }
+        fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
+            let mut energy = 0.0;
+            beam_spatial_strain_energy(
+                &self.row_beam,
+                ::rncf::mesh::array(q),
+                &mut energy,
+            );
+            energy
+        }
+        fn shapes(
+            &self,
+            body: usize,
+            of: ::rncf::mesh::Interpolant,
+            order: usize,
+            xi: f64,
+            weights: &mut [f64],
+        ) {
+            weights.fill(0.0);
+            match (of, order) {
+                (::rncf::mesh::Interpolant::Position, 0) => {
+                    beam_spatial_shapes_position_0(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::Position, 1) => {
+                    beam_spatial_shapes_position_1(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::Position, 2) => {
+                    beam_spatial_shapes_position_2(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionY, 0) => {
+                    beam_spatial_shapes_section_y_0(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionY, 1) => {
+                    beam_spatial_shapes_section_y_1(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionY, 2) => {
+                    beam_spatial_shapes_section_y_2(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionZ, 0) => {
+                    beam_spatial_shapes_section_z_0(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionZ, 1) => {
+                    beam_spatial_shapes_section_z_1(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionZ, 2) => {
+                    beam_spatial_shapes_section_z_2(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                _ => {}
+            }
+        }
+        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+            let model = &self.model;
+            ::rncf::mesh::SectionSpec {
+                shape: ::rncf::mesh::SectionShape::Rectangle {
+                    sizes: [0.0123777, 0.0032024],
+                },
+                area: 3.963834648e-5,
+                second_moments: [3.3875478439500715e-11, 5.060741896150687e-10],
+                torsion_constant: 1.1340719248267313e-10,
+                yield_stress: None,
+                material: "aluminium",
+            }
+        }
+        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+            &[
+                (::rncf::mesh::Interpolant::Position, 1),
+                (::rncf::mesh::Interpolant::SectionY, 0),
+                (::rncf::mesh::Interpolant::SectionZ, 0),
+                (::rncf::mesh::Interpolant::SectionY, 1),
+                (::rncf::mesh::Interpolant::SectionZ, 1),
+            ]
+        }
+        fn field_forces(
+            &self,
+            body: usize,
+            stress_free: &[f64],
+            fields: &[f64],
+            rates: &[f64],
+            forces: &mut [f64],
+        ) {
+            beam_spatial_field_forces(
+                &self.row_beam,
+                ::rncf::mesh::array(stress_free),
+                ::rncf::mesh::array(fields),
+                ::rncf::mesh::array_mut(forces),
+            );
+        }
+        fn moment(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            force: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn moment_tangent(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            tangent: &mut [f64],
+        ) {
+            match dimension {
+                _ => {}
+            }
+        }
+        fn condition(
+            &self,
+            joint: usize,
+            absolute: bool,
+            level: ::rncf::system::ConstraintLevel,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            rows: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                (0, _) => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            joint_root_absolute_position(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            joint_root_absolute_velocity(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            joint_root_absolute_acceleration(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            joint_root_absolute_jerk(&self.model, t, data, q, v, a, rows)
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        fn condition_jacobian(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            jacobian: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                (0, _) => {
+                    joint_root_absolute_jacobian(&self.model, t, data, jacobian);
+                }
+                _ => {}
+            }
+        }
+        fn prescribed(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            prescribed: &mut ::rncf::mesh::Prescribed,
+        ) {
+            match (joint, absolute) {
+                (0, _) => {
+                    joint_root_absolute_prescribed(&self.model, t, data, prescribed);
+                }
+                _ => {}
+            }
+        }
+    }
+}

@@ -1,0 +1,1425 @@
+//! Expansion of `models/src/roll_up.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
+
+/// Roll-up: an end moment of 2 pi EI/L bends a straight cantilever to a full circle.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct RollUp {
+    /// End moment over 2 pi EI/L: the number of turns of a slender beam. (SI; declared in 1)
+    pub turns: f64,
+    /// Radius of the section over the length. (SI; declared in 1)
+    pub slenderness: f64,
+    /// Number of elements. (count)
+    pub elements: usize,
+}
+#[allow(clippy::all)]
+impl Default for RollUp {
+    fn default() -> Self {
+        Self {
+            turns: 1.0,
+            slenderness: 0.005,
+            elements: 8,
+        }
+    }
+}
+#[allow(unused_variables, clippy::all)]
+impl ::rncf::Model for RollUp {
+    const NAME: &'static str = "RollUp";
+    const DOC: &'static str = "Roll-up: an end moment of 2 pi EI/L bends a straight cantilever to a full circle.";
+    const SOURCE: &'static str = r#"pub model RollUp {
+    /// End moment over 2 pi EI/L: the number of turns of a slender beam.
+    param turns = 1;
+    /// Radius of the section over the length.
+    param slenderness = 0.005;
+    /// Number of elements.
+    param elements: count = 8;
+
+    const length = 1 m;
+    const young = 210 [GPa];
+
+    material steel { density = 7850 kg/m^3; young = young; poisson = 0.3; }
+    section round = circle(radius = slenderness * length);
+
+    body beam {
+        planar xy;
+        line from [0, 0, 0] m to [length, 0, 0];
+        mesh elements * beam(round, steel);
+    }
+    joint root = clamp(beam.start, inertial);
+    load bend = moment(
+        beam.end,
+        [0 [N m], 0 [N m], turns * 2 * pi * young * pi / 4 * (slenderness * length)^4 / length],
+        in = inertial
+    );
+
+    /// Position of the tip over the length.
+    output x = beam.end.x / length;
+    /// Position of the tip over the length.
+    output y = beam.end.y / length;
+    /// Distance of the tip from the root over the length.
+    output gap = norm(beam.end.position - beam.start.position) / length;
+
+    run { t_end = 1 s; every = 0.01 s; }
+}"#;
+    const NOTES: &'static [&'static str] = &[
+        "Body `beam` uses `beam_planar`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1968).",
+        "Body `beam` is planar: two components a vector, no motion along the normal.",
+        "Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+    ];
+    fn params() -> &'static [::rncf::Param] {
+        &[
+            ::rncf::Param {
+                name: "turns",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "1",
+                unit_si: 1.0,
+                dimension: [0, 0, 0, 0, 0, 0],
+                default: 1.0,
+                doc: "End moment over 2 pi EI/L: the number of turns of a slender beam.",
+            },
+            ::rncf::Param {
+                name: "slenderness",
+                kind: ::rncf::ParamKind::Quantity,
+                unit: "1",
+                unit_si: 1.0,
+                dimension: [0, 0, 0, 0, 0, 0],
+                default: 0.005,
+                doc: "Radius of the section over the length.",
+            },
+            ::rncf::Param {
+                name: "elements",
+                kind: ::rncf::ParamKind::Count,
+                unit: "1",
+                unit_si: 1.0,
+                dimension: [0, 0, 0, 0, 0, 0],
+                default: 8.0,
+                doc: "Number of elements.",
+            },
+        ]
+    }
+    fn outputs() -> &'static [::rncf::Output] {
+        &[
+            ::rncf::Output {
+                name: "x",
+                unit: "1",
+                components: &[],
+                doc: "Position of the tip over the length.",
+            },
+            ::rncf::Output {
+                name: "y",
+                unit: "1",
+                components: &[],
+                doc: "Position of the tip over the length.",
+            },
+            ::rncf::Output {
+                name: "gap",
+                unit: "1",
+                components: &[],
+                doc: "Distance of the tip from the root over the length.",
+            },
+        ]
+    }
+    fn get(&self, index: usize) -> f64 {
+        match index {
+            0 => self.turns,
+            1 => self.slenderness,
+            2 => self.elements as f64,
+            _ => panic!("RollUp has 3 parameters, not {index}"),
+        }
+    }
+    fn set(&mut self, index: usize, value: f64) {
+        match index {
+            0 => self.turns = value,
+            1 => self.slenderness = value,
+            2 => self.elements = value as usize,
+            _ => panic!("RollUp has 3 parameters, not {index}"),
+        }
+    }
+    fn run(&self) -> ::rncf::RunDefaults {
+        let mut run = ::rncf::RunDefaults {
+            t_end: 0.0,
+            every: 0.0,
+        };
+        roll_up_equations::run_defaults(self, &mut run);
+        run
+    }
+    fn build(
+        &self,
+        formulation: ::rncf::Formulation,
+        joints: ::rncf::Joints,
+    ) -> ::std::result::Result<
+        ::std::boxed::Box<dyn ::rncf::Scene>,
+        ::rncf::ModelError,
+    > {
+        ::rncf::mesh::check_params(self)?;
+        let equations = roll_up_equations::Equations::new(self);
+        ::rncf::mesh::build(equations, formulation, joints)
+    }
+}
+/// Equations of [`RollUp`]: derived, checked and written by the generator.
+#[allow(
+    missing_docs,
+    non_snake_case,
+    unused_variables,
+    unused_mut,
+    unused_parens,
+    clippy::all
+)]
+pub mod roll_up_equations {
+    /// Constants of one element `beam_planar`. Beam with a cross-section: axial strain, shear, bending, torsion.
+    ///
+    /// Nodal vectors: r0, r0x, r0y, ry_half, r1, r1x, r1y, 2 components each.
+    ///
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1968).
+    ///
+    /// The energy is integrated with 3 Gauss points.
+    #[derive(Clone, Copy, Debug, Default, PartialEq)]
+    pub struct BeamPlanar {
+        /// Length, m.
+        pub length: f64,
+        /// young * area, N.
+        pub EA: f64,
+        /// shear_factor_y * shear_modulus * area, N.
+        pub kyGA: f64,
+        /// young * second_moment_z, N m^2.
+        pub EIz: f64,
+        /// shear_modulus * second_moment_z, N m^2.
+        pub GIz: f64,
+        /// density * area, kg/m.
+        pub rhoA: f64,
+        /// density * second_moment_z, kg m.
+        pub rhoIz: f64,
+        /// Damping of the strain measures, s.
+        pub damping: f64,
+    }
+    /// Nodal vectors by what they interpolate: Position, SectionY.
+    static BEAM_PLANAR_VECTORS: ::rncf::mesh::Vectors<7, 2, 2, 3> = ::rncf::mesh::Vectors {
+        base: 0,
+        nodal: [[1, 4, 5], [2, 3, 6]],
+        positions: [[false, true, false], [false, false, false]],
+    };
+    /// Gauss rule with 3 points, and derivatives of the shape functions there.
+    static BEAM_PLANAR_POINTS3: ::rncf::mesh::Rule<3, 2, 3> = ::rncf::mesh::Rule {
+        groups: [0, 1],
+        weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
+        shapes: [
+            [
+                [0.5872983346207417, 0.6, -0.18729833462074166],
+                [0.6872983346207417, 0.39999999999999997, -0.08729833462074169],
+            ],
+            [[-0.25, 1.5, -0.25], [0.0, 1.0, 0.0]],
+            [
+                [-0.18729833462074175, 0.6, 0.5872983346207418],
+                [-0.08729833462074166, 0.39999999999999997, 0.6872983346207417],
+            ],
+        ],
+    };
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_PLANAR_POINTS3_STIFFNESS: ::rncf::mesh::Blocks<3, 9, 3> = BEAM_PLANAR_POINTS3
+        .blocks(&[(0, 0), (0, 1), (1, 1)], &[(0, 0, 1), (1, 1, 2), (2, 2, 3)]);
+    /// Gauss rule with 2 points, and derivatives of the shape functions there.
+    static BEAM_PLANAR_POINTS2: ::rncf::mesh::Rule<2, 3, 3> = ::rncf::mesh::Rule {
+        groups: [0, 1, 1],
+        weights: [0.5000000000000001, 0.5000000000000001],
+        shapes: [
+            [
+                [0.28867513459481287, 1.0, -0.2886751345948129],
+                [0.4553418012614795, 0.6666666666666667, -0.12200846792814622],
+                [-2.1547005383792515, 2.309401076758503, -0.15470053837925146],
+            ],
+            [
+                [-0.2886751345948131, 1.0000000000000004, 0.28867513459481264],
+                [-0.12200846792814612, 0.6666666666666667, 0.4553418012614795],
+                [0.15470053837925146, -2.309401076758503, 2.1547005383792515],
+            ],
+        ],
+    };
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_PLANAR_POINTS2_STIFFNESS: ::rncf::mesh::Blocks<2, 9, 6> = BEAM_PLANAR_POINTS2
+        .blocks(
+            &[(0, 0), (0, 2), (1, 1), (1, 2), (2, 1), (2, 2)],
+            &[(0, 0, 1), (1, 1, 2), (2, 2, 6)],
+        );
+    /// Writes the forces on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 9 additions, 27 multiplications.
+    pub fn beam_planar_points3_force(
+        row: &BeamPlanar,
+        fields: &[[f64; 2]; 2],
+        forces: &mut [[f64; 2]; 2],
+    ) {
+        let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[a_x, a_y], [b_x, b_y]] = *fields;
+        let t22 = length * EA;
+        let t23 = 0.5 * (t22 * (0.5 * (a_x * a_x + a_y * a_y - 1.0)));
+        let t24 = (a_x * b_x + a_y * b_y) * (length * kyGA);
+        let t25 = 0.5 * (t22 * (0.5 * (b_x * b_x + b_y * b_y - 1.0)));
+        forces[0][0] = t23 * (a_x * 2.0) + b_x * t24;
+        forces[0][1] = t23 * (a_y * 2.0) + b_y * t24;
+        forces[1][0] = a_x * t24 + t25 * (b_x * 2.0);
+        forces[1][1] = a_y * t24 + t25 * (b_y * 2.0);
+    }
+    /// Writes the blocks of the tangent on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 17 additions, 47 multiplications.
+    pub fn beam_planar_points3_tangent(
+        row: &BeamPlanar,
+        fields: &[[f64; 2]; 2],
+        stiffness: &mut [[f64; 4]; 3],
+    ) {
+        let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[a_x, a_y], [b_x, b_y]] = *fields;
+        let t22 = length * EA;
+        let t23 = length * kyGA;
+        let t24 = 0.5 * (0.5 * t22);
+        let t25 = (a_x * b_x + a_y * b_y) * t23;
+        let t26 = a_x * 2.0;
+        let t27 = a_y * 2.0;
+        let t28 = b_x * 2.0;
+        let t29 = b_y * 2.0;
+        let t30 = t24 * t27;
+        let t31 = b_y * t23;
+        let t32 = a_x * t23;
+        let t33 = a_y * t23;
+        let t34 = t24 * t29;
+        let t35 = t26 * t30 + b_x * t31;
+        let t36 = a_x * t33 + t28 * t34;
+        let t37 = 0.5 * (t22 * (0.5 * (a_x * a_x + a_y * a_y - 1.0))) * 2.0;
+        let t38 = 0.5 * (t22 * (0.5 * (b_x * b_x + b_y * b_y - 1.0))) * 2.0;
+        stiffness[0][0] = t26 * (t24 * t26) + b_x * (b_x * t23) + t37;
+        stiffness[0][1] = t35;
+        stiffness[0][2] = t35;
+        stiffness[0][3] = t27 * t30 + b_y * t31 + t37;
+        stiffness[1][0] = t25 + b_x * t32;
+        stiffness[1][1] = b_x * t33;
+        stiffness[1][2] = b_y * t32;
+        stiffness[1][3] = t25 + b_y * t33;
+        stiffness[2][0] = a_x * t32 + t28 * (t24 * t28) + t38;
+        stiffness[2][1] = t36;
+        stiffness[2][2] = t36;
+        stiffness[2][3] = a_y * t33 + t29 * t34 + t38;
+    }
+    /// Writes the strain energy a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 7 additions, 18 multiplications.
+    pub fn beam_planar_points3_energy(
+        row: &BeamPlanar,
+        fields: &[[f64; 2]; 2],
+        energy: &mut f64,
+    ) {
+        let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[a_x, a_y], [b_x, b_y]] = *fields;
+        let t22 = 0.5 * (length * EA);
+        let t23 = t22 * (0.5 * (a_x * a_x + a_y * a_y - 1.0)).powi(2)
+            + t22 * (0.5 * (b_x * b_x + b_y * b_y - 1.0)).powi(2);
+        *energy = t23 + 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y).powi(2);
+    }
+    /// Writes the forces on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 4 additions, 20 multiplications, 1 divisions.
+    pub fn beam_planar_points2_force(
+        row: &BeamPlanar,
+        fields: &[[f64; 2]; 3],
+        forces: &mut [[f64; 2]; 3],
+    ) {
+        let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[a_x, a_y], [b_x, b_y], [unit_db_x, unit_db_y]] = *fields;
+        let inverse_length = 1.0 / length;
+        let db_x = inverse_length * unit_db_x;
+        let db_y = inverse_length * unit_db_y;
+        let t27 = (a_x * db_x + a_y * db_y) * (length * EIz);
+        let t28 = (b_x * db_x + b_y * db_y) * (length * GIz);
+        forces[0][0] = db_x * t27;
+        forces[0][1] = db_y * t27;
+        forces[1][0] = db_x * t28;
+        forces[1][1] = db_y * t28;
+        forces[2][0] = inverse_length * (a_x * t27 + b_x * t28);
+        forces[2][1] = inverse_length * (a_y * t27 + b_y * t28);
+    }
+    /// Writes the blocks of the tangent on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 9 additions, 50 multiplications, 1 divisions.
+    pub fn beam_planar_points2_tangent(
+        row: &BeamPlanar,
+        fields: &[[f64; 2]; 3],
+        stiffness: &mut [[f64; 4]; 6],
+    ) {
+        let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[a_x, a_y], [b_x, b_y], [unit_db_x, unit_db_y]] = *fields;
+        let inverse_length = 1.0 / length;
+        let db_x = inverse_length * unit_db_x;
+        let db_y = inverse_length * unit_db_y;
+        let t27 = length * EIz;
+        let t28 = length * GIz;
+        let t29 = (a_x * db_x + a_y * db_y) * t27;
+        let t30 = (b_x * db_x + b_y * db_y) * t28;
+        let t31 = db_y * t27;
+        let t32 = a_x * t27;
+        let t33 = a_y * t27;
+        let t34 = db_y * t28;
+        let t35 = b_x * t28;
+        let t36 = b_y * t28;
+        let t37 = db_x * t31;
+        let t38 = db_x * t34;
+        let t39 = inverse_length * (t30 + db_x * t35);
+        let t40 = inverse_length * (db_x * t36);
+        let t41 = inverse_length * (db_y * t35);
+        let t42 = inverse_length * (t30 + db_y * t36);
+        let t43 = inverse_length * inverse_length;
+        let t44 = (a_x * t33 + b_x * t36) * t43;
+        stiffness[0][0] = db_x * (db_x * t27);
+        stiffness[0][1] = t37;
+        stiffness[0][2] = t37;
+        stiffness[0][3] = db_y * t31;
+        stiffness[1][0] = inverse_length * (t29 + db_x * t32);
+        stiffness[1][1] = inverse_length * (db_x * t33);
+        stiffness[1][2] = inverse_length * (db_y * t32);
+        stiffness[1][3] = inverse_length * (t29 + db_y * t33);
+        stiffness[2][0] = db_x * (db_x * t28);
+        stiffness[2][1] = t38;
+        stiffness[2][2] = t38;
+        stiffness[2][3] = db_y * t34;
+        stiffness[3][0] = t39;
+        stiffness[3][1] = t40;
+        stiffness[3][2] = t41;
+        stiffness[3][3] = t42;
+        stiffness[4][0] = t39;
+        stiffness[4][1] = t41;
+        stiffness[4][2] = t40;
+        stiffness[4][3] = t42;
+        stiffness[5][0] = (a_x * t32 + b_x * t35) * t43;
+        stiffness[5][1] = t44;
+        stiffness[5][2] = t44;
+        stiffness[5][3] = (a_y * t33 + b_y * t36) * t43;
+    }
+    /// Writes the strain energy a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 3 additions, 14 multiplications, 1 divisions.
+    pub fn beam_planar_points2_energy(
+        row: &BeamPlanar,
+        fields: &[[f64; 2]; 3],
+        energy: &mut f64,
+    ) {
+        let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[a_x, a_y], [b_x, b_y], [unit_db_x, unit_db_y]] = *fields;
+        let inverse_length = 1.0 / length;
+        let db_x = inverse_length * unit_db_x;
+        let db_y = inverse_length * unit_db_y;
+        let t27 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y).powi(2)
+            + 0.5 * (length * GIz) * (b_x * db_x + b_y * db_y).powi(2);
+        *energy = t27;
+    }
+    /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    ///
+    /// Operations: 179 additions, 265 multiplications, 2 divisions.
+    pub fn beam_planar_elastic_force(
+        row: &BeamPlanar,
+        q: &[f64; 14],
+        force: &mut [f64; 14],
+    ) {
+        let vectors = BEAM_PLANAR_VECTORS.relative(row.length, q);
+        let mut sums = Default::default();
+        BEAM_PLANAR_POINTS3
+            .force(
+                &vectors,
+                &vectors,
+                |point, fields, rates, forces| beam_planar_points3_force(
+                    row,
+                    fields,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_PLANAR_POINTS2
+            .force(
+                &vectors,
+                &vectors,
+                |point, fields, rates, forces| beam_planar_points2_force(
+                    row,
+                    fields,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_PLANAR_VECTORS.add_force(row.length, &sums, force);
+    }
+    /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    ///
+    /// Operations: 897 additions, 1069 multiplications, 2 divisions.
+    pub fn beam_planar_elastic_tangent(
+        row: &BeamPlanar,
+        q: &[f64; 14],
+        stiffness: &mut [f64; 196],
+    ) {
+        let vectors = BEAM_PLANAR_VECTORS.relative(row.length, q);
+        let mut tiles = [[[0.0; 9]; 4]; 3];
+        BEAM_PLANAR_POINTS3
+            .tangent(
+                &vectors,
+                (&BEAM_PLANAR_POINTS3_STIFFNESS, &mut tiles),
+                |point, fields, stiffness| beam_planar_points3_tangent(
+                    row,
+                    fields,
+                    stiffness,
+                ),
+            );
+        BEAM_PLANAR_POINTS2
+            .tangent(
+                &vectors,
+                (&BEAM_PLANAR_POINTS2_STIFFNESS, &mut tiles),
+                |point, fields, stiffness| beam_planar_points2_tangent(
+                    row,
+                    fields,
+                    stiffness,
+                ),
+            );
+        BEAM_PLANAR_VECTORS.add_symmetric(row.length, &tiles, stiffness);
+    }
+    /// Adds the strain energy U of one element (J).
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    ///
+    /// Operations: 104 additions, 159 multiplications, 2 divisions.
+    pub fn beam_planar_strain_energy(row: &BeamPlanar, q: &[f64; 14], energy: &mut f64) {
+        let vectors = BEAM_PLANAR_VECTORS.relative(row.length, q);
+        *energy
+            += BEAM_PLANAR_POINTS3
+                .integral(
+                    &vectors,
+                    |point, fields| {
+                        let mut density = 0.0;
+                        beam_planar_points3_energy(row, fields, &mut density);
+                        density
+                    },
+                );
+        *energy
+            += BEAM_PLANAR_POINTS2
+                .integral(
+                    &vectors,
+                    |point, fields| {
+                        let mut density = 0.0;
+                        beam_planar_points2_energy(row, fields, &mut density);
+                        density
+                    },
+                );
+    }
+    /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 0 additions, 17 multiplications.
+    pub fn beam_planar_mass(row: &BeamPlanar, mass: &mut [f64; 49]) {
+        let BeamPlanar { length, rhoA, rhoIz, .. } = *row;
+        let element_mass = length * rhoA;
+        let section_y_mass = length * rhoIz;
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t21 = length * element_mass;
+        let mass_r0_r0x = t21 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_r1x = t21 * (-0.030952380952380953);
+        let t25 = element_mass * (length * length);
+        let mass_r0x_r0x = t25 * 0.009523809523809525;
+        let mass_r0x_r1 = t21 * 0.030952380952380953;
+        let mass_r0x_r1x = t25 * (-0.007142857142857143);
+        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
+        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
+        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
+        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
+        let mass_r1_r1x = t21 * (-0.05238095238095238);
+        mass[0] = mass_r0_r0;
+        mass[1] = mass_r0_r0x;
+        mass[2] = 0.0;
+        mass[3] = 0.0;
+        mass[4] = mass_r0_r1;
+        mass[5] = mass_r0_r1x;
+        mass[6] = 0.0;
+        mass[7] = mass_r0_r0x;
+        mass[8] = mass_r0x_r0x;
+        mass[9] = 0.0;
+        mass[10] = 0.0;
+        mass[11] = mass_r0x_r1;
+        mass[12] = mass_r0x_r1x;
+        mass[13] = 0.0;
+        mass[14] = 0.0;
+        mass[15] = 0.0;
+        mass[16] = mass_r0y_r0y;
+        mass[17] = mass_r0y_ry_half;
+        mass[18] = 0.0;
+        mass[19] = 0.0;
+        mass[20] = mass_r0y_r1y;
+        mass[21] = 0.0;
+        mass[22] = 0.0;
+        mass[23] = mass_r0y_ry_half;
+        mass[24] = mass_ry_half_ry_half;
+        mass[25] = 0.0;
+        mass[26] = 0.0;
+        mass[27] = mass_r0y_ry_half;
+        mass[28] = mass_r0_r1;
+        mass[29] = mass_r0x_r1;
+        mass[30] = 0.0;
+        mass[31] = 0.0;
+        mass[32] = mass_r0_r0;
+        mass[33] = mass_r1_r1x;
+        mass[34] = 0.0;
+        mass[35] = mass_r0_r1x;
+        mass[36] = mass_r0x_r1x;
+        mass[37] = 0.0;
+        mass[38] = 0.0;
+        mass[39] = mass_r1_r1x;
+        mass[40] = mass_r0x_r0x;
+        mass[41] = 0.0;
+        mass[42] = 0.0;
+        mass[43] = 0.0;
+        mass[44] = mass_r0y_r1y;
+        mass[45] = mass_r0y_ry_half;
+        mass[46] = 0.0;
+        mass[47] = 0.0;
+        mass[48] = mass_r0y_r0y;
+    }
+    /// Adds the inertia forces of one element in the inertial frame; e is minus gravity.
+    ///
+    /// Mass tensors integrated exactly.
+    ///
+    /// Operations: 54 additions, 65 multiplications.
+    pub fn beam_planar_absolute_inertia_force(
+        row: &BeamPlanar,
+        frame: &::rncf::mesh::FrameAction,
+        a: &[f64; 14],
+        force: &mut [f64; 14],
+    ) {
+        let BeamPlanar { length, rhoA, rhoIz, .. } = *row;
+        let [e_x, e_y, _] = frame.acceleration;
+        let [a_r0_x, a_r0_y, a_r0x_x, a_r0x_y, a_r0y_x, a_r0y_y, a_ry_half_x,
+        a_ry_half_y, a_r1_x, a_r1_y, a_r1x_x, a_r1x_y, a_r1y_x, a_r1y_y] = *a;
+        let element_mass = length * rhoA;
+        let section_y_mass = length * rhoIz;
+        let total_r0_x = a_r0_x + e_x;
+        let total_r0_y = a_r0_y + e_y;
+        let total_r1_x = a_r1_x + e_x;
+        let total_r1_y = a_r1_y + e_y;
+        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let t41 = length * element_mass;
+        let mass_r0_r0x = t41 * 0.05238095238095238;
+        let mass_r0_r1 = element_mass * 0.12857142857142856;
+        let mass_r0_r1x = t41 * (-0.030952380952380953);
+        let t45 = element_mass * (length * length);
+        let mass_r0x_r0x = t45 * 0.009523809523809525;
+        let mass_r0x_r1 = t41 * 0.030952380952380953;
+        let mass_r0x_r1x = t45 * (-0.007142857142857143);
+        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
+        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
+        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
+        let t52 = a_ry_half_x * mass_r0y_ry_half;
+        let t53 = a_ry_half_y * mass_r0y_ry_half;
+        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
+        let mass_r1_r1x = t41 * (-0.05238095238095238);
+        force[0]
+            += total_r0_x * mass_r0_r0 + a_r0x_x * mass_r0_r0x + total_r1_x * mass_r0_r1
+                + a_r1x_x * mass_r0_r1x;
+        force[1]
+            += total_r0_y * mass_r0_r0 + a_r0x_y * mass_r0_r0x + total_r1_y * mass_r0_r1
+                + a_r1x_y * mass_r0_r1x;
+        force[2]
+            += total_r0_x * mass_r0_r0x + a_r0x_x * mass_r0x_r0x
+                + total_r1_x * mass_r0x_r1 + a_r1x_x * mass_r0x_r1x;
+        force[3]
+            += total_r0_y * mass_r0_r0x + a_r0x_y * mass_r0x_r0x
+                + total_r1_y * mass_r0x_r1 + a_r1x_y * mass_r0x_r1x;
+        force[4] += a_r0y_x * mass_r0y_r0y + t52 + a_r1y_x * mass_r0y_r1y;
+        force[5] += a_r0y_y * mass_r0y_r0y + t53 + a_r1y_y * mass_r0y_r1y;
+        force[6]
+            += a_r0y_x * mass_r0y_ry_half + a_ry_half_x * mass_ry_half_ry_half
+                + a_r1y_x * mass_r0y_ry_half;
+        force[7]
+            += a_r0y_y * mass_r0y_ry_half + a_ry_half_y * mass_ry_half_ry_half
+                + a_r1y_y * mass_r0y_ry_half;
+        force[8]
+            += total_r0_x * mass_r0_r1 + a_r0x_x * mass_r0x_r1 + total_r1_x * mass_r0_r0
+                + a_r1x_x * mass_r1_r1x;
+        force[9]
+            += total_r0_y * mass_r0_r1 + a_r0x_y * mass_r0x_r1 + total_r1_y * mass_r0_r0
+                + a_r1x_y * mass_r1_r1x;
+        force[10]
+            += total_r0_x * mass_r0_r1x + a_r0x_x * mass_r0x_r1x
+                + total_r1_x * mass_r1_r1x + a_r1x_x * mass_r0x_r0x;
+        force[11]
+            += total_r0_y * mass_r0_r1x + a_r0x_y * mass_r0x_r1x
+                + total_r1_y * mass_r1_r1x + a_r1x_y * mass_r0x_r0x;
+        force[12] += t52 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
+        force[13] += t53 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
+    }
+    /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 6 additions, 12 multiplications.
+    pub fn beam_planar_shapes_position_0(length: f64, xi: f64, weights: &mut [f64; 7]) {
+        weights[0] = 1.0 + xi * (xi * (-3.0 + xi * 2.0));
+        weights[1] = length * (xi * (1.0 + xi * (xi + (-2.0))));
+        weights[4] = xi * (xi * (3.0 + xi * (-2.0)));
+        weights[5] = length * (xi * (xi * (xi + (-1.0))));
+    }
+    /// Weights of the nodal vectors in d/dx of the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 5 additions, 9 multiplications, 1 divisions.
+    pub fn beam_planar_shapes_position_1(length: f64, xi: f64, weights: &mut [f64; 7]) {
+        let t17 = 1.0 / length;
+        let t18 = xi * 3.0;
+        weights[0] = xi * (-6.0 + xi * 6.0) * t17;
+        weights[1] = 1.0 + xi * (-4.0 + t18);
+        weights[4] = t17 * (xi * (6.0 + xi * (-6.0)));
+        weights[5] = xi * (t18 + (-2.0));
+    }
+    /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 4 additions, 8 multiplications, 2 divisions.
+    pub fn beam_planar_shapes_position_2(length: f64, xi: f64, weights: &mut [f64; 7]) {
+        let t17 = 1.0 / (length * length);
+        let t18 = xi * 6.0;
+        let t19 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t17;
+        weights[1] = (-4.0 + t18) * t19;
+        weights[4] = t17 * (6.0 + xi * (-12.0));
+        weights[5] = t19 * (t18 + (-2.0));
+    }
+    /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 4 additions, 5 multiplications.
+    pub fn beam_planar_shapes_section_y_0(length: f64, xi: f64, weights: &mut [f64; 7]) {
+        let t16 = xi * 2.0;
+        weights[2] = 1.0 + xi * (-3.0 + t16);
+        weights[3] = xi * (4.0 + xi * (-4.0));
+        weights[6] = xi * (t16 + (-1.0));
+    }
+    /// Weights of the nodal vectors in d/dx of the section's y axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 3 additions, 5 multiplications, 1 divisions.
+    pub fn beam_planar_shapes_section_y_1(length: f64, xi: f64, weights: &mut [f64; 7]) {
+        let t17 = xi * 4.0;
+        let t18 = 1.0 / length;
+        weights[2] = (-3.0 + t17) * t18;
+        weights[3] = t18 * (4.0 + xi * (-8.0));
+        weights[6] = t18 * (t17 + (-1.0));
+    }
+    /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
+    ///
+    /// Operations: 0 additions, 3 multiplications, 1 divisions.
+    pub fn beam_planar_shapes_section_y_2(length: f64, xi: f64, weights: &mut [f64; 7]) {
+        let t16 = 1.0 / (length * length);
+        let t17 = 4.0 * t16;
+        weights[2] = t17;
+        weights[3] = t16 * (-8.0);
+        weights[6] = t17;
+    }
+    /// Writes the forces on the fields a, b, db at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
+    ///
+    /// Operations: 29 additions, 53 multiplications.
+    pub fn beam_planar_field_forces(
+        row: &BeamPlanar,
+        stress_free: &[f64; 6],
+        fields: &[f64; 6],
+        forces: &mut [f64; 6],
+    ) {
+        let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let t31 = 0.5 * (fields[0] * fields[0] + fields[1] * fields[1] - 1.0)
+            - 0.5
+                * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
+                    - 1.0);
+        let t32 = EA * t31;
+        let t33 = 0.5 * (fields[2] * fields[2] + fields[3] * fields[3] - 1.0)
+            - 0.5
+                * (stress_free[2] * stress_free[2] + stress_free[3] * stress_free[3]
+                    - 1.0);
+        let t34 = EA * t33;
+        let t35 = kyGA
+            * (fields[0] * fields[2] + fields[1] * fields[3]
+                - (stress_free[0] * stress_free[2] + stress_free[1] * stress_free[3]));
+        let t36 = EIz
+            * (fields[0] * fields[4] + fields[1] * fields[5]
+                - (stress_free[0] * stress_free[4] + stress_free[1] * stress_free[5]));
+        let t37 = GIz
+            * (fields[2] * fields[4] + fields[3] * fields[5]
+                - (stress_free[2] * stress_free[4] + stress_free[3] * stress_free[5]));
+        forces[0] = t32 * (0.5 * (fields[0] * 2.0)) + fields[2] * t35 + fields[4] * t36;
+        forces[1] = t32 * (0.5 * (fields[1] * 2.0)) + fields[3] * t35 + fields[5] * t36;
+        forces[2] = t34 * (0.5 * (fields[2] * 2.0)) + fields[0] * t35 + fields[4] * t37;
+        forces[3] = t34 * (0.5 * (fields[3] * 2.0)) + fields[1] * t35 + fields[5] * t37;
+        forces[4] = fields[0] * t36 + fields[2] * t37;
+        forces[5] = fields[1] * t36 + fields[3] * t37;
+    }
+    /// Load `bend` in its frame's axes.
+    ///
+    /// Operations: 0 additions, 7 multiplications, 1 divisions.
+    pub fn load_bend(model: &super::RollUp, t: f64, value: &mut [f64; 3]) {
+        value[0] = 0.0;
+        value[1] = 0.0;
+        value[2] = 3.141592653589793
+            * (model.turns * 2.0 * 3.141592653589793 * 210000000000.0) / 4.0
+            * model.slenderness.powi(4);
+    }
+    /// Joint `root`: conditions, position level.
+    ///
+    /// Operations: 3 additions, 2 multiplications.
+    pub fn joint_root_absolute_position(
+        model: &super::RollUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = q[0] - data.point[0];
+        rows[1] = q[1] - data.point[1];
+        rows[2] = data.normals[0][0] * q[2] + data.normals[0][1] * q[3];
+    }
+    /// Joint `root`: conditions, velocity level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_velocity(
+        model: &super::RollUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+    }
+    /// Joint `root`: conditions, acceleration level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_acceleration(
+        model: &super::RollUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+    }
+    /// Joint `root`: conditions, jerk level.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_jerk(
+        model: &super::RollUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        rows: &mut [f64],
+    ) {
+        rows[0] = 0.0;
+        rows[1] = 0.0;
+        rows[2] = 0.0;
+    }
+    /// Joint `root`: derivatives of the conditions.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_jacobian(
+        model: &super::RollUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        jacobian: &mut [f64],
+    ) {
+        jacobian[0] = 1.0;
+        jacobian[1] = 0.0;
+        jacobian[2] = 0.0;
+        jacobian[3] = 0.0;
+        jacobian[4] = 0.0;
+        jacobian[5] = 1.0;
+        jacobian[6] = 0.0;
+        jacobian[7] = 0.0;
+        jacobian[8] = 0.0;
+        jacobian[9] = 0.0;
+        jacobian[10] = data.normals[0][0];
+        jacobian[11] = data.normals[0][1];
+    }
+    /// Joint `root`: what it prescribes, with three derivatives.
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn joint_root_absolute_prescribed(
+        model: &super::RollUp,
+        t: f64,
+        data: &::rncf::mesh::JointData,
+        prescribed: &mut ::rncf::mesh::Prescribed,
+    ) {
+        prescribed.position[0][0] = data.point[0];
+        prescribed.position[0][1] = data.point[1];
+        prescribed.position[1][0] = 0.0;
+        prescribed.position[1][1] = 0.0;
+        prescribed.position[2][0] = 0.0;
+        prescribed.position[2][1] = 0.0;
+        prescribed.position[3][0] = 0.0;
+        prescribed.position[3][1] = 0.0;
+        prescribed.slope[0][0] = data.tangent[0];
+        prescribed.slope[0][1] = data.tangent[1];
+        prescribed.slope[1][0] = 0.0;
+        prescribed.slope[1][1] = 0.0;
+        prescribed.slope[2][0] = 0.0;
+        prescribed.slope[2][1] = 0.0;
+        prescribed.slope[3][0] = 0.0;
+        prescribed.slope[3][1] = 0.0;
+    }
+    /// Adds the generalised force of a moment on a slope, Q = m x s / (s . s) (virtual work of a turning slope).
+    ///
+    /// Operations: 3 additions, 4 multiplications, 2 divisions.
+    pub fn moment_planar(slope: &[f64], moment: [f64; 3], force: &mut [f64]) {
+        let t18 = slope[0] * slope[0] + slope[1] * slope[1];
+        force[0] += -slope[1] * moment[0] / t18;
+        force[1] += slope[0] * moment[0] / t18;
+    }
+    /// Adds its derivative with respect to the slope, rows first.
+    ///
+    /// Operations: 7 additions, 10 multiplications, 6 divisions.
+    pub fn moment_tangent_planar(slope: &[f64], moment: [f64; 3], tangent: &mut [f64]) {
+        let t18 = slope[0] * slope[0] + slope[1] * slope[1];
+        let t19 = slope[1] * moment[0] / t18;
+        let t20 = slope[0] * moment[0] / t18;
+        let t21 = slope[0] * 2.0;
+        let t22 = slope[1] * 2.0;
+        tangent[0] += t19 * t21 / t18;
+        tangent[1] += -(moment[0] - t19 * t22) / t18;
+        tangent[2] += (moment[0] - t20 * t21) / t18;
+        tangent[3] += -t20 * t22 / t18;
+    }
+    /// Times at which a derivative of a motion or load may jump (s).
+    pub fn kinks(model: &super::RollUp, kinks: &mut [f64; 0]) {}
+    /// Output columns from what they observe.
+    ///
+    /// Operations: 3 additions, 2 multiplications, 1 function calls.
+    pub fn outputs(model: &super::RollUp, t: f64, observed: &[f64], out: &mut [f64]) {
+        out[0] = observed[0];
+        out[1] = observed[1];
+        out[2] = ((observed[0] - observed[2]).powi(2)
+            + (observed[1] - observed[3]).powi(2))
+            .sqrt();
+    }
+    /// Defaults of a run (s).
+    ///
+    /// Operations: 0 additions, 0 multiplications.
+    pub fn run_defaults(model: &super::RollUp, run: &mut ::rncf::RunDefaults) {
+        run.t_end = 1.0;
+        run.every = 0.01;
+    }
+    /// Constants of all bodies.
+    #[derive(Clone, Debug)]
+    pub struct Equations {
+        pub model: super::RollUp,
+        pub row_beam: BeamPlanar,
+    }
+    impl Equations {
+        /// Constants for the given parameters; filled in when the bodies are meshed.
+        pub fn new(model: &super::RollUp) -> Self {
+            Self {
+                model: model.clone(),
+                row_beam: Default::default(),
+            }
+        }
+    }
+    impl ::rncf::mesh::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::BodySpec {
+                    name: "beam",
+                    frame: 0,
+                    axes: &[0, 1],
+                    line: ::rncf::mesh::Line::Straight {
+                        from: [0.0, 0.0, 0.0],
+                        to: [1.0, 0.0, 0.0],
+                    },
+                    count: (model.elements as f64) as usize,
+                    nodal: &[
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "position",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 0,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "slope",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 1,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section y axis",
+                            of: ::rncf::mesh::Interpolant::SectionY,
+                            order: 0,
+                            xi: 0.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section y axis",
+                            of: ::rncf::mesh::Interpolant::SectionY,
+                            order: 0,
+                            xi: 0.5,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "position",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 0,
+                            xi: 1.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "slope",
+                            of: ::rncf::mesh::Interpolant::Position,
+                            order: 1,
+                            xi: 1.0,
+                        },
+                        ::rncf::mesh::NodalSpec {
+                            meaning: "section y axis",
+                            of: ::rncf::mesh::Interpolant::SectionY,
+                            order: 0,
+                            xi: 1.0,
+                        },
+                    ],
+                    connectivity: &[0, 1, 2, 3, 4, 5, 6],
+                    vectors_per_node: 3,
+                    stride: 4,
+                    section_y: None,
+                    twist: 0.0,
+                    fidelity: ::rncf::mesh::Fidelity::Full,
+                    mean_axes: false,
+                },
+            ])
+        }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 0,
+                    point: None,
+                },
+            ])
+        }
+        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::LoadSpec {
+                    name: "bend",
+                    kind: ::rncf::mesh::LoadKind::Moment {
+                        body: 0,
+                        at: ::rncf::mesh::Place::End,
+                    },
+                    frame: 0,
+                },
+            ])
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::Start,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::Start,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            1
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial"][frame]
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 1] = [false];
+            VARIES[load]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 0];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn prepare(
+            &mut self,
+            body: usize,
+            length: f64,
+            shape: &[f64],
+        ) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            let density = ::rncf::mesh::positive(
+                "material `steel`",
+                "density",
+                7850.0,
+                "kg/m^3",
+            )?;
+            let young = ::rncf::mesh::positive(
+                "material `steel`",
+                "young",
+                210000000000.0,
+                "Pa",
+            )?;
+            let poisson = ::rncf::mesh::poisson(
+                "material `steel`",
+                "poisson",
+                0.3,
+                "1",
+            )?;
+            let damping = ::rncf::mesh::non_negative(
+                "material `steel`",
+                "damping",
+                0.0,
+                "s",
+            )?;
+            let area = ::rncf::mesh::positive(
+                "section `round`",
+                "area",
+                3.141592653589793 * (model.slenderness * model.slenderness),
+                "m^2",
+            )?;
+            let second_moment_y = ::rncf::mesh::positive(
+                "section `round`",
+                "second_moment_y",
+                0.7853981633974483 * model.slenderness.powi(4),
+                "m^4",
+            )?;
+            let second_moment_z = ::rncf::mesh::positive(
+                "section `round`",
+                "second_moment_z",
+                0.7853981633974483 * model.slenderness.powi(4),
+                "m^4",
+            )?;
+            let torsion_constant = ::rncf::mesh::positive(
+                "section `round`",
+                "torsion_constant",
+                1.5707963267948966 * model.slenderness.powi(4),
+                "m^4",
+            )?;
+            let shear_factor_y = ::rncf::mesh::positive(
+                "section `round`",
+                "shear_factor_y",
+                0.8863636363636362,
+                "1",
+            )?;
+            let shear_factor_z = ::rncf::mesh::positive(
+                "section `round`",
+                "shear_factor_z",
+                0.8863636363636362,
+                "1",
+            )?;
+            let radius = ::rncf::mesh::positive(
+                "section `round`",
+                "radius",
+                model.slenderness,
+                "m",
+            )?;
+            let shear_modulus = young / (2.0 * (1.0 + poisson));
+            self.row_beam = BeamPlanar {
+                length,
+                EA: young * area,
+                kyGA: shear_factor_y * shear_modulus * area,
+                EIz: young * second_moment_z,
+                GIz: shear_modulus * second_moment_z,
+                rhoA: density * area,
+                rhoIz: density * second_moment_z,
+                damping: damping,
+            };
+            Ok(())
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                0 => load_bend(&self.model, t, &mut value),
+                _ => {}
+            }
+            value
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn mass(&self, body: usize, mass: &mut [f64]) {
+            beam_planar_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
+        }
+        fn force(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            force: &mut [f64],
+        ) {
+            let [q, v, a]: [&[f64; 14]; 3] = [q, v, a].map(::rncf::mesh::array);
+            let force = ::rncf::mesh::array_mut(force);
+            beam_planar_elastic_force(&self.row_beam, q, force);
+            beam_planar_absolute_inertia_force(&self.row_beam, frame, a, force);
+        }
+        fn tangent(
+            &self,
+            body: usize,
+            element: usize,
+            absolute: bool,
+            frame: &::rncf::mesh::FrameAction,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            let [q, v]: [&[f64; 14]; 2] = [q, v].map(::rncf::mesh::array);
+            let stiffness = ::rncf::mesh::array_mut(stiffness);
+            beam_planar_elastic_tangent(&self.row_beam, q, stiffness);
+        }
+        fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
+            let mut energy = 0.0;
+            beam_planar_strain_energy(
+                &self.row_beam,
+                ::rncf::mesh::array(q),
+                &mut energy,
+            );
+            energy
+        }
+        fn shapes(
+            &self,
+            body: usize,
+            of: ::rncf::mesh::Interpolant,
+            order: usize,
+            xi: f64,
+            weights: &mut [f64],
+        ) {
+            weights.fill(0.0);
+            match (of, order) {
+                (::rncf::mesh::Interpolant::Position, 0) => {
+                    beam_planar_shapes_position_0(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::Position, 1) => {
+                    beam_planar_shapes_position_1(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::Position, 2) => {
+                    beam_planar_shapes_position_2(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionY, 0) => {
+                    beam_planar_shapes_section_y_0(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionY, 1) => {
+                    beam_planar_shapes_section_y_1(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                (::rncf::mesh::Interpolant::SectionY, 2) => {
+                    beam_planar_shapes_section_y_2(
+                        self.row_beam.length,
+                        xi,
+                        ::rncf::mesh::array_mut(weights),
+                    )
+                }
+                _ => {}
+            }
+        }
+        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+            let model = &self.model;
+            ::rncf::mesh::SectionSpec {
+                shape: ::rncf::mesh::SectionShape::Circle {
+                    radius: model.slenderness,
+                },
+                area: 3.141592653589793 * (model.slenderness * model.slenderness),
+                second_moments: [
+                    0.7853981633974483 * model.slenderness.powi(4),
+                    0.7853981633974483 * model.slenderness.powi(4),
+                ],
+                torsion_constant: 1.5707963267948966 * model.slenderness.powi(4),
+                yield_stress: None,
+                material: "steel",
+            }
+        }
+        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+            &[
+                (::rncf::mesh::Interpolant::Position, 1),
+                (::rncf::mesh::Interpolant::SectionY, 0),
+                (::rncf::mesh::Interpolant::SectionY, 1),
+            ]
+        }
+        fn field_forces(
+            &self,
+            body: usize,
+            stress_free: &[f64],
+            fields: &[f64],
+            rates: &[f64],
+            forces: &mut [f64],
+        ) {
+            beam_planar_field_forces(
+                &self.row_beam,
+                ::rncf::mesh::array(stress_free),
+                ::rncf::mesh::array(fields),
+                ::rncf::mesh::array_mut(forces),
+            );
+        }
+        fn moment(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            force: &mut [f64],
+        ) {
+            match dimension {
+                2 => moment_planar(slope, moment, force),
+                _ => {}
+            }
+        }
+        fn moment_tangent(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            tangent: &mut [f64],
+        ) {
+            match dimension {
+                2 => moment_tangent_planar(slope, moment, tangent),
+                _ => {}
+            }
+        }
+        fn condition(
+            &self,
+            joint: usize,
+            absolute: bool,
+            level: ::rncf::system::ConstraintLevel,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            q: &[f64],
+            v: &[f64],
+            a: &[f64],
+            rows: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                (0, _) => {
+                    match level {
+                        ::rncf::system::ConstraintLevel::Position => {
+                            joint_root_absolute_position(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Velocity => {
+                            joint_root_absolute_velocity(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Acceleration => {
+                            joint_root_absolute_acceleration(
+                                &self.model,
+                                t,
+                                data,
+                                q,
+                                v,
+                                a,
+                                rows,
+                            )
+                        }
+                        ::rncf::system::ConstraintLevel::Jerk => {
+                            joint_root_absolute_jerk(&self.model, t, data, q, v, a, rows)
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        fn condition_jacobian(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            jacobian: &mut [f64],
+        ) {
+            match (joint, absolute) {
+                (0, _) => {
+                    joint_root_absolute_jacobian(&self.model, t, data, jacobian);
+                }
+                _ => {}
+            }
+        }
+        fn prescribed(
+            &self,
+            joint: usize,
+            absolute: bool,
+            t: f64,
+            data: &::rncf::mesh::JointData,
+            prescribed: &mut ::rncf::mesh::Prescribed,
+        ) {
+            match (joint, absolute) {
+                (0, _) => {
+                    joint_root_absolute_prescribed(&self.model, t, data, prescribed);
+                }
+                _ => {}
+            }
+        }
+    }
+}

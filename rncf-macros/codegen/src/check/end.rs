@@ -1,0 +1,208 @@
+//! Conditions of flexible ends that are linear in their nodal vectors, and eliminated (THEORY 6).
+
+use super::joint::Known;
+use super::place::{Hold, Place, Spot};
+use super::plane::{AXES, normal, plane};
+use super::{Check, Shape, say};
+use crate::errors::Area;
+use crate::joints::{self, Builder, Party};
+use crate::model::{self, BodyId, Expr as Value, FrameId, Joint, JointId, JointKind, Location};
+use crate::parse::tree::{Call, ExprKind, Item};
+use crate::suggest;
+
+/// An end that an eliminated joint holds.
+pub struct Held {
+    body: BodyId,
+    at: Location,
+    line: usize,
+    kind: JointKind,
+    has_section: bool,
+}
+
+impl Held {
+    /// The nodal vectors that it is about.
+    fn vectors(&self) -> &'static [model::Held] {
+        use model::Held::{Position, SectionY, SectionZ, Slope};
+        match self.kind {
+            JointKind::Pin => &[Position],
+            JointKind::Clamp | JointKind::ClampFull if self.has_section => &[Position, SectionY, SectionZ],
+            JointKind::Clamp | JointKind::ClampFull => &[Position, Slope],
+            JointKind::Hold { of: Position, .. } => &[Position],
+            JointKind::Hold { of: Slope, .. } => &[Slope],
+            JointKind::Hold { of: SectionY, .. } => &[SectionY],
+            JointKind::Hold { of: SectionZ, .. } => &[SectionZ],
+        }
+    }
+
+    /// Whether both hold the same vector of the same end; two components of one are two things.
+    fn overlaps(&self, other: &Self) -> bool {
+        let is_same = match (self.kind, other.kind) {
+            (JointKind::Hold { .. }, JointKind::Hold { .. }) => self.kind == other.kind,
+            _ => self.vectors().iter().any(|vector| other.vectors().contains(vector)),
+        };
+        self.body == other.body && self.at == other.at && is_same
+    }
+}
+
+/// Joints of flexible ends, and what is written.
+pub const ENDS: &[(&str, &str)] = &[
+    ("clamp", "clamp(beam.start, hub)"),
+    ("clamp_full", "clamp_full(beam.start, hub)"),
+    ("pin", "pin(beam.end, inertial, at = [8, 0, 0] m)"),
+];
+/// Words for what a `hold` can be about besides the position.
+const VECTORS: &[(&str, model::Held)] = &[
+    ("slope", model::Held::Slope),
+    ("ey", model::Held::SectionY),
+    ("ez", model::Held::SectionZ),
+];
+
+impl<'a> Check<'a> {
+    /// What is eliminated: a flexible end in a prescribed frame, or in the body's own one.
+    pub(super) fn eliminated(&self, word: &str, first: &Hold, second: &Hold) -> Option<JointKind> {
+        let Spot::Flexible(place) = &first.spot else {
+            return None;
+        };
+        let (frame, own) = (second.frame()?, place.body.frame?);
+        let is_linear = frame == own || !self.is_free(frame) && !self.is_free(own);
+        let is_planar = place.body.space.and_then(normal).is_some();
+        let kind = match word {
+            "clamp" | "weld" => JointKind::Clamp,
+            "clamp_full" => JointKind::ClampFull,
+            "pin" | "spherical" => JointKind::Pin,
+            "revolute" if is_planar => JointKind::Pin,
+            _ => return None,
+        };
+        let is_end = !matches!(place.at, Location::At(_)) || ENDS.iter().any(|(end, _)| *end == word);
+        (is_linear && is_end).then_some(kind)
+    }
+
+    /// A joint that is eliminated.
+    #[allow(clippy::too_many_arguments)]
+    pub(super) fn tie_end(
+        &mut self,
+        item: &Item,
+        kind: JointKind,
+        place: Place,
+        frame: FrameId,
+        point: Option<[Value; 3]>,
+        area: [Area; 2],
+        known: &mut Known,
+        held: &mut Vec<Held>,
+    ) -> Option<()> {
+        let Place {
+            body, at, has_section, ..
+        } = place.clone();
+        (known.kind, known.body, known.frame) = (Some(kind), Some(body), Some(frame));
+        if let Location::At(_) = at {
+            self.errors.at(area[0], say::JOINT_INSIDE);
+            return None;
+        }
+        let own = Held {
+            body: body.id,
+            at: at.clone(),
+            line: Area::from(item.name.span).line(),
+            kind,
+            has_section,
+        };
+        if let Some(first) = held.iter().find(|other| other.overlaps(&own)) {
+            self.errors.at(area[0], say::end_twice(&first.line.to_string()));
+        } else {
+            held.push(own);
+        }
+        if let Some(normal) = body.space.and_then(normal) {
+            self.keeps_plane(frame, normal, area[1]);
+        }
+        if self.is_free(frame) {
+            self.stand_in(item, kind, &place, frame, point.clone())?;
+        }
+        known.id = JointId(self.model.joints.len());
+        self.model.joints.push(Joint {
+            name: item.name.text.clone(),
+            doc: item.doc.clone(),
+            kind,
+            body: body.id,
+            at,
+            frame,
+            point,
+        });
+        Some(())
+    }
+
+    /// The same joint with multipliers, for where the nodal vectors are in the inertial frame.
+    fn stand_in(
+        &mut self,
+        item: &Item,
+        kind: JointKind,
+        place: &Place,
+        frame: FrameId,
+        point: Option<[Value; 3]>,
+    ) -> Option<()> {
+        let parties = [place.party(), Party::Frame { frame, point }];
+        let normal = normal(place.body.space?);
+        let mut builder = Builder::new(&mut self.model.markers, parties, normal);
+        let word = match kind {
+            JointKind::Clamp | JointKind::ClampFull => {
+                joints::clamp(&mut builder, kind == JointKind::ClampFull);
+                "clamp"
+            }
+            JointKind::Pin => {
+                let points = builder.points();
+                builder.s(points);
+                "pin"
+            }
+            JointKind::Hold { of, axis } => {
+                joints::hold(&mut builder, of, axis);
+                "hold"
+            }
+        };
+        let rows = builder.finish();
+        self.push_constraint(item, word, rows, Some(place.body.id));
+        Some(())
+    }
+
+    /// `hold(beam.end.z)`, `hold(beam.end.slope.y)` or `hold(beam.end.ey.z)`.
+    pub(super) fn hold(&mut self, item: &Item, call: &'a Call, known: &mut Known, held: &mut Vec<Held>) -> Option<()> {
+        let shape = Shape {
+            positional: 1,
+            named: &[],
+            required: &[],
+            usage: "hold(beam.end.z)",
+        };
+        let arguments = self.arguments(call, &shape)?;
+        let expr = arguments.positional[0];
+        let usage = || say::usage("hold", "hold(beam.end.z)");
+        let ExprKind::Member { base, field, .. } = &expr.kind else {
+            self.errors.at(expr.area, usage());
+            return None;
+        };
+        let (of, vector, place) = match &base.kind {
+            ExprKind::Member { base: place, field, .. } => match VECTORS.iter().find(|(word, _)| *word == field.text) {
+                Some((_, of)) => (*of, Some(field), place.as_ref()),
+                None => (model::Held::Position, None, base.as_ref()),
+            },
+            _ => {
+                self.errors.at(expr.area, usage());
+                return None;
+            }
+        };
+        let place = self.place(place)?;
+        if let Some(word) = vector.filter(|_| of != model::Held::Slope) {
+            self.section_axis(&place, word)?;
+        }
+        known.body = Some(place.body);
+        let Some(axis) = AXES.iter().position(|axis| *axis == field.text) else {
+            self.errors
+                .at(field.span, suggest::unknown("component", &field.text, AXES));
+            return None;
+        };
+        if let Some(normal) = place.body.space.and_then(normal).filter(|normal| *normal == axis) {
+            self.errors.at(field.span, say::always_zero(AXES[axis], plane(normal)));
+            return None;
+        }
+        let frame = place.body.frame?;
+        let area = [expr.area; 2];
+        let kind = JointKind::Hold { of, axis };
+        self.tie_end(item, kind, place, frame, None, area, known, held)
+    }
+}

@@ -1,0 +1,779 @@
+//! Joints, springs, loads and fixtures on bodies with cross-sections: evaluated on moving sections and
+//! compared with formulas written out.
+
+use super::world::{
+    Mat3, POINT, Pose, STEP, Sections, Vec3, World, add, axis_of, cross, dot, first_body, product, rotation, scale,
+    still, times, transposed, with,
+};
+use crate::check::eigen::symmetric;
+use crate::model::{
+    Constraint, Expr, Force, Held, JointKind, LoadKind, Location, Marker, Model, Observable, PointQuantity,
+    SectionQuantity,
+};
+
+/// Two bodies with sections, one of them in a moving frame, and two rigid ones.
+const SCENE: &str = "
+    material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+    section thin = circle(radius = 1 mm);
+    motion phi(t) = 2 [rad/s] * t;
+    frame hub = rotating(axis = z, angle = phi(t));
+    rigid a { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
+    rigid b { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
+    body shaft in hub { spatial; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * beam(thin, steel); }
+    body rod { spatial; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * beam(thin, steel); }
+    body wire { spatial; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * cable(thin, steel); }
+    joint root = clamp(shaft.start, hub);
+    joint foot = clamp(rod.start, inertial);
+    joint far = clamp(wire.start, inertial);
+    output first = a.x;
+";
+
+const PLANAR: &str = "
+    material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+    section thin = circle(radius = 1 mm);
+    frame hub = rotating(axis = z, angle = 3 [rad/s] * t);
+    rigid a { plane xy; mass = 1 kg; inertia = 1 kg*m^2; }
+    rigid b { plane xy; mass = 1 kg; inertia = 1 kg*m^2; }
+    body shaft in hub { planar xy; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * beam(thin, steel); }
+    body rod { planar xy; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * beam(thin, steel); }
+    joint root = clamp(shaft.start, hub);
+    joint foot = clamp(rod.start, inertial);
+    output first = a.x;
+";
+
+/// First parties at the point of the joint in `a`, or in a section that moves like it; second ones.
+const FIRST: [&str; 3] = ["a.at([0.5, 0.25, -0.125] m)", "shaft.end", "shaft.at(0.7 m)"];
+const SECOND: [&str; 3] = ["b", "rod.start", "rod.at(1 m)"];
+const IN_PLANE: [&str; 3] = ["a.at([0.5, 0.25, 0] m)", "shaft.end", "shaft.at(0.7 m)"];
+
+/// How a section stands in what moves like it.
+const OWN: Vec3 = [0.4, -0.3, 0.2];
+const OTHER: Vec3 = [-0.2, 0.6, 0.3];
+
+/// A small deviation of the second party from its motion, in the axes of the first one.
+type Small = (Vec3, Vec3);
+
+/// Moving parties: the second one by `shift` and `turn` about the joint's point of the first one, and
+/// both in space, or turning about z in the plane.
+#[derive(Clone, Copy)]
+struct Motion<'m> {
+    shift: &'m dyn Fn(f64) -> Vec3,
+    turn: &'m dyn Fn(f64) -> Vec3,
+    small: Small,
+    is_planar: bool,
+    /// How much r_y and r_z stretch in a second.
+    strain: f64,
+}
+
+const NONE: Small = ([0.0; 3], [0.0; 3]);
+
+impl Motion<'_> {
+    fn first(&self, t: f64) -> Pose {
+        let pose = first_body(t);
+        if !self.is_planar {
+            return pose;
+        }
+        Pose {
+            r: [pose.r[0], pose.r[1], 0.0],
+            a: rotation([0.0, 0.0, 0.3 + 0.8 * t]),
+        }
+    }
+
+    fn point(&self) -> Vec3 {
+        [POINT[0], POINT[1], if self.is_planar { 0.0 } else { POINT[2] }]
+    }
+
+    /// The second party's point, and how it has turned out of the first one's axes.
+    fn second(&self, t: f64) -> (Vec3, Mat3) {
+        let first = self.first(t);
+        let shift = add((self.shift)(t), if t > 0.0 { self.small.0 } else { [0.0; 3] });
+        let turned = rotation((self.turn)(t));
+        let turned = if t > 0.0 {
+            product(rotation(self.small.1), turned)
+        } else {
+            turned
+        };
+        let at = add(first.r, times(first.a, add(self.point(), shift)));
+        (at, product(first.a, turned))
+    }
+
+    fn pose(&self, name: &str, t: f64) -> Pose {
+        match name {
+            "a" => self.first(t),
+            // Its axes are those of `a` when the joint is made.
+            "hub" => self.first(0.0),
+            _ if self.is_planar => {
+                let (r, a) = self.second(t);
+                Pose {
+                    r,
+                    a: product(a, rotation([0.0, 0.0, 0.7])),
+                }
+            }
+            _ => {
+                let (at, a) = self.second(t);
+                let a = product(a, rotation([0.7, 0.1, -0.4]));
+                Pose {
+                    r: add(at, times(a, [-0.2, 0.3, -0.1])),
+                    a,
+                }
+            }
+        }
+    }
+
+    /// Position, slope and axes: the slope has sheared.
+    fn section(&self, name: &str, t: f64) -> [Vec3; 4] {
+        let flat = |w: Vec3| if self.is_planar { [0.0, 0.0, w[2]] } else { w };
+        let (r, a) = match name {
+            "shaft" => {
+                let first = self.first(t);
+                (
+                    add(first.r, times(first.a, self.point())),
+                    product(first.a, rotation(flat(OWN))),
+                )
+            }
+            _ => {
+                let (r, a) = self.second(t);
+                (r, product(a, rotation(flat(OTHER))))
+            }
+        };
+        let stretch = 1.0 + self.strain * t;
+        let axis = |v: Vec3| times(a, v);
+        let slope = axis([1.1, 0.1, if self.is_planar { 0.0 } else { -0.05 }]);
+        [
+            r,
+            slope,
+            scale(stretch, axis([0.0, 1.0, 0.0])),
+            scale(stretch, axis([0.0, 0.0, 1.0])),
+        ]
+    }
+
+    fn world<T>(&self, model: &Model, t: f64, of: impl FnOnce(&World) -> T) -> T {
+        let pose = |name: &str, t: f64| self.pose(name, t);
+        let sections = |name: &str, _: &Location, t: f64| self.section(name, t);
+        of(&World {
+            model,
+            pose: &pose,
+            sections: Some(&sections as Sections),
+            end: &still,
+            t,
+        })
+    }
+}
+
+/// Derivatives of the rows with respect to shift and turn of the second party.
+fn jacobian(model: &Model, joint: &Constraint, motion: Motion, t: f64) -> Vec<[f64; 6]> {
+    let rows = |k: usize, amount: f64| {
+        let small = axis_of(k, amount);
+        let moved = Motion { small, ..motion };
+        moved.world(model, t, |world| world.rows(joint))
+    };
+    let columns: Vec<Vec<f64>> = (0..6)
+        .map(|k| {
+            let (more, less) = (rows(k, 1e-6), rows(k, -1e-6));
+            more.iter().zip(less).map(|(a, b)| (a - b) / 2e-6).collect()
+        })
+        .collect();
+    (0..joint.rows.len())
+        .map(|row| std::array::from_fn(|k| columns[k][row]))
+        .collect()
+}
+
+fn rank(rows: &[[f64; 6]]) -> usize {
+    let mut gram = [[0.0; 6]; 6];
+    for row in rows {
+        for i in 0..6 {
+            for j in 0..6 {
+                gram[i][j] += row[i] * row[j];
+            }
+        }
+    }
+    symmetric(gram).0.iter().filter(|value| **value > 1e-6).count()
+}
+
+/// Rows vanish for the motions that a kind leaves free, do not for the others, and none depends on
+/// others where the second party has moved.
+fn leaves(model: &Model, call: &str, is_planar: bool, free: &[usize], rows: usize) {
+    let joint = model.constraints.last().expect("a joint");
+    assert_eq!(joint.rows.len(), rows, "{call}: {:?}", joint.rows);
+    let all: &[usize] = if is_planar { &[0, 1, 5] } else { &[0, 1, 2, 3, 4, 5] };
+    for &k in all {
+        let (shift, turn) = (|t: f64| axis_of(k, 0.6 * t).0, |t: f64| axis_of(k, 0.6 * t).1);
+        let motion = Motion {
+            shift: &shift,
+            turn: &turn,
+            small: NONE,
+            is_planar,
+            strain: 0.0,
+        };
+        let found = motion.world(model, 0.9, |world| world.rows(joint));
+        let worst = found.iter().fold(0.0, |worst: f64, row| worst.max(row.abs()));
+        let is_free = free.contains(&k);
+        assert_eq!(worst < 1e-12, is_free, "{call}: motion {k} gives {worst}");
+        if is_free {
+            let jacobian = jacobian(model, joint, motion, 0.9);
+            assert_eq!(
+                rank(&jacobian),
+                all.len() - free.len(),
+                "{call}: motion {k}: {jacobian:?}"
+            );
+        }
+    }
+    if free.is_empty() {
+        let zero = |_: f64| [0.0; 3];
+        let motion = Motion {
+            shift: &zero,
+            turn: &zero,
+            small: NONE,
+            is_planar,
+            strain: 0.0,
+        };
+        let jacobian = jacobian(model, joint, motion, 0.9);
+        assert_eq!(rank(&jacobian), all.len(), "{call}: {jacobian:?}");
+    }
+    // Those of the first party stand in front, and none is left out.
+    for (at, marker) in joint.markers.iter().enumerate() {
+        let own = match &model.markers[marker.0] {
+            Marker::Point { frame, .. }
+            | Marker::Direction { frame, .. }
+            | Marker::Matching { frame, .. }
+            | Marker::Normal { frame, .. } => &model.frames[frame.0].name,
+            Marker::BodyPoint { body, .. } | Marker::BodySection { body, .. } | Marker::InSection { body, .. } => {
+                &model.bodies[body.0].name
+            }
+            other => panic!("{call}: {other:?}"),
+        };
+        let is_first = ["a", "shaft"].contains(&own.as_str());
+        assert_eq!(is_first, at < joint.first_party, "{call}: {own}");
+    }
+}
+
+/// Every kind between all sorts of parties leaves exactly its own motions free.
+#[test]
+fn joints_of_sections_leave_their_motions() {
+    let both = |a: usize, b: usize| a > 0 && b > 0;
+    for (a, first) in FIRST.iter().enumerate() {
+        for (b, second) in SECOND.iter().enumerate() {
+            let weld = if both(a, b) || a + b == 0 { 6 } else { 7 };
+            for (call, free, rows) in [
+                (format!("weld({first}, {second})"), &[][..], weld),
+                (format!("spherical({first}, {second})"), &[3, 4, 5], 3),
+                (format!("revolute({first}, {second}, axis = z)"), &[5], 5),
+                (format!("revolute({first}, {second}, axis = [0, 2, 0])"), &[4], 5),
+                (format!("cylindrical({first}, {second}, axis = z)"), &[2, 5], 4),
+                (format!("prismatic({first}, {second}, axis = x)"), &[0], 5),
+                (format!("planar({first}, {second}, axis = z)"), &[0, 1, 5], 3),
+                (format!("universal({first}, {second}, axis = x, cross = y)"), &[3, 4], 4),
+            ] {
+                // The point of b that the first party has it in is named where nothing else names it.
+                let model = with(SCENE, &format!("joint j = {call};"));
+                leaves(&model, &call, false, free, rows);
+            }
+        }
+    }
+}
+
+#[test]
+fn joints_of_sections_in_a_plane() {
+    for (a, first) in IN_PLANE.iter().enumerate() {
+        for (b, second) in SECOND.iter().enumerate() {
+            for (call, free) in [
+                (format!("weld({first}, {second})"), &[][..]),
+                (format!("revolute({first}, {second})"), &[5]),
+                (format!("prismatic({first}, {second}, axis = [3, 4, 0])"), &[]),
+            ] {
+                if call.starts_with("prismatic") && a + b == 0 {
+                    continue;
+                }
+                let model = with(PLANAR, &format!("joint j = {call};"));
+                if call.starts_with("prismatic") {
+                    slides(&model, &call);
+                } else {
+                    leaves(&model, &call, true, free, 3 - free.len());
+                }
+            }
+        }
+    }
+}
+
+/// In a plane along [3, 4, 0] of the first party.
+fn slides(model: &Model, call: &str) {
+    let joint = model.constraints.last().expect("a joint");
+    assert_eq!(joint.rows.len(), 2, "{call}");
+    let (along, across) = (|t: f64| [0.6 * t, 0.8 * t, 0.0], |t: f64| [-0.8 * t, 0.6 * t, 0.0]);
+    let (still, turning) = (|_: f64| [0.0; 3], |t: f64| [0.0, 0.0, 0.5 * t]);
+    let worst = |shift: &dyn Fn(f64) -> Vec3, turn: &dyn Fn(f64) -> Vec3| {
+        let motion = Motion {
+            shift,
+            turn,
+            small: NONE,
+            is_planar: true,
+            strain: 0.0,
+        };
+        let rows = motion.world(model, 0.9, |world| world.rows(joint));
+        rows.iter().fold(0.0, |worst: f64, row| worst.max(row.abs()))
+    };
+    assert!(worst(&along, &still) < 1e-12, "{call}");
+    assert!(worst(&across, &still) > 0.1, "{call}");
+    assert!(worst(&still, &turning) > 0.1, "{call}");
+}
+
+/// A clamp fixes the directions of both axes, and with them the angle between them, not their norms; a
+/// full one the norms, too. The slope is free.
+#[test]
+fn clamped_sections_keep_their_axes() {
+    let model = with(
+        SCENE,
+        "joint j = clamp(rod.at(1 m), a);  joint full = clamp_full(rod.end, a);
+         joint line = clamp(wire.end, rod.at(0.5 m));",
+    );
+    let find = |name: &str| model.constraints.iter().find(|other| other.name == name).unwrap();
+    let names = |name: &str| -> Vec<&str> { find(name).rows.iter().map(|(row, _)| row.as_str()).collect() };
+    assert_eq!(
+        names("j")[3..],
+        ["direction 1", "direction 2", "direction 3", "direction 4"]
+    );
+    assert_eq!(names("full")[3..], ["ey x", "ey y", "ey z", "ez x", "ez y", "ez z"]);
+    assert_eq!(names("line").len(), 5);
+    let pose = |_: &str, _: f64| Pose {
+        r: [0.0; 3],
+        a: rotation([0.0; 3]),
+    };
+    let worst = |name: &str, moved: [Vec3; 3]| {
+        let sections = |_: &str, _: &Location, t: f64| {
+            let change = |v: Vec3, dv: Vec3| add(v, scale(t, dv));
+            [
+                [1.0, 0.0, 0.0],
+                change([1.0, 0.0, 0.0], moved[0]),
+                change([0.0, 1.0, 0.0], moved[1]),
+                change([0.0, 0.0, 1.0], moved[2]),
+            ]
+        };
+        let world = World {
+            model: &model,
+            pose: &pose,
+            sections: Some(&sections),
+            end: &still,
+            t: 1.0,
+        };
+        let rows = world.rows(find(name));
+        rows.iter().fold(0.0, |worst: f64, row| worst.max(row.abs()))
+    };
+    let none = [0.0; 3];
+    for (moved, is_free, is_free_in_full) in [
+        ([[0.3, 0.2, 0.1], none, none], true, true),
+        ([none, [0.0, 0.5, 0.0], none], true, false),
+        ([none, none, [0.0, 0.0, 0.5]], true, false),
+        ([none, [0.0, 0.0, 0.1], [0.0, 0.1, 0.0]], false, false),
+        ([none, [0.1, 0.0, 0.0], none], false, false),
+        ([none, none, [0.1, 0.0, 0.0]], false, false),
+    ] {
+        assert_eq!(worst("j", moved) < 1e-12, is_free, "{moved:?}");
+        assert_eq!(worst("full", moved) < 1e-12, is_free_in_full, "{moved:?}");
+    }
+}
+
+/// Power of the forces on markers.
+fn power(force: &Force, world: &World) -> f64 {
+    let each = force.markers.iter().zip(&force.components);
+    each.map(|(marker, force)| {
+        let rate = world.rate(*marker);
+        dot(force.each_ref().map(|part| world.value(part)), rate)
+    })
+    .sum()
+}
+
+/// Resultant and moment about the origin of the forces on markers.
+fn resultant(force: &Force, world: &World) -> (Vec3, Vec3) {
+    let (mut sum, mut moment) = ([0.0; 3], [0.0; 3]);
+    for (marker, components) in force.markers.iter().zip(&force.components) {
+        let force = components.each_ref().map(|part| world.value(part));
+        let value = world.marker(*marker, world.t);
+        match &world.model.markers[marker.0] {
+            Marker::Turn { .. } => moment = add(moment, force),
+            Marker::Point { .. } | Marker::BodyPoint { .. } => {
+                sum = add(sum, force);
+                moment = add(moment, cross(value, force));
+            }
+            _ => moment = add(moment, cross(value, force)),
+        }
+    }
+    (sum, moment)
+}
+
+fn near(found: &[f64], want: &[f64], tolerance: f64, what: &str) {
+    assert_eq!(found.len(), want.len(), "{what}");
+    for (found, want) in found.iter().zip(want) {
+        assert!((found - want).abs() < tolerance, "{what}: {found} {want}");
+    }
+}
+
+fn output(model: &Model, name: &str) -> Expr {
+    let output = model.outputs.iter().find(|output| output.name == name).unwrap();
+    output.components[0].1.clone()
+}
+
+/// Angles of joints of sections count from the start; their springs do the work of their potential, also
+/// where sections strain, and have no resultant; drives and slides follow.
+#[test]
+fn angles_of_sections_and_their_springs() {
+    let theta = |t: f64| 0.8 * t * t;
+    for is_planar in [false, true] {
+        let firsts = if is_planar { IN_PLANE } else { FIRST };
+        for (a, first) in firsts.iter().enumerate() {
+            for (b, second) in SECOND.iter().enumerate() {
+                if a + b == 0 {
+                    continue;
+                }
+                let (scene, kind, more) = if is_planar {
+                    (PLANAR, "revolute", "")
+                } else {
+                    (SCENE, "cylindrical", ", axis = [2, -1, 2]")
+                };
+                let mut items = format!(
+                    "joint j = {kind}({first}, {second}{more});  joint turn = drive(j.angle, 0.5 rad);
+                     output angle = j.angle;
+                     spring soft = torsional(j, stiffness = 3 [N*m/rad]);
+                     spring damper = torsional(j, stiffness = 0 [N*m/rad], damping = 2 [N*m*s/rad]);"
+                );
+                if !is_planar {
+                    items += "joint push = drive(j.slide, 0.25 m * t / 1 s);";
+                }
+                let model = with(scene, &items);
+                let axis = if is_planar {
+                    [0.0, 0.0, 1.0]
+                } else {
+                    scale(1.0 / 3.0, [2.0, -1.0, 2.0])
+                };
+                let slide = if is_planar { 0.0 } else { 0.4 };
+                let (shift, turn) = (|t: f64| scale(slide * t, axis), |t: f64| scale(theta(t), axis));
+                let motion = Motion {
+                    shift: &shift,
+                    turn: &turn,
+                    small: NONE,
+                    is_planar,
+                    strain: if a > 0 && b > 0 { 0.2 } else { 0.0 },
+                };
+                let what = format!("{first} {second} {is_planar}");
+                let angle = |t: f64| motion.world(&model, t, |world| world.value(&output(&model, "angle")));
+                motion.world(&model, 0.9, |world| {
+                    let t = world.t;
+                    let rate = (angle(t + STEP) - angle(t - STEP)) / (2.0 * STEP);
+                    let find = |name: &str| model.constraints.iter().find(|other| other.name == name);
+                    if motion.strain == 0.0 {
+                        near(&[angle(t), rate], &[theta(t), 1.6 * t], 1e-8, &what);
+                        let driven = world.rows(find("turn").unwrap());
+                        near(&driven, &[(theta(t) - 0.5).sin()], 1e-9, &what);
+                        if let Some(push) = find("push") {
+                            near(&world.rows(push), &[0.4 * t - 0.25 * t], 1e-9, &what);
+                        }
+                    }
+                    let spring = &model.forces[0];
+                    let energy = world.value(spring.energy.as_ref().unwrap());
+                    near(&[energy], &[1.5 * angle(t) * angle(t)], 1e-8, &what);
+                    near(&[power(spring, world)], &[-3.0 * angle(t) * rate], 1e-6, &what);
+                    near(&[power(&model.forces[1], world)], &[-2.0 * rate * rate], 1e-6, &what);
+                    for force in &model.forces {
+                        let (sum, moment) = resultant(force, world);
+                        near(&sum, &[0.0; 3], 1e-9, &what);
+                        near(&moment, &[0.0; 3], 1e-9, &what);
+                    }
+                });
+            }
+        }
+    }
+}
+
+/// A bushing is a potential between the axes of B, takes nothing from the momenta, and damps what
+/// moves in these axes.
+#[test]
+fn bushings_between_all_sorts_of_places() {
+    let shift = |t: f64| [0.3 * t, 0.1 - t, 0.2];
+    let turn = |t: f64| [0.5 * t, -0.3, 0.2 * t];
+    let motion = Motion {
+        shift: &shift,
+        turn: &turn,
+        small: NONE,
+        is_planar: false,
+        strain: 0.1,
+    };
+    for (a, b) in [("shaft.end", "b"), ("a", "b.at([1, 2, 3] m)"), ("rod.at(1 m)", "a")] {
+        let model = with(
+            SCENE,
+            &format!(
+                "spring s = bushing({a}, {b}, stiffness = [3, 4, 5] N/m);
+                 spring d = bushing({a}, {b}, stiffness = [0, 0, 0] N/m, damping = [1, 0, 2] N*s/m);"
+            ),
+        );
+        let potential = |t: f64| motion.world(&model, t, |world| world.value(model.forces[0].energy.as_ref().unwrap()));
+        motion.world(&model, 0.9, |world| {
+            let rate = (potential(world.t + STEP) - potential(world.t - STEP)) / (2.0 * STEP);
+            near(&[power(&model.forces[0], world)], &[-rate], 1e-5, a);
+            for force in &model.forces {
+                let (sum, moment) = resultant(force, world);
+                near(&sum, &[0.0; 3], 1e-9, a);
+                near(&moment, &[0.0; 3], 1e-9, a);
+            }
+            assert!(model.forces[1].energy.is_none());
+            let place = |t: f64| -> Vec3 {
+                let [from, name, at] = match b {
+                    "b" => [a, "b", ""],
+                    "a" => [a, "a", ""],
+                    _ => [a, "b", "at"],
+                };
+                let pose = motion.pose(name, t);
+                let own = if at.is_empty() { [0.0; 3] } else { [1.0, 2.0, 3.0] };
+                let to = add(pose.r, times(pose.a, own));
+                let from = match from {
+                    "a" => motion.pose("a", t).r,
+                    "shaft.end" => motion.section("shaft", t)[0],
+                    _ => motion.section("rod", t)[0],
+                };
+                times(transposed(pose.a), add(from, scale(-1.0, to)))
+            };
+            let d = place(world.t);
+            let want = 0.5 * (3.0 * d[0] * d[0] + 4.0 * d[1] * d[1] + 5.0 * d[2] * d[2]);
+            near(&[potential(world.t)], &[want], 1e-9, a);
+            let rates = scale(
+                0.5 / STEP,
+                add(place(world.t + STEP), scale(-1.0, place(world.t - STEP))),
+            );
+            let lost = rates[0] * rates[0] + 2.0 * rates[2] * rates[2];
+            near(&[power(&model.forces[1], world)], &[-lost], 1e-5, a);
+        });
+    }
+}
+
+/// Between a beam and the ground there is one force, on the beam; in a plane two of the axes count.
+#[test]
+fn bushings_on_the_ground() {
+    let model = with(
+        PLANAR,
+        "spring s = bushing(rod.at(1 m), inertial.at([1, 2, 0] m), stiffness = [3, 4, 5] N/m, damping = [0.5, 0, 0] N*s/m);
+         spring on = bushing(a, b, stiffness = [3, 4, 5] N/m);",
+    );
+    let (shift, turn) = (|t: f64| [t, -0.3 * t, 0.0], |t: f64| [0.0, 0.0, t]);
+    let motion = Motion {
+        shift: &shift,
+        turn: &turn,
+        small: NONE,
+        is_planar: true,
+        strain: 0.0,
+    };
+    motion.world(&model, 0.6, |world| {
+        let force = model.forces[0].components[0].each_ref().map(|part| world.value(part));
+        let place = |t: f64| motion.section("rod", t)[0];
+        let rate = (place(world.t + STEP)[0] - place(world.t - STEP)[0]) / (2.0 * STEP);
+        let [x, y, _] = place(world.t);
+        near(
+            &force,
+            &[-3.0 * (x - 1.0) - 0.5 * rate, -4.0 * (y - 2.0), 0.0],
+            1e-7,
+            "ground",
+        );
+        let moves = |marker: &Marker| !matches!(marker, Marker::BodyPoint { .. });
+        let acting = model.forces[0].markers.iter().zip(&model.forces[0].components);
+        for (marker, components) in acting.filter(|(marker, _)| moves(&model.markers[marker.0])) {
+            let zero = components.iter().all(|part| *part == Expr::Number(0.0));
+            assert!(zero, "{:?}", model.markers[marker.0]);
+        }
+        let (sum, moment) = resultant(&model.forces[1], world);
+        near(&sum, &[0.0; 3], 1e-9, "between");
+        near(&moment, &[0.0; 3], 1e-9, "between");
+    });
+}
+
+/// Q on r_y, r_z with r_y x Q_y + r_z x Q_z = M, for any section; in a plane on r_y alone.
+#[test]
+fn moments_turn_sections() {
+    let model = with(
+        SCENE,
+        "load turning = moment(rod.end, [1, -2, 3] N*m, in = a);  load dead = moment(rod.end, [1, 0, 0] N*m);",
+    );
+    assert!(matches!(model.loads[0].kind, LoadKind::Moment { .. }));
+    let sections = |_: &str, _: &Location, _: f64| [[0.0; 3], [1.0, 0.0, 0.0], [0.1, 1.1, 0.2], [-0.2, 0.1, 0.9]];
+    let pose = |_: &str, t: f64| first_body(t);
+    let world = World {
+        model: &model,
+        pose: &pose,
+        sections: Some(&sections),
+        end: &still,
+        t: 0.4,
+    };
+    let (_, moment) = resultant(&model.forces[0], &world);
+    near(&moment, &times(first_body(0.4).a, [1.0, -2.0, 3.0]), 1e-12, "moment");
+    let flat = with(PLANAR, "load turning = moment(rod.end, [0, 0, 3] N*m, in = a);");
+    let motion = Motion {
+        shift: &|_| [0.0; 3],
+        turn: &|_| [0.0; 3],
+        small: NONE,
+        is_planar: true,
+        strain: 0.3,
+    };
+    motion.world(&flat, 0.4, |world| {
+        let (_, moment) = resultant(&flat.forces[0], world);
+        near(&moment, &[0.0, 0.0, 3.0], 1e-12, "in a plane");
+    });
+}
+
+/// Constants of a fixture are the moments of its mass: of points with the same mass, centre and inertia.
+#[test]
+fn fixtures_on_sections() {
+    let points: [(f64, Vec3); 4] = [
+        (1.0, [0.1, 0.2, 0.3]),
+        (2.0, [-0.2, 0.1, 0.4]),
+        (0.5, [0.3, -0.3, 0.1]),
+        (1.5, [0.2, 0.4, -0.2]),
+    ];
+    let mass: f64 = points.iter().map(|(m, _)| m).sum();
+    let center = points
+        .iter()
+        .fold([0.0; 3], |sum, (m, x)| add(sum, scale(m / mass, *x)));
+    let inertia = |i: usize, j: usize| -> f64 {
+        points
+            .iter()
+            .map(|(m, x)| {
+                let x = add(*x, scale(-1.0, center));
+                m * (if i == j { dot(x, x) } else { 0.0 } - x[i] * x[j])
+            })
+            .sum()
+    };
+    let pairs = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
+    let [xx, yy, zz, xy, xz, yz] = pairs.map(|[i, j]| inertia(i, j));
+    let [x, y, z] = center;
+    let model = with(
+        SCENE,
+        &format!(
+            "param heavy = {mass} kg;
+             fixture disc on rod.at(1 m) {{ mass = heavy; center = [{x}, {y}, {z}] m;
+                 inertia = [{xx}, {yy}, {zz}, {xy}, {xz}, {yz}] kg*m^2; }}
+             fixture bead on rod.end {{ mass = 2 kg; }}
+             fixture ring on wire.end {{ mass = 2 kg; offset = 0.1 m; gyration = 0.2 m; }}"
+        ),
+    );
+    let value = |expr: &Expr| crate::check::fold::with_defaults(&model, expr, 0.0).unwrap();
+    let constants = |at: usize| model.fixtures[at].constants.each_ref().map(value);
+    let mut want = vec![mass];
+    want.extend((0..3).map(|i| points.iter().map(|(m, x)| m * x[i]).sum::<f64>()));
+    want.extend(pairs.map(|[i, j]| points.iter().map(|(m, x)| m * x[i] * x[j]).sum::<f64>()));
+    near(&constants(0), &want, 1e-12, "disc");
+    assert_eq!(constants(1)[0], 2.0);
+    assert!(constants(1)[1..].iter().all(|entry| *entry == 0.0));
+    near(&constants(2)[..5], &[2.0, 0.2, 0.0, 0.0, 0.1], 1e-12, "ring");
+    let flat = with(
+        PLANAR,
+        "fixture disc on rod.end { mass = 2 kg; center = [0.1, 0.3, 0] m; inertia = 0.4 kg*m^2; }",
+    );
+    let value = |expr: &Expr| crate::check::fold::with_defaults(&flat, expr, 0.0).unwrap();
+    let constants = flat.fixtures[0].constants.each_ref().map(value);
+    near(
+        &constants,
+        &[2.0, 0.2, 0.6, 0.0, 0.2 + 0.02, 0.2 + 0.18, 0.0, 0.06, 0.0, 0.0],
+        1e-12,
+        "planar",
+    );
+}
+
+/// Axes of sections are seen like slopes, in any frame; what sections carry is a number.
+#[test]
+fn sections_are_observed() {
+    let model = with(
+        SCENE,
+        "output plain = shaft.end.ez.x;  output seen = rod.at(1 m).in(inertial).ey;  output in_a = rod.end.in(a).ez.y;
+         output n = shaft.end.axial_force;  output q = 2 * shaft.at(1 m).shear_z;  output torque = shaft.end.torque;
+         output ratio = shaft.end.moment_y / shaft.end.moment_z;  output wm = wire.end.moment;
+         constraint c = dot(rod.end.in(inertial).ey, a.ez);",
+    );
+    let all = |name: &str| {
+        let output = model.outputs.iter().find(|output| output.name == name).unwrap();
+        (output.unit.as_str(), output.components.len())
+    };
+    assert_eq!((all("plain"), all("seen")), (("1", 1), ("1", 3)));
+    assert_eq!(
+        (all("n"), all("q"), all("torque"), all("ratio")),
+        (("N", 1), ("N", 1), ("N m", 1), ("1", 1))
+    );
+    let Expr::Observed(Observable::Point { what, component, .. }) = output(&model, "plain") else {
+        panic!("a component of a point");
+    };
+    assert_eq!((what, component), (PointQuantity::SectionZ, 0));
+    for (name, wanted) in [
+        ("n", SectionQuantity::AxialForce),
+        ("torque", SectionQuantity::Torque),
+        ("wm", SectionQuantity::Moment),
+    ] {
+        let Expr::Observed(Observable::Section { what, .. }) = output(&model, name) else {
+            panic!("{name}");
+        };
+        assert_eq!(what, wanted);
+    }
+    let (shift, turn) = (|t: f64| [t, 0.0, 0.0], |t: f64| [0.0, t, 0.3 * t]);
+    let motion = Motion {
+        shift: &shift,
+        turn: &turn,
+        small: NONE,
+        is_planar: false,
+        strain: 0.1,
+    };
+    motion.world(&model, 0.5, |world| {
+        let [_, _, y, z] = motion.section("rod", 0.5);
+        let a = first_body(0.5).a;
+        near(
+            &[world.value(&output(&model, "in_a"))],
+            &[times(transposed(a), z)[1]],
+            1e-12,
+            "ez",
+        );
+        let row = world.rows(model.constraints.last().unwrap());
+        near(&row, &[dot(y, times(a, [0.0, 0.0, 1.0]))], 1e-12, "constraint");
+    });
+    let flat = with(PLANAR, "output bending = rod.end.moment_z;  output y = rod.end.ey;");
+    let Expr::Observed(Observable::Section { what, .. }) = output(&flat, "bending") else {
+        panic!("a moment");
+    };
+    assert_eq!(what, SectionQuantity::MomentZ);
+}
+
+/// Ends in their own or in prescribed frames are eliminated where that is linear; else multipliers.
+#[test]
+fn ends_with_sections_are_eliminated() {
+    let model = with(
+        SCENE,
+        "rigid f { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
+         body own in f { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 2 * beam(thin, steel); }
+         joint p = pin(own.start, f);  joint h = hold(own.start.ey.z);  joint g = hold(own.start.ez.x);
+         joint s = hold(own.start.slope.y);  joint hinge = revolute(f, own.end, axis = z);
+         joint w = weld(own.end, a);  joint mid = weld(own.at(0.5 m), hub);",
+    );
+    let kinds: Vec<_> = model.joints[3..].iter().map(|joint| joint.kind).collect();
+    let hold = |of, axis| JointKind::Hold { of, axis };
+    assert_eq!(
+        kinds,
+        [
+            JointKind::Pin,
+            hold(Held::SectionY, 2),
+            hold(Held::SectionZ, 0),
+            hold(Held::Slope, 1)
+        ]
+    );
+    let shape: Vec<_> = model
+        .constraints
+        .iter()
+        .map(|other| format!("{} {} {}", other.name, other.absolute.is_some(), other.rows.len()))
+        .collect();
+    assert_eq!(
+        shape,
+        [
+            "p true 3",
+            "h true 1",
+            "g true 1",
+            "s true 1",
+            "hinge false 5",
+            "w false 7",
+            "mid false 7"
+        ]
+    );
+    assert_eq!(model.constraints[1].rows[0].0, "ey z");
+    // What is written first is the first party, also in the body's own frame.
+    let hinge = &model.constraints[4];
+    assert_eq!(model.markers[hinge.markers[0].0].frame(), model.joints[3].frame.into());
+}

@@ -1,0 +1,79 @@
+//! Where a static equilibrium loses its stability as the loads grow: buckling and limit points.
+
+use super::newton::Newton;
+use super::uniform::Uniform;
+use super::{Continued, check, follow};
+use crate::error::SolveError;
+use crate::model::Scene;
+use crate::system::State;
+
+/// Increment of the load along the way.
+const LARGEST: f64 = 1.0 / 32.0;
+/// Relative width to which the load is bracketed.
+const WIDTH: f64 = 1e-6;
+
+/// A critical point of static equilibria.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Critical {
+    /// Part of the loads at which it is, to 1e-6.
+    pub factor: f64,
+    /// The last equilibrium in front of it.
+    pub state: State,
+    /// Whether no equilibrium was found behind it (a limit point); else the bodies buckle.
+    pub is_limit: bool,
+}
+
+/// The first part of the loads of time `t` (s), up to 1, at which the stiffness of the static
+/// equilibrium becomes singular; `None` where it does not.
+///
+/// # Errors
+/// As [`follow`], if there is no equilibrium at small loads.
+pub fn critical_factor<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Option<Critical>, SolveError> {
+    let at = Uniform::at_rest(t);
+    let mut path: Vec<Continued> = Vec::new();
+    let outcome = follow(scene, &at, LARGEST, |_, step| path.push(step.clone()));
+    let Some(first) = path.first() else {
+        return outcome.map(|_| None);
+    };
+    let changed = path.iter().position(|step| step.negative != first.negative);
+    let (before, beyond) = match (changed, outcome) {
+        (Some(place), _) => (path[place - 1].clone(), path[place].scale),
+        (None, Ok(_)) => return Ok(None),
+        (None, Err(_)) => (path[path.len() - 1].clone(), 1.0),
+    };
+    Ok(Some(bracket(scene, &at, before, beyond, changed.is_none())?))
+}
+
+/// Bisects between the last equilibrium in front of the critical point and a load beyond it.
+fn bracket<S: Scene + ?Sized>(
+    scene: &mut S,
+    at: &Uniform,
+    mut before: Continued,
+    mut beyond: f64,
+    mut is_limit: bool,
+) -> Result<Critical, SolveError> {
+    check(scene, at, &before.state)?;
+    let mut newton = Newton::new(scene);
+    while beyond - before.scale > WIDTH * beyond {
+        let at = at.scaled(0.5 * (before.scale + beyond));
+        let mut state = before.state.clone();
+        let (result, iterations) = newton.solve(scene, &at, &mut state);
+        let negative = newton.count(&at);
+        if result.is_ok() && negative == before.negative {
+            before = Continued {
+                scale: at.scale,
+                state,
+                iterations,
+                negative,
+            };
+        } else {
+            is_limit = result.is_err();
+            beyond = at.scale;
+        }
+    }
+    Ok(Critical {
+        factor: 0.5 * (before.scale + beyond),
+        state: before.state,
+        is_limit,
+    })
+}
