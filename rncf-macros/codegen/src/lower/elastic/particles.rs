@@ -9,7 +9,7 @@ use super::{Builder, Quantity};
 use crate::elements::Interpolant;
 use crate::lower::invariants::{Blocks, Invariant, Response, invariants, zero_blocks};
 use crate::lower::quadratic::length_power;
-use crate::lower::signature::Signature;
+use crate::lower::signature::{PointInputs, Signature};
 use crate::symbolic::{Id, linear::Vector};
 
 /// What a particle adds, on the fields.
@@ -213,8 +213,18 @@ impl Builder<'_> {
             references,
         };
         let (points, quantity) = (self.rule, self.quantity);
-        let [kernel, particle] =
-            signature.particle(points, quantity, self.graph, outputs, (&names, inputs, &before, blocks));
+        let [kernel, particle] = signature.particle(
+            points,
+            quantity,
+            self.graph,
+            outputs,
+            &PointInputs {
+                names,
+                inputs,
+                before,
+                blocks,
+            },
+        );
         Point {
             kernel,
             particle: Some(particle),
