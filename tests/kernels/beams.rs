@@ -10,6 +10,7 @@ use rncf_codegen::model::{Evaluation, Quadrature};
 use rncf_tests::section_beam::{Element, Properties, Section, residual_and_jacobian};
 
 use crate::jacobians::{Random, assert_close, jacobian};
+use crate::materials::rank;
 
 rncf::model! {
     /// Damped, straight, in space, each strain for itself.
@@ -167,7 +168,10 @@ fn against_steps(variant: &Variant, reference: &[f64], q: &[f64], v: &[f64], fou
 
 fn variant(dimension: usize, coupling: usize, damped: bool, curved: bool) -> Variant {
     Variant {
-        element: Library::standard().find("beam").map(rncf_codegen::model::ElementId).unwrap(),
+        element: Library::standard()
+            .find("beam")
+            .map(rncf_codegen::model::ElementId)
+            .unwrap(),
         dimension,
         options: vec![coupling],
         quadrature: Quadrature::Exact,
@@ -252,7 +256,10 @@ fn twisted_with_lateral_contraction() {
     let (mut rest, mut energy) = ([0.0; 30], 0.0);
     kernels::beam_spatial_poisson_curved_damped_elastic_force(&row, &reference, &shape, &[0.0; 30], &mut rest);
     kernels::beam_spatial_poisson_curved_damped_strain_energy(&row, &reference, &shape, &mut energy);
-    assert!(rest.iter().all(|x| x.abs() < 1e-9) && energy.abs() < 1e-20, "{rest:?} {energy}");
+    assert!(
+        rest.iter().all(|x| x.abs() < 1e-9) && energy.abs() < 1e-20,
+        "{rest:?} {energy}"
+    );
 }
 
 /// The undamped kernels write only what is on and above the diagonal of pairs of groups.
@@ -278,8 +285,19 @@ fn undamped_in_space_and_in_the_plane() {
     kernels::beam_spatial_elastic_force(&row, &q, &mut force);
     kernels::beam_spatial_elastic_tangent(&row, &q, &mut k);
     let found = [force.to_vec(), k.to_vec(), vec![0.0; 900]];
-    against_loops(Properties::structural(3, LENGTH, &SECTION), None, &q, &[0.0; 30], &found);
+    against_loops(
+        Properties::structural(3, LENGTH, &SECTION),
+        None,
+        &q,
+        &[0.0; 30],
+        &found,
+    );
     against_steps(&variant(3, 0, false, false), &[], &q, &[0.0; 30], &found);
+
+    // The rigid motions alone leave it free.
+    let mut k = [0.0; 900];
+    kernels::beam_spatial_elastic_tangent(&row, rncf::mesh::array(&straight(3)), &mut k);
+    assert_eq!(30 - rank(k.to_vec(), 30), 6);
 
     let row = kernels::BeamPlanar {
         length: LENGTH,
@@ -294,6 +312,15 @@ fn undamped_in_space_and_in_the_plane() {
     kernels::beam_planar_elastic_force(&row, &q, &mut force);
     kernels::beam_planar_elastic_tangent(&row, &q, &mut k);
     let found = [force.to_vec(), k.to_vec(), vec![0.0; 196]];
-    against_loops(Properties::structural(2, LENGTH, &SECTION), None, &q, &[0.0; 14], &found);
+    against_loops(
+        Properties::structural(2, LENGTH, &SECTION),
+        None,
+        &q,
+        &[0.0; 14],
+        &found,
+    );
     against_steps(&variant(2, 0, false, false), &[], &q, &[0.0; 14], &found);
+    let mut k = [0.0; 196];
+    kernels::beam_planar_elastic_tangent(&row, rncf::mesh::array(&straight(2)), &mut k);
+    assert_eq!(14 - rank(k.to_vec(), 14), 3);
 }

@@ -6,22 +6,24 @@ use super::variant::Variant;
 use crate::elements::Library;
 use crate::symbolic::{Graph, Id};
 
-/// Fields at a point in generated code.
-pub(super) struct FieldNames<'a> {
-    /// Names of the fields.
-    pub names: &'a [&'a str],
-    /// Names of their components, and of those of their rates, field by field.
-    pub inputs: [Vec<Vec<String>>; 2],
-    /// Numbers of blocks of stiffness and damping.
-    pub blocks: [usize; 2],
-}
-
 /// What the signatures of an element's kernels depend on.
 pub(super) struct Signature<'a> {
     pub variant: &'a Variant,
     pub library: &'a Library,
     /// Reference symbols that the kernel made.
     pub references: usize,
+}
+
+/// What a kernel of the fields at a point takes and gives.
+pub(super) struct PointInputs {
+    /// Names of the fields.
+    pub names: Vec<&'static str>,
+    /// Names of their components and of those of their rates.
+    pub inputs: [Vec<Vec<String>>; 2],
+    /// Names of their components in the stress-free shape, where a kernel takes these.
+    pub before: Vec<String>,
+    /// Numbers of blocks of stiffness and damping.
+    pub blocks: [usize; 2],
 }
 
 impl Signature<'_> {
@@ -135,16 +137,18 @@ impl Signature<'_> {
         }
     }
 
-    /// Wraps the expressions of a kernel of the fields at a point: names of the fields, of their components
-    /// and rates, and how many blocks of stiffness and damping there are.
+    /// Wraps the expressions of a kernel of the fields at a point.
     pub fn field_point(
         &self,
         points: usize,
         quantity: Quantity,
         graph: Graph,
         outputs: Vec<(String, Id)>,
-        FieldNames { names, inputs, blocks }: FieldNames,
+        point: &PointInputs,
     ) -> Kernel {
+        let PointInputs {
+            names, inputs, blocks, ..
+        } = point;
         let (dimension, count) = (self.variant.dimension, names.len());
         let with_rates = self.variant.damped && quantity != Quantity::Energy;
         let mut arguments = vec![format!("row: &{}", self.row())];
@@ -152,7 +156,7 @@ impl Signature<'_> {
             arguments.push(format!("reference: &[f64; {}]", self.references));
         }
         let mut bindings = self.bindings(true, &[]);
-        for (argument, components) in ["fields", "rates"].into_iter().zip(&inputs) {
+        for (argument, components) in ["fields", "rates"].into_iter().zip(inputs) {
             if argument == "fields" || with_rates {
                 arguments.push(format!("{argument}: &[[f64; {dimension}]; {count}]"));
                 let vectors: Vec<String> = components.iter().map(|c| format!("[{}]", c.join(", "))).collect();
@@ -201,10 +205,9 @@ impl Signature<'_> {
         quantity: Quantity,
         graph: Graph,
         outputs: Vec<(String, Id)>,
-        fields: FieldNames,
-        before: &[String],
+        point: &PointInputs,
     ) -> [Kernel; 2] {
-        let mut particle = self.field_point(points, quantity, graph, outputs, fields);
+        let mut particle = self.field_point(points, quantity, graph, outputs, point);
         let mut sum = particle.clone();
         let words: Vec<&str> = particle
             .arguments
@@ -233,7 +236,7 @@ impl Signature<'_> {
         if self.variant.curved {
             particle
                 .bindings
-                .push(format!("let [{}] = *reference;", before.join(", ")));
+                .push(format!("let [{}] = *reference;", point.before.join(", ")));
         }
         [sum, particle]
     }

@@ -7,7 +7,7 @@ use crate::elements::{Interpolant, Library, NodalVector};
 use crate::lower::invariants::{Blocks, Invariant, Response};
 use crate::lower::kernel::Kernel;
 use crate::lower::quadratic::{base_vector, is_position, length_power, relative_shapes};
-use crate::lower::signature::{FieldNames, Signature};
+use crate::lower::signature::{PointInputs, Signature};
 use crate::lower::variant::Variant;
 use crate::symbolic::{Cost, Id, linear::Vector};
 use crate::tensors::gauss_rule;
@@ -174,6 +174,9 @@ fn shapes(
         .collect()
 }
 
+/// Places and values.
+type Outputs = Vec<(String, Id)>;
+
 /// One kernel and what it turned out to depend on.
 pub(super) struct Point {
     pub kernel: Kernel,
@@ -196,7 +199,7 @@ impl Builder<'_> {
             self.field_symbols("v_")
         };
         let mut state = self.field_state(&fields, &rates, self.length);
-        self.refer_to_unit_element(&mut state);
+        self.on_unit_element(&mut state);
         let on_fields = self.respond(&state, &inputs, &input_rates);
         let used: Vec<usize> = (0..fields.len())
             .filter(|&field| state.invariants.iter().any(|it| it.i == field || it.j == field))
@@ -215,12 +218,18 @@ impl Builder<'_> {
             library: self.library,
             references,
         };
-        let fields = FieldNames {
-            names: &names,
-            inputs,
-            blocks,
-        };
-        let kernel = signature.field_point(self.rule, self.quantity, self.graph, outputs, fields);
+        let kernel = signature.field_point(
+            self.rule,
+            self.quantity,
+            self.graph,
+            outputs,
+            &PointInputs {
+                names,
+                inputs,
+                before: Vec::new(),
+                blocks,
+            },
+        );
         Point {
             kernel,
             particle: None,
@@ -270,7 +279,7 @@ impl Builder<'_> {
     }
 
     /// The stress on invariants of the fields as one on those of their derivatives on the unit element.
-    fn refer_to_unit_element(&mut self, state: &mut State) {
+    fn on_unit_element(&mut self, state: &mut State) {
         let power = |builder: &Self, it: &Invariant| {
             length_power(builder.declared[it.i]) + length_power(builder.declared[it.j])
         };
@@ -315,13 +324,12 @@ impl Builder<'_> {
     }
 
     /// What a kernel writes, and which blocks these are.
-    #[allow(clippy::type_complexity)]
     pub(super) fn field_outputs(
         &mut self,
         on_fields: &OnFields,
         used: &[usize],
         groups: (&[usize], usize),
-    ) -> (Vec<(String, Id)>, Option<FieldBlocks>, Option<FieldBlocks>) {
+    ) -> (Outputs, Option<FieldBlocks>, Option<FieldBlocks>) {
         match self.quantity {
             Quantity::Energy | Quantity::Reference => (vec![("*energy".to_string(), on_fields.energy)], None, None),
             Quantity::Force => {
@@ -355,7 +363,7 @@ impl Builder<'_> {
         symmetric: bool,
         used: &[usize],
         (groups, count): (&[usize], usize),
-    ) -> (Vec<(String, Id)>, FieldBlocks) {
+    ) -> (Outputs, FieldBlocks) {
         let all = (0..count).flat_map(|g| (0..count).map(move |h| (g, h)));
         let all = all.filter(|&(g, h)| !symmetric || g <= h);
         let (mut outputs, mut list) = (Vec::new(), no_blocks());

@@ -9,7 +9,7 @@ use super::{Builder, Quantity};
 use crate::elements::Interpolant;
 use crate::lower::invariants::{Blocks, Invariant, Response, invariants, zero_blocks};
 use crate::lower::quadratic::length_power;
-use crate::lower::signature::{FieldNames, Signature};
+use crate::lower::signature::{PointInputs, Signature};
 use crate::symbolic::{Id, linear::Vector};
 
 /// What a particle adds, on the fields.
@@ -218,12 +218,12 @@ impl Builder<'_> {
             quantity,
             self.graph,
             outputs,
-            FieldNames {
-                names: &names,
+            &PointInputs {
+                names,
                 inputs,
+                before,
                 blocks,
             },
-            &before,
         );
         Point {
             kernel,
