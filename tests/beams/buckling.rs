@@ -71,12 +71,12 @@ fn strip_on_edge() {
     let tilted = |part: f64| {
         let model = LateralBuckling {
             load: part * classical,
-            disturbance: 1e-4 * classical,
+            disturbance: 1e-2 * classical,
             elements: 8,
         };
         at_rest(&model, 0.125)
     };
     let (before, beyond) = (tilted(0.8), tilted(1.2));
     println!("strip on edge: y, z, twist {before:.4?} and {beyond:.4?}");
-    assert!(before[2].abs() < 0.05 && beyond[2].abs() > 0.5);
+    assert!(before[2].abs() < 0.1 && beyond[2].abs() > 0.5);
 }

@@ -1,12 +1,12 @@
 //! Straight and curved beams under dead loads: exact with one element where displacements are small,
 //! elastica, 45-degree bend, Princeton beam (THEORY 5.2, BENCHMARKS 1, 4, 5).
 
-use rncf::equilibrium::{Kind, Uniform};
+use rncf::equilibrium::Uniform;
 use rncf::modes::{Wanted, modes};
 use rncf_models::{Bend45, Elastica, PrincetonBeam};
 use rncf_tests::rod::Rod;
 
-use crate::scenes::{at_rest, distance, equilibrium, short};
+use crate::scenes::{at_rest, distance, referenced, short};
 
 rncf::model! {
     /// A round cantilever in space with loads in all directions, relative to those that bend or twist it by about 1.
@@ -103,13 +103,8 @@ fn bending_shear_and_torsion_are_exact_with_one_element() {
 #[test]
 fn only_rigid_motions_have_no_stiffness() {
     for elements in [1, 4] {
-        let (mut scene, state, _) = equilibrium(
-            &Pinned {
-                elements,
-            },
-            Kind::Static,
-            1.0,
-        );
+        let mut scene = referenced(&Pinned { elements });
+        let state = scene.rest(0.0);
         let at = Uniform::at_rest(0.0);
         let found = modes(scene.as_mut(), &at, &state, Wanted { count: 8 }).unwrap();
         let frequencies: Vec<f64> = found.iter().map(|mode| mode.im.hypot(mode.re)).collect();
