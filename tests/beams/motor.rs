@@ -98,7 +98,9 @@ fn relative_equilibria() {
         let found = equilibria(elements, &speeds, 0.0);
         for (((mut scene, state), (problem, q)), (rpm, row)) in found.into_iter().zip(hand).zip(TABLE) {
             let outputs = outputs(scene.as_mut(), &Uniform::steady(LATE), &state);
-            let middle = problem.chain.read(&q, problem.chain.vector(elements / 2, Slot::Position));
+            let middle = problem
+                .chain
+                .read(&q, problem.chain.vector(elements / 2, Slot::Position));
             let (v, by_hand) = (1e3 * outputs[0], 1e3 * middle[1]);
             println!(
                 "{rpm} rpm, {elements} elements: v {v:.6} mm, from the chain {:.1e}, from the table {:.1e}; w {:.1e} mm; stress {:.1} MPa",
@@ -135,7 +137,9 @@ fn frequencies_and_decay() {
         let undamped = modes(free.as_mut(), &at, &at_free, wanted).unwrap();
         let damped = modes(damped.as_mut(), &at, &at_damped, wanted).unwrap();
         let (lowest, margin) = (undamped[0].im, stability_margin(&damped).unwrap());
-        let expected = problem.eigenvalue_near(&q, Damping::Measures, [0.0, frequency]).unwrap();
+        let expected = problem
+            .eigenvalue_near(&q, Damping::Measures, [0.0, frequency])
+            .unwrap();
         println!("{rpm} rpm: {lowest:.5} rad/s, max Re {margin:.6} 1/s; by hand {expected:.6?}");
         assert!((lowest - frequency).abs() < 0.51 && (margin - decay).abs() < 6e-4);
         assert!((damped[0].im - expected[1]).abs() < 1e-6 * expected[1] && (margin - expected[0]).abs() < 1e-5);

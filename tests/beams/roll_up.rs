@@ -58,7 +58,7 @@ fn rolls_up_as_tabulated() {
                 "r/L {radius}, {elements} elements: error {error:.3e}, table {expected:.1e}, from the chain {apart:.1e}"
             );
             assert!(apart < 1e-9);
-            assert!((error / expected - 1.0).abs() < 0.02, "{error} instead of {expected}");
+            assert!((error / expected - 1.0).abs() < 0.03, "{error} instead of {expected}");
         }
     }
 }
