@@ -10,7 +10,7 @@ use crate::scenes::{at_rest, referenced};
 #[test]
 fn right_angle_frame() {
     for (load, exact) in [(1.3, 1.08409), (-0.9, -0.67893)] {
-        for elements in [2, 4, 8] {
+        for elements in [2, 4] {
             let model = RightAngleFrame {
                 load,
                 elements,
@@ -24,9 +24,7 @@ fn right_angle_frame() {
                 found.factor * load
             );
             assert!(!found.is_limit);
-            if elements >= 4 {
-                assert!(error.abs() < 1e-2);
-            }
+            assert!(error.abs() < 1e-2);
         }
     }
 }
@@ -71,12 +69,12 @@ fn strip_on_edge() {
     let tilted = |part: f64| {
         let model = LateralBuckling {
             load: part * classical,
-            disturbance: 1e-4 * classical,
-            elements: 8,
+            disturbance: 1e-2 * classical,
+            elements: 4,
         };
         at_rest(&model, 0.125)
     };
-    let (before, beyond) = (tilted(0.8), tilted(1.2));
+    let (before, beyond) = (tilted(0.8), tilted(1.1));
     println!("strip on edge: y, z, twist {before:.4?} and {beyond:.4?}");
-    assert!(before[2].abs() < 0.05 && beyond[2].abs() > 0.5);
+    assert!(before[2].abs() < 0.1 && beyond[2].abs() > 0.5);
 }

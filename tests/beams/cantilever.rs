@@ -34,7 +34,10 @@ fn frequencies(eta: f64, hub_ratio: f64) -> [f64; 4] {
     let (mut scene, state, row) = equilibrium(&model, Kind::Steady, 1.0);
     // T = rho A W^2 (R L + L^2 / 2) in the root.
     let tension = eta * eta * (hub_ratio + 0.5);
-    assert!((row[3] - tension).abs() <= 1e-3 * tension && row[1].abs() + row[2].abs() < 1e-9, "{row:?}");
+    assert!(
+        (row[3] - tension).abs() <= 1e-3 * tension && row[1].abs() + row[2].abs() < 1e-9,
+        "{row:?}"
+    );
     let found = modes(scene.as_mut(), &Uniform::steady(0.0), &state, Wanted { count: 4 }).unwrap();
     assert!(found.iter().all(|mode| mode.re.abs() < 1e-5 * mode.im));
     let [lag_1, flap_1, lag_2, flap_2] = [0, 1, 2, 3].map(|k| found[k].im);
@@ -50,7 +53,10 @@ fn apart(found: [f64; 4], expected: [f64; 4]) -> [f64; 4] {
 fn frequencies_over_the_speed() {
     for (eta, row) in TABLE.into_iter().enumerate() {
         let differences = apart(frequencies(eta as f64, 0.0), row);
-        println!("eta {eta}: flap 1, 2, lag 1, 2 from the table by {}", short(&differences));
+        println!(
+            "eta {eta}: flap 1, 2, lag 1, 2 from the table by {}",
+            short(&differences)
+        );
         for (difference, limit) in differences.into_iter().zip([1e-4, 4e-4, 1e-4, 4e-4]) {
             assert!(difference < limit, "eta {eta}: {differences:?}");
         }
@@ -64,7 +70,10 @@ fn frequencies_on_a_hub() {
             let rotor = Rotor { eta, hub, terms: 22 };
             let (flap, lag) = (rotor.flap().unwrap(), rotor.lag().unwrap());
             let differences = apart(frequencies(eta, hub), [flap[0], flap[1], lag[0], lag[1]]);
-            println!("hub {hub}, eta {eta}: flap 1, 2, lag 1, 2 from Galerkin's by {}", short(&differences));
+            println!(
+                "hub {hub}, eta {eta}: flap 1, 2, lag 1, 2 from Galerkin's by {}",
+                short(&differences)
+            );
             assert!(differences.into_iter().all(|difference| difference < 1e-3));
         }
     }

@@ -1,7 +1,7 @@
 //! Curved beams in steady rotation against THEORY 9.2 and the hand-written chain.
 
-use rncf::equilibrium::{Uniform, steady};
 use rncf::Model;
+use rncf::equilibrium::{Uniform, steady};
 use rncf_models::{CurvedDownwind, CurvedOutOfPlane, CurvedUpwind};
 use rncf_tests::section_beam::{Properties, Section};
 use rncf_tests::section_chain::{Chain, Hold, Shape, Slot, Supports};
@@ -51,7 +51,10 @@ fn by_hand(elements: usize, axis: usize) -> [f64; 3] {
     };
     let q = problem.solve(2).unwrap();
     let tip = problem.chain.vector(elements, Slot::Position);
-    let (to, from) = (problem.chain.read(&q, tip), problem.chain.read(problem.chain.stress_free(), tip));
+    let (to, from) = (
+        problem.chain.read(&q, tip),
+        problem.chain.read(problem.chain.stress_free(), tip),
+    );
     [to[0] - from[0], to[1] - from[1], to[2] - from[2]]
 }
 
@@ -80,7 +83,9 @@ fn steady_deflections() {
         ];
         let from_table = [distance(&up, &in_plane), distance(&out, &out_of_plane)];
         println!(
-            "{elements} elements: upwind {up:.7?}, out {out:.7?}; from the table {} m, from the chain {} m", short(&from_table), short(&from_chain)
+            "{elements} elements: upwind {up:.7?}, out {out:.7?}; from the table {} m, from the chain {} m",
+            short(&from_table),
+            short(&from_chain)
         );
         assert!(from_chain.iter().all(|&apart| apart < 1e-8));
         assert!(from_table.iter().all(|&apart| apart < limit));

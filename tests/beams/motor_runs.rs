@@ -44,7 +44,10 @@ fn spins_up_to_its_relative_equilibrium() {
     let (rows, steps) = run(&model, Formulation::Rncf, Method::Hht { alpha: -0.05 }, 1e-7, 1.2);
     let late = rows.iter().filter(|row| row[0] > 1.1);
     let apart = late.map(|row| (row[1] - v).abs().max(row[2].abs())).fold(0.0, f64::max);
-    println!("10000 rpm: {steps} steps, at most {:.1e} of {v:.6e} m from the equilibrium at the end", apart / v);
+    println!(
+        "10000 rpm: {steps} steps, at most {:.1e} of {v:.6e} m from the equilibrium at the end",
+        apart / v
+    );
     assert!(apart < 1e-3 * v && rows[rows.len() - 1][0] == 1.2);
 }
 
@@ -57,8 +60,8 @@ fn formulations_agree() {
         damping: 1e-6,
         ..Motor::default()
     };
-    let [rncf, ancf] = [Formulation::Rncf, Formulation::Ancf]
-        .map(|formulation| run(&model, formulation, Method::Radau, 1e-7, 0.025));
+    let [rncf, ancf] =
+        [Formulation::Rncf, Formulation::Ancf].map(|formulation| run(&model, formulation, Method::Radau, 1e-7, 0.025));
     let [a, b] = [&rncf, &ancf].map(|(rows, _)| rows[rows.len() - 1]);
     println!("after 0.025 s: {a:?} in {} steps, {b:?} in {} steps", rncf.1, ancf.1);
     assert!((a[1] - b[1]).abs() < 1e-4 * a[1].abs() && (a[2] - b[2]).abs() < 1e-4 * a[1].abs());

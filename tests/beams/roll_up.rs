@@ -22,12 +22,12 @@ fn rolled_up(radius: f64) -> [f64; 2] {
     [a / angle * angle.sin(), a / angle * (1.0 - angle.cos())]
 }
 
-/// Tip of the hand-written chain.
-fn by_hand(radius: f64, elements: usize, directors: Hold) -> [f64; 3] {
+/// Tip of the hand-written chain with whole directors held.
+fn by_hand(radius: f64, elements: usize) -> [f64; 3] {
     let section = Section::circle(radius, 210e9, 0.3, 7850.0);
     let chain = Chain::along(Properties::structural(2, 1.0, &section), elements, straight).unwrap();
     let problem = Problem {
-        supports: Supports::clamp(&chain, directors),
+        supports: Supports::clamp(&chain, Hold::Fixed),
         chain,
         loads: vec![Load::Moment(elements, 2.0 * PI * section.young * section.i_zz)],
         spin: [0.0; 3],
@@ -53,15 +53,12 @@ fn rolls_up_as_tabulated() {
             };
             let tip = at_rest(&model, 0.125);
             let error = distance(&tip[..2], &exact);
-            let [fixed, free] = [Hold::Fixed, Hold::Direction].map(|hold| by_hand(radius, elements, hold));
-            let apart = distance(&tip[..2], &free[..2]);
+            let apart = distance(&tip[..2], &by_hand(radius, elements)[..2]);
             println!(
-                "r/L {radius}, {elements} elements: error {error:.3e}, table {expected:.1e} ({:.3e} and {:.3e} by hand with fixed and free norms), from the chain {apart:.1e}",
-                distance(&fixed[..2], &exact),
-                distance(&free[..2], &exact)
+                "r/L {radius}, {elements} elements: error {error:.3e}, table {expected:.1e}, from the chain {apart:.1e}"
             );
             assert!(apart < 1e-9);
-            assert!((error / expected - 1.0).abs() < 0.05, "{error} instead of {expected}");
+            assert!((error / expected - 1.0).abs() < 0.03, "{error} instead of {expected}");
         }
     }
 }

@@ -18,7 +18,10 @@ pub fn outputs(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<f64> {
 /// The equilibrium of a model in steps of at most `largest` of the load or spin, and its outputs.
 pub fn equilibrium(model: &impl Model, kind: Kind, largest: f64) -> (Box<dyn Scene>, State, Vec<f64>) {
     let mut scene = referenced(model);
-    let at = Uniform { kind, ..Uniform::steady(0.0) };
+    let at = Uniform {
+        kind,
+        ..Uniform::steady(0.0)
+    };
     let found = follow(scene.as_mut(), &at, largest, |_, _| ()).unwrap();
     let state = found.state().unwrap().clone();
     let row = outputs(scene.as_mut(), &at, &state);

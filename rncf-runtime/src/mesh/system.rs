@@ -136,8 +136,9 @@ impl System for MeshScene {
     }
 
     fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
-        // Conditions on nodes and mean axes are linear in the unknowns.
+        // Mean axes are linear in the unknowns with constant factors.
         values.fill(0.0);
+        self.condition_rate_tangents(state.t, values);
         if !self.constraints.is_empty() {
             self.load_state(state);
             self.marker_rate_tangents(state.t, self.first_linked(), values);
@@ -241,5 +242,41 @@ impl MeshScene {
         let gravity = self.gravity(t);
         self.add_carried_tangents(gravity, out);
         self.add_fixture_borders(gravity, out);
+    }
+}
+
+impl<P: Parts> MeshScene<P> {
+    /// Rates of the conditions' Jacobians, `J(t)` of `J q - c = 0`: columns of the part of `J' q - c'` that is linear in q.
+    fn condition_rate_tangents(&self, t: f64, values: &mut [f64]) {
+        let mut column = 0;
+        for condition in self.conditions.iter().filter(|condition| !condition.rows.is_empty()) {
+            let joint = &self.joints[condition.joint];
+            let spec = &self.bodies[joint.body].spec;
+            let (count, width) = (row_count(joint.kind, spec), width(joint.kind, spec));
+            let still = [0.0; MOST];
+            let rates = |q: &[f64; MOST]| {
+                let (level, still, mut rows) = (ConstraintLevel::Velocity, &still[..width], [0.0; MOST]);
+                let (index, absolute, data) = (condition.joint, condition.absolute, &condition.data);
+                let out = &mut rows[..count];
+                self.parts
+                    .condition(index, absolute, level, t, data, &q[..width], still, still, out);
+                rows
+            };
+            let constant = rates(&still);
+            for (place, &component) in condition.components.iter().enumerate() {
+                let Some((unknown, factor)) = self.layout.unknown(component) else {
+                    continue;
+                };
+                let mut unit = still;
+                unit[place] = 1.0;
+                let moved = rates(&unit);
+                for (offset, &row) in condition.rows.iter().enumerate() {
+                    if let Some(entry) = self.constraint_pattern.find(unknown, column + offset) {
+                        values[entry] += factor * (moved[row] - constant[row]);
+                    }
+                }
+            }
+            column += condition.rows.len();
+        }
     }
 }
