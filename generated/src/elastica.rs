@@ -17,7 +17,7 @@ impl Default for Elastica {
         Self {
             alpha: 1.0,
             slenderness: 0.001,
-            elements: 8,
+            elements: 32,
         }
     }
 }
@@ -31,7 +31,7 @@ impl ::rncf::Model for Elastica {
     /// Radius of the section over the length.
     param slenderness = 0.001;
     /// Number of elements.
-    param elements: count = 8;
+    param elements: count = 32;
 
     const length = 1 m;
     const young = 210 [GPa];
@@ -90,7 +90,7 @@ impl ::rncf::Model for Elastica {
                 unit: "1",
                 unit_si: 1.0,
                 dimension: [0, 0, 0, 0, 0, 0],
-                default: 8.0,
+                default: 32.0,
                 doc: "Number of elements.",
             },
         ]

@@ -16,7 +16,7 @@ pub struct LateralBuckling {
 impl Default for LateralBuckling {
     fn default() -> Self {
         Self {
-            load: 10.0,
+            load: 3.0,
             disturbance: 0.0,
             elements: 8,
         }
@@ -28,7 +28,7 @@ impl ::rncf::Model for LateralBuckling {
     const DOC: &'static str = "Lateral buckling: a cantilever strip on edge tilts and twists under a dead load at its tip\n(critical 4.013 sqrt(EI GJ)/L^2).";
     const SOURCE: &'static str = r#"pub model LateralBuckling {
     /// Load at the tip, along the strip's wide side.
-    param load = 10 N;
+    param load = 3 N;
     /// Load along its thin side that starts the deflection.
     param disturbance = 0 N;
     /// Number of elements.
@@ -69,7 +69,7 @@ impl ::rncf::Model for LateralBuckling {
                 unit: "N",
                 unit_si: 1.0,
                 dimension: [1, 1, -2, 0, 0, 0],
-                default: 10.0,
+                default: 3.0,
                 doc: "Load at the tip, along the strip's wide side.",
             },
             ::rncf::Param {

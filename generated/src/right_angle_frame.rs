@@ -15,7 +15,7 @@ pub struct RightAngleFrame {
 impl Default for RightAngleFrame {
     fn default() -> Self {
         Self {
-            load: 1.0,
+            load: 1.2,
             disturbance: 0.0,
             elements: 8,
         }
@@ -27,7 +27,7 @@ impl ::rncf::Model for RightAngleFrame {
     const DOC: &'static str = "Right-angle frame under a dead load at its free end: it buckles out of its plane, with bending and torsion.";
     const SOURCE: &'static str = r#"pub model RightAngleFrame {
     /// Load at the free end along the first leg; positive pulls.
-    param load = 1 N;
+    param load = 1.2 N;
     /// Load normal to the frame that starts the deflection.
     param disturbance = 0 N;
     /// Number of elements of a leg.
@@ -78,7 +78,7 @@ impl ::rncf::Model for RightAngleFrame {
                 unit: "N",
                 unit_si: 1.0,
                 dimension: [1, 1, -2, 0, 0, 0],
-                default: 1.0,
+                default: 1.2,
                 doc: "Load at the free end along the first leg; positive pulls.",
             },
             ::rncf::Param {
