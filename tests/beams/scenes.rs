@@ -23,6 +23,7 @@ pub fn equilibrium(model: &impl Model, kind: Kind, largest: f64) -> (Box<dyn Sce
         ..Uniform::steady(0.0)
     };
     let found = follow(scene.as_mut(), &at, largest, |_, _| ()).unwrap();
+    println!("{} steps, {} iterations", found.path.len(), found.iterations());
     let state = found.state().unwrap().clone();
     let row = outputs(scene.as_mut(), &at, &state);
     (scene, state, row)
