@@ -25,6 +25,7 @@ mod neutral;
 mod outputs;
 mod parts;
 mod points;
+mod sampling;
 mod scene;
 mod section;
 mod states;
@@ -49,6 +50,7 @@ pub use parts::{
     NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed, SectionQuantity, SectionShape, SectionSpec,
 };
 pub use points::{Blocks, Relative, Rule, Tile, Vectors};
+pub use sampling::SectionBody;
 pub use scene::MeshScene;
 pub use section::SectionState;
 
