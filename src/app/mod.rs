@@ -10,6 +10,7 @@
 mod arguments;
 mod charts;
 mod clock;
+mod envelopes;
 mod files;
 mod history;
 mod nearest;
@@ -17,6 +18,7 @@ mod parameters;
 mod progress;
 mod report;
 mod run;
+mod section_table;
 mod steady;
 mod summary;
 #[cfg(test)]
@@ -30,6 +32,7 @@ use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 pub use clock::Seconds;
+pub use envelopes::{BodyEnvelope, Envelopes, Peak};
 pub use history::{Column, Extreme, History};
 pub use run::{Incomplete, Progress, RunError, RunResult, RunSettings, StepTaken, run, run_watched};
 pub use steady::{SteadyResult, steady};
@@ -155,7 +158,7 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
         counts.factorizations,
         parameters::digits(result.seconds.cpu, 3),
     );
-    finish(head, &result.warnings, files, failure)
+    finish(head, &result.envelopes, &result.warnings, files, failure)
 }
 
 fn execute_steady<M: Model>(arguments: &Arguments<M>) -> Result<String, Failure> {
@@ -178,16 +181,23 @@ fn execute_steady<M: Model>(arguments: &Arguments<M>) -> Result<String, Failure>
         parameters::short(result.history.keys.last().copied().unwrap_or(0.0)),
         parameters::digits(result.seconds.cpu, 3),
     );
-    finish(head, &result.warnings, files, failure)
+    finish(head, &result.envelopes, &result.warnings, files, failure)
 }
 
 /// What to say at the end: with a failure, the files go into its message.
-fn finish(head: String, warnings: &[String], files: String, failure: Option<Failure>) -> Result<String, Failure> {
+fn finish(
+    head: String,
+    envelopes: &Envelopes,
+    warnings: &[String],
+    files: String,
+    failure: Option<Failure>,
+) -> Result<String, Failure> {
+    let bodies = envelopes.lines();
     let warnings: String = warnings.iter().map(|text| format!("warning: {text}\n")).collect();
     match failure {
-        None => Ok(format!("{head}\n{warnings}{files}")),
+        None => Ok(format!("{head}\n{bodies}{warnings}{files}")),
         Some(failure) => Err(Failure {
-            message: format!("{}\n{warnings}up to there:\n{files}", failure.message),
+            message: format!("{}\n{warnings}up to there:\n{bodies}{files}", failure.message),
             ..failure
         }),
     }

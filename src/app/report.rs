@@ -8,6 +8,7 @@ use super::charts::{Chart, LINES};
 use super::history::History;
 use super::parameters::{digits, in_unit, short};
 use super::run::StepTaken;
+use super::section_table;
 use super::summary::{SETTINGS, STATISTICS, Summary};
 use crate::{Model, Output};
 
@@ -40,6 +41,7 @@ pub(super) fn page<M: Model>(
     header::<M>(&mut page, &title, summary);
     page += "<h2>Results</h2>\n";
     results::<M>(&mut page, history)?;
+    page += &section_table::table(summary);
     if !steps.is_empty() {
         step_chart(&mut page, steps)?;
     }
@@ -253,7 +255,7 @@ fn shown(key: &str, value: &Value) -> String {
 }
 
 /// Text that stands for itself in HTML.
-fn escape(text: &str) -> String {
+pub(super) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::ControlFlow;
 
 use super::clock::{Clock, Seconds};
+use super::envelopes::Envelopes;
 use super::history::History;
 use super::steady::{self, SteadyResult};
 use crate::{
@@ -72,6 +73,8 @@ pub struct RunResult {
     pub settings: RunSettings,
     /// Outputs at whole multiples of `every`, by the method's dense output.
     pub history: History,
+    /// Largest section forces and stresses of the bodies, over the rows of the history.
+    pub envelopes: Envelopes,
     /// All accepted steps.
     pub steps: Vec<StepTaken>,
     /// Counts of the integration.
@@ -184,9 +187,11 @@ pub fn run_watched<M: Model>(
             scene.state_of_frame(&frame)
         }
     };
+    let history = History::new::<M>("t", "s");
     let mut result = RunResult {
         settings,
-        history: History::new::<M>("t", "s"),
+        envelopes: Envelopes::new(scene.as_ref(), &history.key),
+        history,
         steps: Vec::new(),
         statistics: Statistics::default(),
         unknowns: scene.unknowns(),
@@ -257,7 +262,7 @@ fn integrate(
     let mut energy = EnergyDrift::default();
     rows.state.clone_from(integrator.state());
     energy.meet(integrator.system().energy(&rows.state));
-    let mut incomplete = rows.record(&mut integrator, &mut result.history).err();
+    let mut incomplete = rows.record(&mut integrator, result).err();
     while incomplete.is_none() {
         let stop = match integrator.step() {
             Ok(stop) => stop,
@@ -273,7 +278,7 @@ fn integrate(
             rows.state.clone_from(integrator.state());
             energy.meet(integrator.system().energy(&rows.state));
         }
-        incomplete = rows.record(&mut integrator, &mut result.history).err();
+        incomplete = rows.record(&mut integrator, result).err();
         if stop == crate::Stop::End {
             break;
         }
@@ -282,7 +287,8 @@ fn integrate(
         }
     }
     result.energy_error = energy.relative();
-    result.warnings = moved.into_iter().chain(rows.warnings).collect();
+    let yielding = result.envelopes.warning();
+    result.warnings = moved.into_iter().chain(rows.warnings).chain(yielding).collect();
     result.state.clone_from(integrator.state());
     result.statistics = integrator.statistics().clone();
     result.incomplete = incomplete;
@@ -344,7 +350,7 @@ impl Rows {
     fn record(
         &mut self,
         integrator: &mut Integrator<'_, dyn Scene + '_>,
-        history: &mut History,
+        result: &mut RunResult,
     ) -> Result<(), Incomplete> {
         let reached = integrator.state().t;
         while self.next < self.count {
@@ -367,7 +373,8 @@ impl Rows {
                     self.warnings.push(text);
                 }
             }
-            history.push(time, &self.values).map_err(Incomplete::Output)?;
+            result.history.push(time, &self.values).map_err(Incomplete::Output)?;
+            result.envelopes.meet(integrator.system(), time, &self.state);
             self.next += 1;
         }
         Ok(())

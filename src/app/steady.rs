@@ -2,6 +2,7 @@
 //! written here.
 
 use super::clock::{Clock, Seconds};
+use super::envelopes::Envelopes;
 use super::history::History;
 use super::run::{RunError, RunSettings};
 use crate::equilibrium::{self, Uniform, follow};
@@ -18,6 +19,8 @@ pub struct SteadyResult {
     pub spin: f64,
     /// Outputs over the spin, one row for each step of the continuation.
     pub history: History,
+    /// Largest section forces and stresses of the bodies, over the rows of the history.
+    pub envelopes: Envelopes,
     /// Number of unknowns.
     pub unknowns: usize,
     /// Number of constraints with multipliers.
@@ -53,6 +56,7 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
     let spin = scene.spin(t);
     let at = Uniform::steady(t);
     let mut history = History::new::<M>("spin", "rad/s");
+    let mut envelopes = Envelopes::new(scene.as_ref(), &history.key);
     let mut row = vec![0.0; scene.output_columns()];
     let mut spoiled = None;
     let mut newton_iterations = 0;
@@ -60,6 +64,7 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
         if spoiled.is_none() {
             scene.uniform_outputs(&at.scaled(scale), state, &mut row);
             spoiled = history.push(scale * spin, &row).err();
+            envelopes.meet_uniform(scene, &at.scaled(scale), scale * spin, state);
         }
     };
     let mut rest = scene.uniform_guess(&at);
@@ -71,7 +76,8 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
     });
     // Where no equilibrium is found the warning may say why.
     let last = outcome.as_ref().ok().and_then(equilibrium::Equilibrium::state);
-    let warnings = scene.warnings(last.unwrap_or(&rest));
+    let mut warnings = scene.warnings(last.unwrap_or(&rest));
+    warnings.extend(envelopes.warning());
     let incomplete = match (outcome, spoiled) {
         (Err(error), _) if newton_iterations == 0 => return Err(RunError::Start(error)),
         (Err(error), _) => Some(error),
@@ -90,6 +96,7 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
         t,
         spin,
         history,
+        envelopes,
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
         newton_iterations,

@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 use super::clock::Seconds;
 use super::history::History;
 use super::run::{RunResult, RunSettings, times};
+use super::section_table;
 use super::steady::SteadyResult;
 use crate::{Joints, Method, Model, ParamKind, Start, StepSize};
 
@@ -78,6 +79,7 @@ pub(super) fn of_run<M: Model>(model: &M, result: &RunResult) -> Summary {
         "velocity_correction",
         json!(result.statistics.velocity_correction),
     );
+    section_table::put(&mut summary, &result.envelopes);
     tail::<M>(&mut summary, &result.history, &result.warnings);
     summary
 }
@@ -95,6 +97,7 @@ pub(super) fn of_steady<M: Model>(model: &M, result: &SteadyResult) -> Summary {
     put(&mut summary, "steps", json!(result.history.keys.len()));
     put(&mut summary, "newton_iterations", json!(result.newton_iterations));
     seconds(&mut summary, result.seconds);
+    section_table::put(&mut summary, &result.envelopes);
     tail::<M>(&mut summary, &result.history, &result.warnings);
     summary
 }

@@ -320,7 +320,10 @@ impl<'a, P: Parts> Reader<'a, P> {
             for (field, weights) in vectors.zip(weights.chunks_exact(count)) {
                 field.fill(0.0);
                 for (weight, vector) in weights.iter().zip(local.chunks_exact(dimension)) {
-                    field.iter_mut().zip(vector).for_each(|(sum, value)| *sum += weight * value);
+                    field
+                        .iter_mut()
+                        .zip(vector)
+                        .for_each(|(sum, value)| *sum += weight * value);
                 }
             }
         }
