@@ -198,7 +198,7 @@ impl Envelopes {
         ))
     }
 
-    /// Lines for standard output: the bodies with the largest stresses.
+    /// Lines for standard output, each after a line's end: the bodies with the largest stresses.
     pub(super) fn lines(&self) -> String {
         let mut order: Vec<&BodyEnvelope> = self.bodies.iter().filter(|body| body.stress.is_some()).collect();
         let stress = |body: &BodyEnvelope| body.stress.map_or(0.0, |peak| peak.value);
@@ -206,7 +206,7 @@ impl Envelopes {
         let line = |envelope: &&BodyEnvelope| {
             let peak = envelope.stress?;
             Some(format!(
-                "{}: {} {}, {}, x = {} of {} m\n",
+                "\n{}: {} {}, {}, x = {} of {} m",
                 envelope.body.name,
                 envelope.stress_name(),
                 with_prefix(peak.value, "Pa"),
@@ -217,7 +217,7 @@ impl Envelopes {
         };
         let mut text: String = order.iter().take(MOST_LINES).filter_map(line).collect();
         if order.len() > MOST_LINES {
-            text += &format!("{} more bodies in summary.json\n", order.len() - MOST_LINES);
+            text += &format!("\n{} more bodies in summary.json", order.len() - MOST_LINES);
         }
         text
     }

@@ -3,10 +3,11 @@
 use std::fmt;
 use std::ops::ControlFlow;
 
+use super::campbell::Campbell;
 use super::clock::{Clock, Seconds};
 use super::envelopes::Envelopes;
-use super::history::History;
-use super::steady::{self, SteadyResult};
+use super::history::{Column, History};
+use super::steady::{self, Equilibria};
 use crate::{
     Formulation, Integrator, Joints, Method, Model, ModelError, Options, Scene, SolveError, Start, State, Statistics,
     StepSize,
@@ -106,6 +107,8 @@ pub enum Incomplete {
     Solve(SolveError),
     /// An output became infinite or not a number; the text names it.
     Output(String),
+    /// There is no equilibrium, or no modes, beyond a value of what is continued; the text names it.
+    Equilibrium(String),
 }
 
 /// Why a run has no complete result.
@@ -119,8 +122,12 @@ pub enum RunError {
     Start(SolveError),
     /// The run stopped on its way; the result up to there.
     Incomplete(Box<RunResult>),
+    /// There is no equilibrium, or no modes; the text says why and where.
+    Equilibrium(String),
     /// The continuation of equilibria stopped on its way; the result up to there.
-    Steady(Box<SteadyResult>),
+    Equilibria(Box<Equilibria>),
+    /// The modes over a parameter or the spin stopped on their way; the result up to there.
+    Campbell(Box<Campbell>),
 }
 
 impl fmt::Display for Incomplete {
@@ -128,7 +135,7 @@ impl fmt::Display for Incomplete {
         match self {
             Incomplete::Interrupted => f.write_str("interrupted by the user"),
             Incomplete::Solve(error) => error.fmt(f),
-            Incomplete::Output(text) => f.write_str(text),
+            Incomplete::Output(text) | Incomplete::Equilibrium(text) => f.write_str(text),
         }
     }
 }
@@ -145,11 +152,17 @@ impl fmt::Display for RunError {
                 Some(reason) => write!(f, "stopped at t = {} s: {reason}", result.state.t),
                 None => f.write_str("stopped before the end"),
             },
-            RunError::Steady(result) => match &result.incomplete {
-                Some(reason) => reason.fmt(f),
-                None => f.write_str("stopped before the full spin"),
-            },
+            RunError::Equilibrium(text) => f.write_str(text),
+            RunError::Equilibria(result) => stopped(f, result.incomplete.as_ref()),
+            RunError::Campbell(result) => stopped(f, result.incomplete.as_ref()),
         }
+    }
+}
+
+fn stopped(f: &mut fmt::Formatter<'_>, reason: Option<&Incomplete>) -> fmt::Result {
+    match reason {
+        Some(reason) => write!(f, "{reason}"),
+        None => f.write_str("stopped before the end"),
     }
 }
 
@@ -187,11 +200,10 @@ pub fn run_watched<M: Model>(
             scene.state_of_frame(&frame)
         }
     };
-    let history = History::new::<M>("t", "s");
     let mut result = RunResult {
         settings,
-        envelopes: Envelopes::new(scene.as_ref(), &history.key),
-        history,
+        history: History::new::<M>(Column::time()),
+        envelopes: Envelopes::new(scene.as_ref(), &Column::time()),
         steps: Vec::new(),
         statistics: Statistics::default(),
         unknowns: scene.unknowns(),
@@ -423,6 +435,7 @@ impl EnergyDrift {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::sweep::SweepSettings;
     use crate::app::testing::Rotor;
 
     const METHODS: [Method; 3] = [
@@ -461,7 +474,7 @@ mod tests {
         assert_eq!(result.warnings, ["the spring is soft at 6 rad/s"]);
         let summary = crate::app::summary::of_run(&rotor, &result);
         assert_eq!(summary["notes"][1], "the spring is soft at 6 rad/s");
-        let steady = steady::steady(&rotor, &RunSettings::default()).unwrap();
+        let steady = steady::steady(&rotor, &SweepSettings::default()).unwrap();
         assert_eq!(steady.warnings, result.warnings);
     }
 
