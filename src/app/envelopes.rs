@@ -230,3 +230,33 @@ pub(super) fn with_prefix(value: f64, unit: &str) -> String {
     let (factor, prefix) = fitting.unwrap_or((1.0, ""));
     format!("{} {prefix}{unit}", digits(value / factor, 4))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn peaks_are_the_first_largest_magnitudes() {
+        let mut peak = None;
+        for (at, value) in [(0.0, f64::NAN), (1.0, 2.0), (2.0, -3.0), (3.0, 3.0), (4.0, f64::NAN)] {
+            meet(&mut peak, value, at, 0.5);
+        }
+        assert_eq!(
+            peak,
+            Some(Peak {
+                value: -3.0,
+                at: 2.0,
+                x: 0.5
+            })
+        );
+    }
+
+    #[test]
+    fn values_have_fitting_prefixes() {
+        let texts = [4.6123456e9, 355e6, -1250.0, 12.0, 1e-3, 0.0].map(|value| with_prefix(value, "Pa"));
+        assert_eq!(
+            texts,
+            ["4.612 GPa", "355 MPa", "-1.25 kPa", "12 Pa", "0.001 Pa", "0 Pa"]
+        );
+    }
+}

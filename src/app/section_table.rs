@@ -127,3 +127,35 @@ fn yielding(body: &Value, name: &str) -> String {
         None => limit,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_says_what_is_known_and_where() {
+        let found = |value: f64| json!({ "value": value, "at": 1.5, "x": 0.25 });
+        let mut summary = Summary::new();
+        assert_eq!(table(&summary), "");
+        summary.insert("bodies_over".into(), json!("t [s]"));
+        summary.insert(
+            "bodies".into(),
+            json!([
+                { "name": "shaft", "axial_force": found(-1250.0), "shear_force": null, "torque": null,
+                  "bending_moment": found(0.5), "stress": found(362.1e6), "stress_is": "largest von Mises stress",
+                  "yield_stress": 355e6, "yielding": found(356e6) },
+                { "name": "a<b", "axial_force": found(1.0), "stress_is": AXIAL },
+            ]),
+        );
+        let text = table(&summary);
+        for part in [
+            "<td>-1.25 kN<br><span class=\"doc\">t = 1.5, x = 0.25 m</span></td><td>–</td><td>–</td><td>0.5 N m<br>",
+            "362.1 MPa<br>",
+            "355 MPa<br><b>passed at t = 1.5</b>",
+            "<td>a&lt;b</td>",
+            "alone for a&lt;b, whose section",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+    }
+}

@@ -36,8 +36,8 @@ rncf::model! {
         joint rope_root = clamp(rope.start, hub);
         load blade_pull = force(blade.end, [pull_x, pull_y, 0 N], in = hub);
         load rope_pull = force(rope.end, [pull_x, pull_y, 0 N], in = hub);
-        load blade_twist = moment(blade.end, [0 N*m, 0 N*m, twist], in = hub);
-        load rope_twist = moment(rope.end, [0 N*m, 0 N*m, twist], in = hub);
+        load blade_twist = moment(blade.end, [0 [N m], 0 [N m], twist], in = hub);
+        load rope_twist = moment(rope.end, [0 [N m], 0 [N m], twist], in = hub);
 
         /// Deflection of the tips.
         output v_blade = blade.end.y;
