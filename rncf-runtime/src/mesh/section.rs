@@ -1,12 +1,12 @@
 //! What sections carry: forces and moments that the part of a body beyond a place exerts on the part
 //! before it, from the strain energy and damping at points of an element (THEORY 5.1, 5.2).
 
-use super::evaluate::MAX_SIZE;
+use super::evaluate::{MAX_SIZE, weighted};
 use super::parts::{Interpolant, Parts, SectionQuantity, SectionSpec};
 use super::scene::{MeshPoint, MeshScene};
 use super::stress::largest_stress;
 use crate::error::ModelError;
-use crate::vector::{Vector, add, cross, dot, norm, scale};
+use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
 
 /// What a section carries at the loaded state, in its own axes x (along `r_y x r_z`, of a centre line its
 /// slope), y (along r_y) and z.
@@ -54,9 +54,9 @@ impl SectionState {
     }
 }
 
-/// Points in [0, 1] where strains are most accurate: those at which elements are integrated. Forces and
-/// moments are interpolated between them, since strains in between contain what the shape functions cannot
-/// do in a bent element.
+/// Points in [0, 1] where strains are most accurate: those at which elements are integrated. Moments are
+/// interpolated between them, since strains in between contain what the shape functions cannot do in a bent
+/// element.
 const TWO: [f64; 2] = [0.211_324_865_405_187_12, 0.788_675_134_594_812_9];
 const THREE: [f64; 3] = [0.112_701_665_379_258_31, 0.5, 0.887_298_334_620_741_7];
 
@@ -75,23 +75,6 @@ fn interpolated(points: &[f64], values: &[Vector], xi: f64) -> Vector {
 fn unit(vector: Vector) -> Vector {
     let size = norm(vector);
     if size > 0.0 { scale(1.0 / size, vector) } else { vector }
-}
-
-/// Derivative by xi of the polynomial through values at the points.
-fn slope(points: &[f64], values: &[Vector], xi: f64) -> Vector {
-    let mut sum = [0.0; 3];
-    for (i, &value) in values.iter().enumerate() {
-        let others = || points.iter().enumerate().filter(move |&(j, _)| j != i);
-        let weight: f64 = others()
-            .map(|(left_out, &from)| {
-                let rest = others().filter(|&(j, _)| j != left_out);
-                let product: f64 = rest.map(|(_, &point)| (xi - point) / (points[i] - point)).product();
-                product / (points[i] - from)
-            })
-            .sum();
-        sum = add(sum, scale(weight, value));
-    }
-    sum
 }
 
 /// Fields of a body at a point of an element, with the forces on them.
@@ -123,33 +106,23 @@ impl Fields<'_> {
         self.pick(self.forces, of, order)
     }
 
-    /// Force and moment on a section with axes, `R = dU/dr_x`, `M = r_y x dU/dr_y' + r_z x dU/dr_z'`, in its
-    /// triad; `normal` is that of a planar body. R is the force itself, not the second Piola-Kirchhoff
-    /// stress times the area: it is derived with respect to r_x, and contains its stretch.
-    fn of_section(&self, normal: Option<Vector>) -> [Vector; 2] {
+    /// Moment on a section with axes, `M = r_y x dU/dr_y' + r_z x dU/dr_z'`, in its triad; `normal` is that of
+    /// a planar body.
+    fn of_section(&self, normal: Option<Vector>) -> Vector {
         let y = self.value(Interpolant::SectionY, 0);
         let z = normal.unwrap_or_else(|| self.value(Interpolant::SectionZ, 0));
-        let triad = section_axes(y, z);
-        let force = self.force(Interpolant::Position, 1);
         let mut moment = cross(y, self.force(Interpolant::SectionY, 1));
         if normal.is_none() {
             moment = add(moment, cross(z, self.force(Interpolant::SectionZ, 1)));
         }
-        [force, moment].map(|vector| triad.map(|axis| dot(vector, axis)))
+        section_axes(y, z).map(|axis| dot(moment, axis))
     }
-}
 
-/// What a point of a centre line carries, frame axes.
-#[derive(Clone, Copy, Default)]
-struct LinePoint {
-    /// Unit vector along the slope.
-    along: Vector,
-    /// dU/dr_x, N.
-    force: Vector,
-    /// dU/dr_xx, N m.
-    couple: Vector,
-    /// `r_x x dU/dr_xx`, N m.
-    moment: Vector,
+    /// Moment on a centre line, `r_x x dU/dr_xx`, frame axes.
+    fn of_line(&self) -> Vector {
+        let couple = self.force(Interpolant::Position, 2);
+        cross(self.value(Interpolant::Position, 1), couple)
+    }
 }
 
 /// Right-handed triad of a section: `r_y x r_z`, r_y, and what is normal to both.
@@ -158,10 +131,18 @@ fn section_axes(y: Vector, z: Vector) -> [Vector; 3] {
     [along, y, cross(along, y)]
 }
 
-/// Forces and moments at the points of one element.
+/// What one element carries: forces in frame axes, moments in those of the sections.
 struct Element {
-    forces: [Vector; 3],
+    /// Mean of the force R on a section with the weight xi (1 - xi), N. With it a virtual displacement does work
+    /// that stretches this element alone and moves what is beyond: the discrete equations themselves say that it
+    /// is in equilibrium with the loads beyond, while R at single points contains what a cubic cannot do in a bent
+    /// element.
+    mean: Vector,
+    /// How R changes, `dR/dxi = l rho A (r'' - g)`: coefficients of 1, s, s^2 with s = xi - 1/2.
+    change: [Vector; 3],
     moments: Moments,
+    /// Nodal vectors at present.
+    local: [f64; MAX_SIZE],
 }
 
 /// Moments at those points where they are most accurate.
@@ -171,14 +152,33 @@ enum Moments {
 }
 
 impl Element {
-    fn at(&self, xi: f64) -> [Vector; 2] {
-        let moments = match &self.moments {
+    /// Force in frame axes: [`Element::mean`] and what the change adds to it; its mean with the same weight is 0,
+    /// `6 int (1/4 - s^2) s^2/2 ds = 1/40`.
+    fn force(&self, xi: f64) -> Vector {
+        let s = xi - 0.5;
+        let weights = [s, 0.5 * s * s - 0.025, s * s * s / 3.0];
+        let terms = weights.into_iter().zip(self.change);
+        terms.fold(self.mean, |sum, (weight, change)| add(sum, scale(weight, change)))
+    }
+
+    fn moment(&self, xi: f64) -> Vector {
+        match &self.moments {
             Moments::Two(values) => interpolated(&TWO, values, xi),
             Moments::Three(values) => interpolated(&THREE, values, xi),
-        };
-        [interpolated(&THREE, &self.forces, xi), moments]
+        }
     }
 }
+
+/// Weights of Gauss's rule at [`THREE`].
+const THREE_WEIGHTS: [f64; 3] = [5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0];
+/// Gauss's rule with five points, by which centre lines are integrated: place and weight.
+const FIVE: [(f64, f64); 5] = [
+    (0.046_910_077_030_668_02, 0.118_463_442_528_094_54),
+    (0.230_765_344_947_158_45, 0.239_314_335_249_683_24),
+    (0.5, 0.284_444_444_444_444_45),
+    (0.769_234_655_052_841_6, 0.239_314_335_249_683_24),
+    (0.953_089_922_969_332, 0.118_463_442_528_094_54),
+];
 
 /// Reads off what the sections of one body carry at the loaded state.
 pub(super) struct Reader<'a, P> {
@@ -191,6 +191,11 @@ pub(super) struct Reader<'a, P> {
     /// Weights of the nodal vectors in every field, one field after the other, at the points.
     three: [Vec<f64>; 3],
     two: [Vec<f64>; 2],
+    five: [Vec<f64>; 5],
+    /// Weights of the nodal vectors in the position at [`THREE`].
+    positions: [Vec<f64>; 3],
+    /// Mass per length, kg/m.
+    density: f64,
     /// Fields at a point: stress-free, at present, their rates, and the forces on them.
     fields: [Vec<f64>; 4],
 }
@@ -200,11 +205,10 @@ impl<'a, P: Parts> Reader<'a, P> {
         let spec = &scene.bodies[body].spec;
         let of = scene.parts.fields(body);
         let count = spec.nodal.len();
-        let weights = |xi: f64| {
-            let mut weights = vec![0.0; of.len() * count];
-            for (&(of, order), weights) in of.iter().zip(weights.chunks_exact_mut(count)) {
-                scene.parts.shapes(body, of, order, xi, weights);
-            }
+        let weights = |xi: f64| weights(scene, body, of, xi);
+        let positions = |xi: f64| {
+            let mut weights = vec![0.0; count];
+            scene.parts.shapes(body, Interpolant::Position, 0, xi, &mut weights);
             weights
         };
         let size = of.len() * spec.dimension();
@@ -217,6 +221,9 @@ impl<'a, P: Parts> Reader<'a, P> {
             normal: spec.plane_normal(),
             three: THREE.map(weights),
             two: TWO.map(weights),
+            five: FIVE.map(|(xi, _)| weights(xi)),
+            positions: THREE.map(positions),
+            density: scene.mass_per_length(body),
             fields: std::array::from_fn(|_| vec![0.0; size]),
         }
     }
@@ -224,14 +231,21 @@ impl<'a, P: Parts> Reader<'a, P> {
     /// What the sections at places in [0, 1] of an element carry.
     pub fn element(&mut self, element: usize, places: &[f64], out: &mut Vec<SectionState>) {
         let found = self.points(element);
-        out.extend(places.iter().map(|&xi| self.state(element, xi, found.at(xi))));
+        for &xi in places {
+            out.push(self.state(element, xi, &found));
+        }
     }
 
-    fn state(&self, element: usize, xi: f64, [forces, mut moments]: [Vector; 2]) -> SectionState {
+    fn state(&mut self, element: usize, xi: f64, found: &Element) -> SectionState {
+        let triad = self.triad(&found.local, xi);
+        let force = found.force(xi);
+        let mut forces = triad.map(|axis| dot(axis, force));
+        let mut moments = found.moment(xi);
         let spec = &self.scene.bodies[self.body].spec;
         if self.is_line {
             let size = self.normal.map_or_else(|| norm(moments), |normal| dot(moments, normal));
             moments = [0.0, 0.0, size];
+            forces = [forces[0], 0.0, 0.0];
         }
         let is_planar = self.normal.is_some();
         let stress = |moments| largest_stress(&self.section, is_planar, forces, moments);
@@ -260,50 +274,96 @@ impl<'a, P: Parts> Reader<'a, P> {
         free.iter_mut().zip(undeformed).for_each(|(to, from)| *to = from);
         body.connectivity.gather(element, &self.scene.buffers.q, values);
         body.connectivity.gather(element, &self.scene.buffers.v, rates);
-        if self.is_line {
-            return self.line_element(&local);
+        let (is_line, normal) = (self.is_line, self.normal);
+        let moments = if is_line {
+            Moments::Three(std::array::from_fn(|place| {
+                self.fields_at(&local, Point::Three(place)).of_line()
+            }))
+        } else {
+            Moments::Two(std::array::from_fn(|place| {
+                self.fields_at(&local, Point::Two(place)).of_section(normal)
+            }))
+        };
+        Element {
+            mean: self.mean_force(&local),
+            change: self.change(element),
+            moments,
+            local: local[1],
         }
-        let normal = self.normal;
-        let mut forces = [[0.0; 3]; 3];
-        for (place, force) in forces.iter_mut().enumerate() {
-            *force = self.fields_at(&local, Point::Three(place)).of_section(normal)[0];
-        }
-        let mut moments = [[0.0; 3]; 2];
-        for (place, moment) in moments.iter_mut().enumerate() {
-            *moment = self.fields_at(&local, Point::Two(place)).of_section(normal)[1];
-        }
-        let moments = Moments::Two(moments);
-        Element { forces, moments }
     }
 
-    /// A centre line: the force that is in equilibrium with the loads is `R = dU/dr_x - (dU/dr_xx)'`, of which
-    /// the part along the slope counts; the moment is `r_x x dU/dr_xx`.
-    fn line_element(&mut self, local: &[[f64; MAX_SIZE]; 3]) -> Element {
+    /// [`Element::mean`]: of a section with axes of `R = dU/dr_x`, by the points of its rule; of a centre line of
+    /// `dU/dr_x - (dU/dr_xx)'`, integrated by parts. R is the force itself, not the second Piola-Kirchhoff stress
+    /// times the area: it is derived with respect to r_x, and contains its stretch.
+    fn mean_force(&mut self, local: &[[f64; MAX_SIZE]; 3]) -> Vector {
+        let mut sum = [0.0; 3];
+        if !self.is_line {
+            for (place, (xi, weight)) in THREE.into_iter().zip(THREE_WEIGHTS).enumerate() {
+                let force = self
+                    .fields_at(local, Point::Three(place))
+                    .force(Interpolant::Position, 1);
+                sum = add(sum, scale(6.0 * weight * xi * (1.0 - xi), force));
+            }
+            return sum;
+        }
         let spec = &self.scene.bodies[self.body].spec;
         let length = spec.line.length() / spec.count as f64;
-        let mut points = [LinePoint::default(); 3];
-        for (place, point) in points.iter_mut().enumerate() {
-            let fields = self.fields_at(local, Point::Three(place));
-            let tangent = fields.value(Interpolant::Position, 1);
-            let couple = fields.force(Interpolant::Position, 2);
-            *point = LinePoint {
-                along: unit(tangent),
-                force: fields.force(Interpolant::Position, 1),
-                couple,
-                moment: cross(tangent, couple),
-            };
+        for (place, (xi, weight)) in FIVE.into_iter().enumerate() {
+            let fields = self.fields_at(local, Point::Five(place));
+            let force = scale(xi * (1.0 - xi), fields.force(Interpolant::Position, 1));
+            let couple = scale((1.0 - 2.0 * xi) / length, fields.force(Interpolant::Position, 2));
+            sum = add(sum, scale(6.0 * weight, add(force, couple)));
         }
-        let couples = points.map(|point| point.couple);
-        let mut forces = [[0.0; 3]; 3];
-        for ((force, point), xi) in forces.iter_mut().zip(&points).zip(THREE) {
-            let change = slope(&THREE, &couples, xi);
-            let whole = add(point.force, scale(-1.0 / length, change));
-            force[0] = dot(whole, point.along);
+        sum
+    }
+
+    /// [`Element::change`] from accelerations and gravity.
+    fn change(&self, element: usize) -> [Vector; 3] {
+        let body = &self.scene.bodies[self.body];
+        let spec = &body.spec;
+        let (buffers, dimension) = (&self.scene.buffers, spec.dimension());
+        let frame = &buffers.frames[body.frame];
+        let origin = frame.direction_to_frame(subtract(frame.acceleration, buffers.gravity));
+        let mass = self.density * spec.line.length() / spec.count as f64;
+        let components = body.connectivity.element(element);
+        let [first, middle, last] = std::array::from_fn(|place| {
+            let at = |full: &[f64]| body.spread(weighted(full, components, dimension, &self.positions[place]));
+            let [p, v, a] = [&buffers.q, &buffers.v, &buffers.a].map(|full| at(full));
+            let turning = cross(frame.spin, add(cross(frame.spin, p), scale(2.0, v)));
+            let whole = add(add(origin, a), add(turning, cross(frame.spin_rate, p)));
+            scale(mass, whole)
+        });
+        let s = THREE[2] - 0.5;
+        let curved = subtract(add(first, last), scale(2.0, middle));
+        [
+            middle,
+            scale(0.5 / s, subtract(last, first)),
+            scale(0.5 / (s * s), curved),
+        ]
+    }
+
+    /// Axes of the section at a place of an element; of a centre line the first is along its slope.
+    fn triad(&self, values: &[f64; MAX_SIZE], xi: f64) -> [Vector; 3] {
+        let body = &self.scene.bodies[self.body];
+        let (count, dimension) = (body.spec.nodal.len(), body.spec.dimension());
+        let mut shapes = vec![0.0; count];
+        let mut at = |of: Interpolant, order: usize| {
+            shapes.fill(0.0);
+            self.scene.parts.shapes(self.body, of, order, xi, &mut shapes);
+            let mut sum = [0.0; 3];
+            for (weight, vector) in shapes.iter().zip(values.chunks_exact(dimension)) {
+                sum.iter_mut()
+                    .zip(vector)
+                    .for_each(|(sum, value)| *sum += weight * value);
+            }
+            body.spread(sum)
+        };
+        if self.is_line {
+            return [unit(at(Interpolant::Position, 1)), [0.0; 3], [0.0; 3]];
         }
-        Element {
-            forces,
-            moments: Moments::Three(points.map(|point| point.moment)),
-        }
+        let y = at(Interpolant::SectionY, 0);
+        let z = self.normal.unwrap_or_else(|| at(Interpolant::SectionZ, 0));
+        section_axes(y, z)
     }
 
     /// Fields and forces on them at a point of the element with these nodal vectors.
@@ -313,6 +373,7 @@ impl<'a, P: Parts> Reader<'a, P> {
         let weights = match point {
             Point::Two(place) => &self.two[place],
             Point::Three(place) => &self.three[place],
+            Point::Five(place) => &self.five[place],
         };
         let [free, values, rates, forces] = &mut self.fields;
         for (fields, local) in [&mut *free, &mut *values, &mut *rates].into_iter().zip(local) {
@@ -343,6 +404,17 @@ impl<'a, P: Parts> Reader<'a, P> {
 enum Point {
     Two(usize),
     Three(usize),
+    Five(usize),
+}
+
+/// Weights of the nodal vectors in every field at a place of an element, one field after the other.
+fn weights<P: Parts>(scene: &MeshScene<P>, body: usize, of: &[(Interpolant, usize)], xi: f64) -> Vec<f64> {
+    let count = scene.bodies[body].spec.nodal.len();
+    let mut weights = vec![0.0; of.len() * count];
+    for (&(of, order), weights) in of.iter().zip(weights.chunks_exact_mut(count)) {
+        scene.parts.shapes(body, of, order, xi, weights);
+    }
+    weights
 }
 
 impl<P: Parts> MeshScene<P> {
@@ -350,7 +422,19 @@ impl<P: Parts> MeshScene<P> {
     pub fn section_state(&self, body: usize, element: usize, xi: f64) -> SectionState {
         let mut reader = Reader::new(self, body);
         let found = reader.points(element);
-        reader.state(element, xi, found.at(xi))
+        reader.state(element, xi, &found)
+    }
+
+    /// Mass of a body per length, kg/m.
+    fn mass_per_length(&self, body: usize) -> f64 {
+        let body = &self.bodies[body];
+        let (nodal, count) = (body.spec.nodal, body.spec.nodal.len());
+        // The shape functions of positions add up to one.
+        let between = body.mass.iter().enumerate();
+        let whole =
+            between.filter(|(place, _)| nodal[place / count].is_position() && nodal[place % count].is_position());
+        let mass: f64 = whole.map(|(_, mass)| mass).sum();
+        mass * body.spec.count as f64 / body.spec.line.length()
     }
 
     /// Whether the largest stress of a body's sections is known.
@@ -405,12 +489,11 @@ mod tests {
             values: &values,
             forces: &forces,
         };
-        let [force, moment] = fields.of_section(None);
+        let moment = fields.of_section(None);
         // r_y x r_z is along the first axis, r_y along the second.
         let arm = add(scale(a, [0.0, 1.1, 0.0]), scale(b, [0.0, 0.2, 0.9]));
         let wanted = cross(arm, [2.0, 0.3, -0.4]);
         for i in 0..3 {
-            assert!((force[i] - [2.0, 0.3, -0.4][i]).abs() < 1e-14, "{force:?}");
             assert!((moment[i] - wanted[i]).abs() < 1e-14, "{moment:?} {wanted:?}");
         }
     }
@@ -428,8 +511,7 @@ mod tests {
             values: &[1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
             forces: &[5.0, 7.0, 0.0, 0.0, -3.0, 0.0],
         };
-        let [force, moment] = fields.of_section(Some([0.0, 1.0, 0.0]));
-        assert_eq!(force, [5.0, 7.0, 0.0]);
+        let moment = fields.of_section(Some([0.0, 1.0, 0.0]));
         // x cross (-3 z) = 3 y
         assert_eq!(moment, [0.0, 0.0, 3.0]);
     }
@@ -445,8 +527,6 @@ mod tests {
             ] {
                 assert!(norm(add(found, scale(-1.0, wanted))) < 1e-14, "{found:?} {wanted:?}");
             }
-            let (found, wanted) = (slope(&THREE, &THREE.map(curve), xi), [10.0 * xi - 2.0, 2.0 * xi, 0.0]);
-            assert!(norm(add(found, scale(-1.0, wanted))) < 1e-13, "{found:?} {wanted:?}");
         }
     }
 }

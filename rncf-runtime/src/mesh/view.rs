@@ -34,11 +34,13 @@ impl<P: Parts> Scene for MeshScene<P> {
 
     fn section_states(&mut self, state: &State, out: &mut Vec<SectionState>) {
         self.load_state(state);
+        self.set_gravity(state.t, 1.0);
         self.sample_sections(out);
     }
 
     fn uniform_section_states(&mut self, at: &Uniform, state: &State, out: &mut Vec<SectionState>) {
         self.load_uniform(at, state);
+        self.set_gravity(at.t, at.load());
         self.sample_sections(out);
     }
 
