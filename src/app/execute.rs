@@ -89,7 +89,7 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
     let part = report::run_part::<M>(&result.history, &result.steps);
     let files = write(arguments, "run", table, &summary, part)?;
     let counts = &result.statistics;
-    let head = format!(
+    let mut head = format!(
         "{}: t = {} s, {} steps ({} rejected), {} factorizations, {} s",
         M::NAME,
         short(result.state.t),
@@ -98,6 +98,7 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
         counts.factorizations,
         digits(result.seconds.cpu, 3),
     );
+    head += &result.envelopes.lines();
     finish(head, &result.warnings, files, failure)
 }
 
@@ -129,6 +130,7 @@ fn execute_equilibria<M: Model>(
     for line in critical_lines(&result.history.key, &result.critical, report::BUCKLING) {
         head += &format!("\n{line}");
     }
+    head += &result.envelopes.lines();
     finish(head, &result.warnings, files, failure)
 }
 

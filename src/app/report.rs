@@ -9,6 +9,7 @@ use super::diagrams::{critical_lines, marks};
 use super::history::History;
 use super::parameters::{digits, in_unit, short};
 use super::run::StepTaken;
+use super::section_table;
 use super::steady::Equilibria;
 use super::summary::{SETTINGS, STATISTICS, Summary};
 use crate::modes::Critical;
@@ -30,6 +31,7 @@ pub(super) fn page<M: Model>(model: &M, what: &str, summary: &Summary, results: 
     header::<M>(&mut page, &title, summary);
     page += "<h2>Results</h2>\n";
     page += results;
+    page += &section_table::table(summary);
     page += "<h2>Parameters</h2>\n";
     parameters(&mut page, model);
     page += "<div class=\"tables\">\n";

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 
 use super::campbell::Campbell;
 use super::clock::{Clock, Seconds};
+use super::envelopes::Envelopes;
 use super::history::{Column, History};
 use super::steady::{self, Equilibria};
 use crate::{
@@ -73,6 +74,8 @@ pub struct RunResult {
     pub settings: RunSettings,
     /// Outputs at whole multiples of `every`, by the method's dense output.
     pub history: History,
+    /// Largest section forces and stresses of the bodies, over the rows of the history.
+    pub envelopes: Envelopes,
     /// All accepted steps.
     pub steps: Vec<StepTaken>,
     /// Counts of the integration.
@@ -200,6 +203,7 @@ pub fn run_watched<M: Model>(
     let mut result = RunResult {
         settings,
         history: History::new::<M>(Column::time()),
+        envelopes: Envelopes::new(scene.as_ref(), &Column::time()),
         steps: Vec::new(),
         statistics: Statistics::default(),
         unknowns: scene.unknowns(),
@@ -270,7 +274,7 @@ fn integrate(
     let mut energy = EnergyDrift::default();
     rows.state.clone_from(integrator.state());
     energy.meet(integrator.system().energy(&rows.state));
-    let mut incomplete = rows.record(&mut integrator, &mut result.history).err();
+    let mut incomplete = rows.record(&mut integrator, result).err();
     while incomplete.is_none() {
         let stop = match integrator.step() {
             Ok(stop) => stop,
@@ -286,7 +290,7 @@ fn integrate(
             rows.state.clone_from(integrator.state());
             energy.meet(integrator.system().energy(&rows.state));
         }
-        incomplete = rows.record(&mut integrator, &mut result.history).err();
+        incomplete = rows.record(&mut integrator, result).err();
         if stop == crate::Stop::End {
             break;
         }
@@ -295,7 +299,8 @@ fn integrate(
         }
     }
     result.energy_error = energy.relative();
-    result.warnings = moved.into_iter().chain(rows.warnings).collect();
+    let yielding = result.envelopes.warning();
+    result.warnings = moved.into_iter().chain(rows.warnings).chain(yielding).collect();
     result.state.clone_from(integrator.state());
     result.statistics = integrator.statistics().clone();
     result.incomplete = incomplete;
@@ -357,7 +362,7 @@ impl Rows {
     fn record(
         &mut self,
         integrator: &mut Integrator<'_, dyn Scene + '_>,
-        history: &mut History,
+        result: &mut RunResult,
     ) -> Result<(), Incomplete> {
         let reached = integrator.state().t;
         while self.next < self.count {
@@ -380,7 +385,8 @@ impl Rows {
                     self.warnings.push(text);
                 }
             }
-            history.push(time, &self.values).map_err(Incomplete::Output)?;
+            result.history.push(time, &self.values).map_err(Incomplete::Output)?;
+            result.envelopes.meet(integrator.system(), time, &self.state);
             self.next += 1;
         }
         Ok(())

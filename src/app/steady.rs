@@ -4,6 +4,7 @@
 use std::ops::ControlFlow;
 
 use super::clock::{Clock, Seconds};
+use super::envelopes::Envelopes;
 use super::history::History;
 use super::run::{Incomplete, RunError};
 use super::sweep::{Line, SweepProgress, SweepSettings};
@@ -26,6 +27,8 @@ pub struct Equilibria {
     /// Outputs over the first column, one row for each step of the continuation: the parameter in its
     /// declared unit, `spin [rad/s]` or `load_factor [1]`.
     pub history: History,
+    /// Largest section forces and stresses of the bodies, over the rows of the history.
+    pub envelopes: Envelopes,
     /// Of static equilibria: values of the first column where the number of negative directions of the
     /// stiffness changes and the bodies buckle or snap.
     pub critical: Vec<Critical>,
@@ -74,8 +77,9 @@ pub fn equilibria<M: Model>(
     let clock = Clock::start();
     let mut line = Line::start(model, kind, settings)?;
     let mut history = History::new::<M>(line.column());
+    let mut envelopes = Envelopes::new(line.station().scene, &history.key);
     let mut critical = Vec::new();
-    let mut incomplete = record(&mut line, &mut history).err();
+    let mut incomplete = record(&mut line, &mut history, &mut envelopes).err();
     while incomplete.is_none() && !line.is_done() {
         if let Err(text) = line.advance() {
             if line.iterations == 0 {
@@ -84,7 +88,7 @@ pub fn equilibria<M: Model>(
             incomplete = Some(Incomplete::Equilibrium(text));
             break;
         }
-        incomplete = record(&mut line, &mut history).err();
+        incomplete = record(&mut line, &mut history, &mut envelopes).err();
         critical.extend(buckling(&mut line));
         if watch(&line.progress()).is_break() && !line.is_done() {
             incomplete = incomplete.or(Some(Incomplete::Interrupted));
@@ -92,17 +96,20 @@ pub fn equilibria<M: Model>(
     }
     let newton_iterations = line.iterations;
     let station = line.station();
+    let mut warnings = station.scene.warnings(station.state);
+    warnings.extend(envelopes.warning());
     let result = Equilibria {
         kind,
         settings: *settings,
         t: station.at.t,
         spin: station.spin,
         history,
+        envelopes,
         critical,
         unknowns: station.scene.unknowns(),
         constraints: station.scene.constraints(),
         newton_iterations,
-        warnings: station.scene.warnings(station.state),
+        warnings,
         seconds: clock.seconds(),
         incomplete,
     };
@@ -112,11 +119,17 @@ pub fn equilibria<M: Model>(
     }
 }
 
-fn record<M: Model>(line: &mut Line<'_, M>, history: &mut History) -> Result<(), Incomplete> {
+fn record<M: Model>(
+    line: &mut Line<'_, M>,
+    history: &mut History,
+    envelopes: &mut Envelopes,
+) -> Result<(), Incomplete> {
     let station = line.station();
     let mut row = vec![0.0; station.scene.output_columns()];
     station.scene.uniform_outputs(&station.at, station.state, &mut row);
-    history.push(station.key, &row).map_err(Incomplete::Output)
+    history.push(station.key, &row).map_err(Incomplete::Output)?;
+    envelopes.meet_uniform(station.scene, &station.at, station.key, station.state);
+    Ok(())
 }
 
 /// Where the number of negative directions changed in the last step.

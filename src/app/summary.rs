@@ -8,6 +8,7 @@ use super::history::{Column, History};
 use super::modes::{Modes, SeenMode, growth};
 use super::parameters::in_unit;
 use super::run::{RunResult, RunSettings, times};
+use super::section_table;
 use super::steady::Equilibria;
 use super::sweep::SweepSettings;
 use crate::equilibrium::Kind;
@@ -88,6 +89,7 @@ pub(super) fn of_run<M: Model>(model: &M, result: &RunResult) -> Summary {
         "velocity_correction",
         json!(result.statistics.velocity_correction),
     );
+    section_table::put(&mut summary, &result.envelopes);
     tail::<M>(&mut summary, &result.history, &result.warnings);
     summary
 }
@@ -114,6 +116,7 @@ pub(super) fn of_equilibria<M: Model>(model: &M, result: &Equilibria) -> Summary
     );
     put(&mut summary, "steps", json!(result.history.keys.len()));
     seconds(&mut summary, result.seconds);
+    section_table::put(&mut summary, &result.envelopes);
     tail::<M>(&mut summary, &result.history, &result.warnings);
     summary
 }

@@ -215,6 +215,11 @@ impl MeshScene {
         }
     }
 
+    /// Remembers the gravity that acts at the loaded state.
+    pub(super) fn set_gravity(&mut self, t: f64, load_scale: f64) {
+        self.buffers.gravity = self.gravity(t).map(|g| load_scale * g);
+    }
+
     /// Output columns at the loaded state.
     pub(super) fn evaluate_outputs(&mut self, t: f64, load_scale: f64, lambda: &[f64], out: &mut [f64]) {
         if self.outputs_need_acceleration() {
@@ -223,6 +228,7 @@ impl MeshScene {
             self.add_marker_constraint_forces(t, lambda);
             self.hold_modes();
         }
+        self.set_gravity(t, load_scale);
         let observed: Vec<f64> = (0..self.observed.len())
             .map(|index| self.observe(index, t, lambda))
             .collect();

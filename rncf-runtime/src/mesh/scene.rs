@@ -116,6 +116,8 @@ pub(super) struct Buffers {
     pub force: Vec<f64>,
     pub frames: Vec<FrameMotion>,
     pub results: Vec<f64>,
+    /// Gravity of the loads that are applied, m/s^2, inertial axes; for section forces.
+    pub gravity: Vector,
 }
 
 impl Buffers {
@@ -129,6 +131,7 @@ impl Buffers {
             force: zeros(),
             frames,
             results: Vec::new(),
+            gravity: [0.0; 3],
         }
     }
 }

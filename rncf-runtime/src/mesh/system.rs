@@ -245,7 +245,7 @@ impl MeshScene {
     }
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Rates of the conditions' Jacobians, `J(t)` of `J q - c = 0`: columns of the part of `J' q - c'` that is linear in q.
     fn condition_rate_tangents(&self, t: f64, values: &mut [f64]) {
         let mut column = 0;

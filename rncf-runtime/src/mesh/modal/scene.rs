@@ -11,7 +11,9 @@ use crate::linalg::Pattern;
 use crate::mesh::carried::Beside;
 use crate::mesh::frame::FrameAction;
 use crate::mesh::parts::{Fidelity, Parts};
+use crate::mesh::sampling::SectionBody;
 use crate::mesh::scene::MeshScene;
+use crate::mesh::section::SectionState;
 use crate::model::{Formulation, FrameState, Joints, Scene};
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
@@ -421,6 +423,20 @@ impl Scene for ModalScene {
     fn outputs(&mut self, state: &State, out: &mut [f64]) {
         self.expand(state);
         self.in_elements(|scene, full| scene.outputs(full, out));
+    }
+
+    fn section_bodies(&self) -> Vec<SectionBody> {
+        self.scene.section_bodies()
+    }
+
+    fn section_states(&mut self, state: &State, out: &mut Vec<SectionState>) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.section_states(full, out));
+    }
+
+    fn uniform_section_states(&mut self, at: &Uniform, state: &State, out: &mut Vec<SectionState>) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.uniform_section_states(at, full, out));
     }
 
     fn rest(&self, t: f64) -> State {
