@@ -1,7 +1,10 @@
 //! Generated kernel against plain generic implementations of the same element: residual and Jacobian
-//! of one element in a rotating frame, scalar code, side by side in one run.
+//! of one element in a rotating frame, scalar code, side by side in one run. Centre-line elements here, beams with
+//! a section in [`beam`].
 //!
 //! `cargo bench -p rncf-tests --bench kernel`
+
+mod beam;
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -12,9 +15,9 @@ use rncf_tests::element::{Data, ElasticForce, GaussElement, Weights};
 use rncf_tests::inertia::{Frame, Inertia, State, residual_and_jacobian};
 use rncf_tests::tensor::TensorElement;
 
-/// Evaluations of one timing, and timings of which the fastest counts.
-const REPETITIONS: usize = 20_000;
-const ROUNDS: usize = 25;
+/// Evaluations of one timing, and timings of which the fastest counts: short ones, some of which nothing disturbs.
+const REPETITIONS: usize = 500;
+const ROUNDS: usize = 400;
 
 fn main() {
     println!("| element | kernel | ns | generic / generated |");
@@ -30,6 +33,14 @@ fn main() {
         for (name, generic) in generic(dimension) {
             println!("| {word} | {name} | {generic:.0} | {:.1} |", generic / generated);
         }
+    }
+    println!("\n| beam with a section | generated, ns | plain loops, ns | ratio |");
+    println!("|---|---|---|---|");
+    for (name, [generated, generic]) in beam::rows() {
+        println!(
+            "| {name} | {generated:.0} | {generic:.0} | {:.1} |",
+            generic / generated
+        );
     }
 }
 
