@@ -80,7 +80,7 @@ fn the_force_is_the_physical_one_at_large_strain() {
     };
     let mut scene = model.scene::<Rncf>().unwrap();
     let states = rotating(scene.as_mut(), 0.0);
-    let n = model.elements as usize;
+    let n = model.elements;
     let wanted = bar(YOUNG, DENSITY, LENGTH, model.omega, 2 * n);
     let mut worst = 0.0f64;
     for (place, state) in states.iter().enumerate() {

@@ -10,7 +10,7 @@ use crate::models::{Blades, LENGTH, RADII, YOUNG, area, second_moment};
 fn blades(model: &Blades) -> [Errors; 2] {
     let mut scene = model.scene::<Rncf>().unwrap();
     let (states, q) = at_rest(scene.as_mut());
-    let n = model.elements as usize;
+    let n = model.elements;
     let loads = [[model.pull_x, model.pull_y, 0.0], [0.0, 0.0, model.twist]];
     let (mut states, mut q) = (&states[..], &q[..]);
     [Kind::PlanarBeam, Kind::PlanarCable].map(|kind| {
@@ -89,7 +89,7 @@ fn a_strip_bent_about_both_axes_is_in_equilibrium() {
         let mut scene = model.scene::<Rncf>().unwrap();
         let (states, q) = at_rest(scene.as_mut());
         let force = [0.0, model.load * model.angle.cos(), model.load * model.angle.sin()];
-        let sections = sections(Kind::SpatialBeam, elements as usize, 0.508, &q);
+        let sections = sections(Kind::SpatialBeam, elements, 0.508, &q);
         let found = errors(Kind::SpatialBeam, &sections, &states, [force, [0.0; 3]]);
         println!("{elements} elements: {found:?}");
         if elements == 16 {
@@ -137,7 +137,7 @@ fn a_bend_is_twisted_by_its_load() {
         let mut scene = model.scene::<Rncf>().unwrap();
         let (states, q) = at_rest(scene.as_mut());
         let length = 100.0 * std::f64::consts::FRAC_PI_4;
-        let sections = sections(Kind::SpatialBeam, elements as usize, length, &q);
+        let sections = sections(Kind::SpatialBeam, elements, length, &q);
         let loads = [[0.0, 0.0, model.load], [0.0; 3]];
         let found = errors(Kind::SpatialBeam, &sections, &states, loads);
         println!("{elements} elements: {found:?}");

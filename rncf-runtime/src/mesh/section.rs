@@ -58,7 +58,7 @@ impl SectionState {
 /// Points in [0, 1] where strains are most accurate: those at which elements are integrated. Moments are
 /// interpolated between them, since strains in between contain what the shape functions cannot do in a bent
 /// element.
-const TWO: [f64; 2] = [0.211_324_865_405_187_12, 0.788_675_134_594_812_9];
+const TWO: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
 const THREE: [f64; 3] = [0.112_701_665_379_258_31, 0.5, 0.887_298_334_620_741_7];
 
 /// Polynomial through values at the points.
