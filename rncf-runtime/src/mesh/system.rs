@@ -1,6 +1,6 @@
 //! A scene as the integrators see it.
 
-use super::conditions::{row_count, width};
+use super::conditions::{Condition, row_count, width};
 use super::evaluate::MOST;
 use super::layout::VectorKind;
 use super::parts::{Interpolant, JointKind, Parts};
@@ -136,8 +136,9 @@ impl<P: Parts> System for MeshScene<P> {
     }
 
     fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
-        // Conditions on nodes and mean axes are linear in the unknowns.
+        // Mean axes are linear in the unknowns with constant coefficients.
         values.fill(0.0);
+        self.condition_rate_tangents(state.t, values);
         if !self.constraints.is_empty() {
             self.load_state(state);
             self.marker_rate_tangents(state.t, self.first_linked(), values);
@@ -234,6 +235,51 @@ impl<P: Parts> MeshScene<P> {
             ConstraintLevel::Acceleration => (&state.v, &zeros),
         };
         self.load(state.t, &state.turns, [&state.x, v, a], Regime::Moving);
+    }
+
+    /// Rates of the coefficients of conditions on nodes, which turn with their frames. The conditions are linear
+    /// in the nodal vectors, so that a coefficient is the difference of two values.
+    fn condition_rate_tangents(&self, t: f64, values: &mut [f64]) {
+        let none = [0.0; MOST];
+        for (column, row, condition) in self.condition_columns() {
+            let joint = &self.joints[condition.joint];
+            let spec = &self.bodies[joint.body].spec;
+            let (count, width) = (row_count(joint.kind, spec), width(joint.kind, spec));
+            let rate = |q: &[f64]| {
+                let mut rows = [0.0; MOST];
+                self.parts.condition(
+                    condition.joint,
+                    condition.absolute,
+                    ConstraintLevel::Velocity,
+                    t,
+                    &condition.data,
+                    q,
+                    &none[..width],
+                    &none[..width],
+                    &mut rows[..count],
+                );
+                rows[row]
+            };
+            let still = rate(&none[..width]);
+            for (place, &component) in condition.components.iter().enumerate() {
+                if let Some((unknown, factor)) = self.layout.unknown(component)
+                    && let Some(entry) = self.constraint_pattern.find(unknown, column)
+                {
+                    let mut unit = none;
+                    unit[place] = 1.0;
+                    values[entry] += factor * (rate(&unit[..width]) - still);
+                }
+            }
+        }
+    }
+
+    /// The conditions on nodes that are kept as constraints: column, row of the condition, condition.
+    fn condition_columns(&self) -> impl Iterator<Item = (usize, usize, &Condition)> {
+        let rows = self
+            .conditions
+            .iter()
+            .flat_map(|condition| condition.rows.iter().map(move |&row| (row, condition)));
+        rows.enumerate().map(|(column, (row, condition))| (column, row, condition))
     }
 
     /// Adds what free frames carry at the loaded state.
