@@ -15,6 +15,7 @@
 //! - [`galerkin_rotor`]: the rotating cantilever on a hub (THEORY 8.2).
 //! - [`dense`], [`banded`], [`symmetric`]: the linear algebra of all that.
 //! - [`system`], [`integrate`]: what a first-order system offers, and its integration by russell_ode.
+//! - [`tangents`]: the derivatives of a whole scene against differences.
 //! - [`table`]: the published numbers and recorded histories.
 //!
 //! SI units throughout. Errors are plain sentences that name the argument.
@@ -44,6 +45,7 @@ pub mod swing;
 pub mod symmetric;
 pub mod system;
 pub mod table;
+pub mod tangents;
 pub mod tensor;
 
 /// Result of this crate: the error is one sentence that names what is wrong and what to do.

@@ -1,8 +1,11 @@
 //! Dense symmetric problems of moderate size: Cholesky factors, eigenvalues, and the lowest natural
 //! modes of a stiffness and a mass matrix. All matrices are square, rows first.
 
+use faer::diag::Diag;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::evd::{ComputeEigenvectors, EvdParams, evd_real, evd_scratch};
 use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use faer::{Mat, Par, Side, Spec};
 
 use super::c64;
 
@@ -103,12 +106,48 @@ pub fn general_eigen(size: usize, matrix: &[f64]) -> Result<(Vec<c64>, Vec<Vec<c
         return Err(Indefinite);
     }
     let dense = Mat::from_fn(size, size, |i, j| matrix[i * size + j]);
-    let eigen = dense.eigen().map_err(|_| Indefinite)?;
-    let values = (0..size).map(|i| eigen.S()[i]).collect();
-    let vectors = (0..size)
-        .map(|column| (0..size).map(|row| eigen.U()[(row, column)]).collect())
-        .collect();
-    Ok((values, vectors))
+    let mut vectors = Mat::zeros(size, size);
+    let (mut re, mut im) = (Diag::zeros(size), Diag::zeros(size));
+    let no = ComputeEigenvectors::No;
+    let memory = evd_scratch::<f64>(size, no, ComputeEigenvectors::Yes, Par::Seq, unblocked());
+    evd_real(
+        dense.as_ref(),
+        re.as_mut(),
+        im.as_mut(),
+        None,
+        Some(vectors.as_mut()),
+        Par::Seq,
+        MemStack::new(&mut MemBuffer::new(memory)),
+        unblocked(),
+    )
+    .map_err(|_| Indefinite)?;
+    let column = |real: usize, imaginary: Option<usize>, sign: f64| -> Vec<c64> {
+        let part = |row: usize| imaginary.map_or(0.0, |column| sign * vectors[(row, column)]);
+        (0..size).map(|row| c64::new(vectors[(row, real)], part(row))).collect()
+    };
+    let (mut values, mut shapes) = (Vec::with_capacity(size), Vec::with_capacity(size));
+    while values.len() < size {
+        let at = values.len();
+        if im[at] == 0.0 {
+            values.push(c64::new(re[at], 0.0));
+            shapes.push(column(at, None, 1.0));
+            continue;
+        }
+        // Of a pair one column has the real parts, the next one the imaginary parts.
+        for sign in [1.0, -1.0] {
+            values.push(c64::new(re[at], sign * im[at]));
+            shapes.push(column(at, Some(at + 1), sign));
+        }
+    }
+    Ok((values, shapes))
+}
+
+/// The iteration with double shifts at any size: the blocked one (faer 0.24) does not end for some matrices of 75 and
+/// more rows, where its deflation cannot swap two pairs.
+fn unblocked() -> Spec<EvdParams, f64> {
+    let mut params = Spec::<EvdParams, f64>::default();
+    params.schur.blocking_threshold = usize::MAX;
+    params
 }
 
 /// `A^-1 B` of two full B, or `None` where A is singular or not finite.

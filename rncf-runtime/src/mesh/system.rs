@@ -1,6 +1,6 @@
 //! A scene as the integrators see it.
 
-use super::conditions::{row_count, width};
+use super::conditions::{Condition, row_count, width};
 use super::evaluate::MOST;
 use super::layout::VectorKind;
 use super::parts::{Interpolant, JointKind};
@@ -136,7 +136,7 @@ impl System for MeshScene {
     }
 
     fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
-        // Mean axes are linear in the unknowns with constant factors.
+        // Mean axes are linear in the unknowns with constant coefficients.
         values.fill(0.0);
         self.condition_rate_tangents(state.t, values);
         if !self.constraints.is_empty() {
@@ -237,46 +237,56 @@ impl MeshScene {
         self.load(state.t, &state.turns, [&state.x, v, a], Regime::Moving);
     }
 
+    /// Rates of the coefficients of conditions on nodes, which turn with their frames. The conditions are linear
+    /// in the nodal vectors, so that a coefficient is the difference of two values.
+    fn condition_rate_tangents(&self, t: f64, values: &mut [f64]) {
+        let none = [0.0; MOST];
+        for (column, row, condition) in self.condition_columns() {
+            let joint = &self.joints[condition.joint];
+            let spec = &self.bodies[joint.body].spec;
+            let (count, width) = (row_count(joint.kind, spec), width(joint.kind, spec));
+            let rate = |q: &[f64]| {
+                let mut rows = [0.0; MOST];
+                self.parts.condition(
+                    condition.joint,
+                    condition.absolute,
+                    ConstraintLevel::Velocity,
+                    t,
+                    &condition.data,
+                    q,
+                    &none[..width],
+                    &none[..width],
+                    &mut rows[..count],
+                );
+                rows[row]
+            };
+            let still = rate(&none[..width]);
+            for (place, &component) in condition.components.iter().enumerate() {
+                if let Some((unknown, factor)) = self.layout.unknown(component)
+                    && let Some(entry) = self.constraint_pattern.find(unknown, column)
+                {
+                    let mut unit = none;
+                    unit[place] = 1.0;
+                    values[entry] += factor * (rate(&unit[..width]) - still);
+                }
+            }
+        }
+    }
+
+    /// The conditions on nodes that are kept as constraints: column, row of the condition, condition.
+    fn condition_columns(&self) -> impl Iterator<Item = (usize, usize, &Condition)> {
+        let rows = self
+            .conditions
+            .iter()
+            .flat_map(|condition| condition.rows.iter().map(move |&row| (row, condition)));
+        rows.enumerate()
+            .map(|(column, (row, condition))| (column, row, condition))
+    }
+
     /// Adds what free frames carry at the loaded state.
     fn add_borders(&mut self, t: f64, out: &mut Tangent) {
         let gravity = self.gravity(t);
         self.add_carried_tangents(gravity, out);
         self.add_fixture_borders(gravity, out);
-    }
-}
-
-impl MeshScene {
-    /// Rates of the conditions' Jacobians, `J(t)` of `J q - c = 0`: columns of the part of `J' q - c'` that is linear in q.
-    fn condition_rate_tangents(&self, t: f64, values: &mut [f64]) {
-        let mut column = 0;
-        for condition in self.conditions.iter().filter(|condition| !condition.rows.is_empty()) {
-            let joint = &self.joints[condition.joint];
-            let spec = &self.bodies[joint.body].spec;
-            let (count, width) = (row_count(joint.kind, spec), width(joint.kind, spec));
-            let still = [0.0; MOST];
-            let rates = |q: &[f64; MOST]| {
-                let (level, still, mut rows) = (ConstraintLevel::Velocity, &still[..width], [0.0; MOST]);
-                let (index, absolute, data) = (condition.joint, condition.absolute, &condition.data);
-                let out = &mut rows[..count];
-                self.parts
-                    .condition(index, absolute, level, t, data, &q[..width], still, still, out);
-                rows
-            };
-            let constant = rates(&still);
-            for (place, &component) in condition.components.iter().enumerate() {
-                let Some((unknown, factor)) = self.layout.unknown(component) else {
-                    continue;
-                };
-                let mut unit = still;
-                unit[place] = 1.0;
-                let moved = rates(&unit);
-                for (offset, &row) in condition.rows.iter().enumerate() {
-                    if let Some(entry) = self.constraint_pattern.find(unknown, column + offset) {
-                        values[entry] += factor * (moved[row] - constant[row]);
-                    }
-                }
-            }
-            column += condition.rows.len();
-        }
     }
 }

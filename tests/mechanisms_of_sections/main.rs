@@ -1,0 +1,10 @@
+//! Models with cross-section bodies, put together from all parts of the language: each in both formulations, and
+//! against closed forms or another description of the same machine.
+
+mod chains;
+mod ladder;
+mod materials;
+
+mod rotors;
+mod running;
+mod tangents;

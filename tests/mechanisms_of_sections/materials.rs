@@ -1,0 +1,158 @@
+//! Materials that are given by their energy: one that is linear against the beam by its moduli, a hyperelastic one
+//! against its closed forms.
+
+use rncf::equilibrium::{Uniform, static_load};
+use rncf::prelude::*;
+
+use crate::running::{WAYS, apart, build, rows, run};
+
+rncf::model! {
+    /// Two cantilevers of the same linear material, and a bar of a compressible neo-Hookean one.
+    pub model Materials {
+        param bend = 1 N;
+        param turn = 0.2 N*m;
+        param pull = 0 N;
+        param damping = 0 s;
+        param kick = 0 m/s;
+        const young = 1 GPa;
+        const mu = 1 MPa;
+        const lambda = 2 MPa;
+        material linear { density = 1000 kg/m^3; young = young; poisson = 0; }
+        material kirchhoff {
+            density = 1000 kg/m^3;
+            energy = young / 2 * (E.xx^2 + E.yy^2 + E.zz^2 + 2 * (E.xy^2 + E.xz^2 + E.yz^2));
+        }
+        material hooke {
+            density = 1100 kg/m^3;
+            damping = damping;
+            energy = mu * (E.xx + E.yy + E.zz)
+                - mu / 2 * ln(
+                    (1 + 2*E.xx) * ((1 + 2*E.yy) * (1 + 2*E.zz) - 4*E.yz^2)
+                    - 2*E.xy * (2*E.xy * (1 + 2*E.zz) - 4*E.yz*E.xz)
+                    + 2*E.xz * (4*E.xy*E.yz - 2*E.xz * (1 + 2*E.yy)))
+                + lambda / 8 * ln(
+                    (1 + 2*E.xx) * ((1 + 2*E.yy) * (1 + 2*E.zz) - 4*E.yz^2)
+                    - 2*E.xy * (2*E.xy * (1 + 2*E.zz) - 4*E.yz*E.xz)
+                    + 2*E.xz * (4*E.xy*E.yz - 2*E.xz * (1 + 2*E.yy)))^2;
+        }
+        section wire = circle(radius = 5 mm);
+        section cord = circle(radius = 10 mm);
+        body by_moduli { spatial; line from [0, 0, 0] m to [0.5, 0, 0] m; mesh 4 * beam(wire, linear); }
+        body by_energy { spatial; line from [0, 0, 0] m to [0.5, 0, 0] m; mesh 4 * beam(wire, kirchhoff); }
+        body bar {
+            spatial;
+            line from [0, 0, 0] m to [0.3, 0, 0] m;
+            mesh 3 * beam(cord, hooke);
+            initial position [x, 0, 0];
+            initial velocity [kick * sin(pi * x / 0.6 m), 0, 0];
+        }
+        joint root_1 = clamp(by_moduli.start, inertial);
+        joint root_2 = clamp(by_energy.start, inertial);
+        joint root_3 = clamp(bar.start, inertial);
+        load bend_1 = force(by_moduli.end, [0, bend, bend / 2]);
+        load bend_2 = force(by_energy.end, [0, bend, bend / 2]);
+        load turn_1 = moment(by_moduli.end, [turn, 0, 0]);
+        load turn_2 = moment(by_energy.end, [turn, 0, 0]);
+        load pull_3 = force(bar.end, [pull, 0, 0]);
+        output one = by_moduli.end;
+        output two = by_energy.end;
+        output end = bar.end;
+        output ey = bar.at(0.15 m).ey;
+        output ez_1 = by_moduli.end.ez;
+        output ez_2 = by_energy.end.ez;
+        output root_1 = root_1.force;
+        output tension = bar.at(0.15 m).axial_force;
+    }
+}
+
+const MU: f64 = 1e6;
+const LAMBDA: f64 = 2e6;
+
+/// Root of an ascending function.
+fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if f(middle) > 0.0 { high = middle } else { low = middle }
+    }
+    0.5 * (low + high)
+}
+
+/// Stretches along and across a bar with this nominal stress, of which the sides are free.
+fn stretches(stress: f64) -> [f64; 2] {
+    let across = |along: f64| root(0.3, 1.5, |b: f64| MU * (b * b - 1.0) + LAMBDA * (along * b * b).ln());
+    let nominal = |along: f64| {
+        let b = across(along);
+        (MU * (along * along - 1.0) + LAMBDA * (along * b * b).ln()) / along
+    };
+    let along = root(0.5, 3.0, |along| nominal(along) - stress);
+    [along, across(along)]
+}
+
+fn at_rest(model: &Materials, way: (Formulation, Joints)) -> Vec<f64> {
+    let mut scene = build(model, way);
+    let found = static_load(scene.as_mut(), 0.0).unwrap();
+    let mut row = vec![0.0; scene.output_columns()];
+    scene.uniform_outputs(&Uniform::at_rest(0.0), found.state().unwrap(), &mut row);
+    row
+}
+
+/// A linear material written as its energy bends and twists as the beam by its moduli, up to the square of slenderness.
+#[test]
+fn linear_energy_is_the_linear_beam() {
+    for way in [WAYS[0], WAYS[1]] {
+        let row = at_rest(&Materials::default(), way);
+        let end = (0..3).map(|k| (row[k] - row[3 + k]).abs()).fold(0.0, f64::max);
+        let turned = (12..15).map(|k| (row[k] - row[3 + k]).abs()).fold(0.0, f64::max);
+        println!("{way:?}: {:?}, {end:.1e} m, {turned:.1e}", &row[..18]);
+        assert!(row[1] > 0.05 && row[13].abs() > 0.05);
+        assert!(end < 1e-4 * 0.5 && turned < 3e-4);
+    }
+}
+
+#[test]
+fn neo_hookean_bar_in_tension_and_compression() {
+    let area = std::f64::consts::PI * 1e-4;
+    for pull in [-60.0, 0.0, 50.0, 150.0, 400.0] {
+        let [along, across] = stretches(pull / area);
+        let model = Materials {
+            pull,
+            ..Materials::default()
+        };
+        let row = at_rest(&model, WAYS[0]);
+        let errors = [row[6] / 0.3 - along, row[10] - across];
+        println!(
+            "{pull} N: stretch {along:.6}, {across:.6}, off by {errors:?}; tension {}",
+            row[21]
+        );
+        assert!(errors.iter().all(|error| error.abs() < 1e-9), "{errors:?}");
+    }
+}
+
+/// The lowest longitudinal vibration, kicked in its own shape, decays as that of a rod.
+#[test]
+fn damping_dissipates_as_in_a_rod() {
+    let model = Materials {
+        bend: 0.0,
+        turn: 0.0,
+        damping: 5e-4,
+        kick: 0.05,
+        ..Materials::default()
+    };
+    let young: f64 = MU * (3.0 * LAMBDA + 2.0 * MU) / (LAMBDA + MU);
+    let own = std::f64::consts::PI / 0.6 * (young / 1100.0).sqrt();
+    let rate = own * own * model.damping / 2.0;
+    let damped = (own * own - rate * rate).sqrt();
+    for way in [WAYS[0], WAYS[2]] {
+        let mut scene = build(&model, way);
+        let states = run(scene.as_mut(), 0.06, 60, 1e-7);
+        let rows = rows(scene.as_mut(), &states);
+        let expected: Vec<Vec<f64>> = states
+            .iter()
+            .map(|state| vec![model.kick / damped * (-rate * state.t).exp() * (damped * state.t).sin()])
+            .collect();
+        let found: Vec<Vec<f64>> = rows.iter().map(|row| vec![row[6] - 0.3]).collect();
+        let error = apart(&expected, &found, 0..1) * damped / model.kick;
+        println!("{way:?}: {own:.1} rad/s, decays with {rate:.2}/s, off by {error:.1e} of the amplitude");
+        assert!(error < 1e-2, "{error}");
+    }
+}
