@@ -1,7 +1,7 @@
 //! Lateral buckling of a cantilever strip.
 //!
-//! `cargo run --release --example lateral_buckling -- static`; `-- --help` lists all.
+//! `cargo run --release --example lateral_buckling`; `-- --help` lists all.
 
 fn main() -> std::process::ExitCode {
-    rncf::app::main::<rncf_models::LateralBuckling>()
+    rncf::app::main_as::<rncf_models::LateralBuckling>(rncf::app::Command::Static)
 }

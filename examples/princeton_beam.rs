@@ -1,7 +1,7 @@
 //! Princeton beam experiment.
 //!
-//! `cargo run --release --example princeton_beam -- static load="4 N"`; `-- --help` lists all.
+//! `cargo run --release --example princeton_beam -- load="4 N"`; `-- --help` lists all.
 
 fn main() -> std::process::ExitCode {
-    rncf::app::main::<rncf_models::PrincetonBeam>()
+    rncf::app::main_as::<rncf_models::PrincetonBeam>(rncf::app::Command::Static)
 }

@@ -46,7 +46,8 @@ impl ::rncf::Model for Bend45 {
     run { t_end = 100 s; every = 0.5 s; }
 }"#;
     const NOTES: &'static [&'static str] = &[
-        "Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9945).",
+        "Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).",
+        "Body `bend` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `bend` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -142,7 +143,7 @@ pub mod bend45_equations {
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
     ///
-    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9945).
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).
     ///
     /// The energy is integrated with 3 Gauss points.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -272,25 +273,25 @@ pub mod bend45_equations {
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
-        let t35 = length * EA;
-        let t36 = t35 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0]);
-        let t37 = 0.5 * t36;
-        let t38 = length * kyGA * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]);
-        let t39 = length * kzGA * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]);
-        let t40 = t35 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1]);
+        let t32 = length * EA;
+        let t33 = t32 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0]);
+        let t34 = 0.5 * t33;
+        let t35 = length * kyGA * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]);
+        let t36 = length * kzGA * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]);
+        let t37 = t32 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1]);
+        let t38 = 0.5 * t37;
+        let t39 = length * GA * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
+        let t40 = t32 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2]);
         let t41 = 0.5 * t40;
-        let t42 = length * GA * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
-        let t43 = t35 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2]);
-        let t44 = 0.5 * t43;
-        forces[0][0] = t37 * (a_x * 2.0) + b_x * t38 + c_x * t39;
-        forces[0][1] = t37 * (a_y * 2.0) + b_y * t38 + c_y * t39;
-        forces[0][2] = t37 * (a_z * 2.0) + b_z * t38 + c_z * t39;
-        forces[1][0] = a_x * t38 + t41 * (b_x * 2.0) + c_x * t42;
-        forces[1][1] = a_y * t38 + t41 * (b_y * 2.0) + c_y * t42;
-        forces[1][2] = a_z * t38 + t41 * (b_z * 2.0) + c_z * t42;
-        forces[2][0] = a_x * t39 + b_x * t42 + t44 * (c_x * 2.0);
-        forces[2][1] = a_y * t39 + b_y * t42 + t44 * (c_y * 2.0);
-        forces[2][2] = a_z * t39 + b_z * t42 + t44 * (c_z * 2.0);
+        forces[0][0] = t34 * (a_x * 2.0) + b_x * t35 + c_x * t36;
+        forces[0][1] = t34 * (a_y * 2.0) + b_y * t35 + c_y * t36;
+        forces[0][2] = t34 * (a_z * 2.0) + b_z * t35 + c_z * t36;
+        forces[1][0] = a_x * t35 + t38 * (b_x * 2.0) + c_x * t39;
+        forces[1][1] = a_y * t35 + t38 * (b_y * 2.0) + c_y * t39;
+        forces[1][2] = a_z * t35 + t38 * (b_z * 2.0) + c_z * t39;
+        forces[2][0] = a_x * t36 + b_x * t39 + t41 * (c_x * 2.0);
+        forces[2][1] = a_y * t36 + b_y * t39 + t41 * (c_y * 2.0);
+        forces[2][2] = a_z * t36 + b_z * t39 + t41 * (c_z * 2.0);
     }
     /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -315,114 +316,114 @@ pub mod bend45_equations {
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
-        let t35 = length * EA;
-        let t36 = length * kyGA;
-        let t37 = length * kzGA;
-        let t38 = length * GA;
-        let t39 = 0.5 * (0.5 * t35);
-        let t40 = t35 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0]);
-        let t41 = t36 * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]);
-        let t42 = t37 * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]);
-        let t43 = t35 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1]);
-        let t44 = t38 * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
-        let t45 = t35 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2]);
-        let t46 = a_x * 2.0;
-        let t47 = a_y * 2.0;
-        let t48 = a_z * 2.0;
-        let t49 = b_x * 2.0;
-        let t50 = b_y * 2.0;
-        let t51 = b_z * 2.0;
-        let t52 = c_x * 2.0;
-        let t53 = c_y * 2.0;
-        let t54 = c_z * 2.0;
-        let t55 = t39 * t47;
-        let t56 = t39 * t48;
-        let t57 = b_y * t36;
-        let t58 = b_z * t36;
-        let t59 = a_x * t36;
-        let t60 = a_y * t36;
-        let t61 = a_z * t36;
-        let t62 = c_y * t37;
-        let t63 = c_z * t37;
-        let t64 = a_x * t37;
-        let t65 = a_y * t37;
-        let t66 = a_z * t37;
-        let t67 = t39 * t50;
-        let t68 = t39 * t51;
-        let t69 = c_y * t38;
-        let t70 = c_z * t38;
-        let t71 = b_x * t38;
-        let t72 = b_y * t38;
-        let t73 = b_z * t38;
-        let t74 = t39 * t53;
-        let t75 = t39 * t54;
-        let t76 = t46 * t55 + b_x * t57 + c_x * t62;
-        let t77 = t46 * t56 + b_x * t58 + c_x * t63;
-        let t78 = t47 * t56 + b_y * t58 + c_y * t63;
-        let t79 = a_x * t60 + t49 * t67 + c_x * t69;
-        let t80 = a_x * t61 + t49 * t68 + c_x * t70;
-        let t81 = a_y * t61 + t50 * t68 + c_y * t70;
-        let t82 = a_x * t65 + b_x * t72 + t52 * t74;
-        let t83 = a_x * t66 + b_x * t73 + t52 * t75;
-        let t84 = a_y * t66 + b_y * t73 + t53 * t75;
-        let t85 = 0.5 * t40 * 2.0;
-        let t86 = t46 * (t39 * t46) + b_x * (b_x * t36) + c_x * (c_x * t37) + t85;
-        let t87 = 0.5 * t43 * 2.0;
-        let t88 = 0.5 * t45 * 2.0;
-        stiffness[0][0] = t86;
-        stiffness[0][1] = t76;
-        stiffness[0][2] = t77;
-        stiffness[0][3] = t76;
-        stiffness[0][4] = t47 * t55 + b_y * t57 + c_y * t62 + t85;
-        stiffness[0][5] = t78;
-        stiffness[0][6] = t77;
-        stiffness[0][7] = t78;
-        stiffness[0][8] = t48 * t56 + b_z * t58 + c_z * t63 + t85;
-        stiffness[1][0] = t41 + b_x * t59;
-        stiffness[1][1] = b_x * t60;
-        stiffness[1][2] = b_x * t61;
-        stiffness[1][3] = b_y * t59;
-        stiffness[1][4] = t41 + b_y * t60;
-        stiffness[1][5] = b_y * t61;
-        stiffness[1][6] = b_z * t59;
-        stiffness[1][7] = b_z * t60;
-        stiffness[1][8] = t41 + b_z * t61;
-        stiffness[2][0] = t42 + c_x * t64;
-        stiffness[2][1] = c_x * t65;
-        stiffness[2][2] = c_x * t66;
-        stiffness[2][3] = c_y * t64;
-        stiffness[2][4] = t42 + c_y * t65;
-        stiffness[2][5] = c_y * t66;
-        stiffness[2][6] = c_z * t64;
-        stiffness[2][7] = c_z * t65;
-        stiffness[2][8] = t42 + c_z * t66;
-        stiffness[3][0] = a_x * t59 + t49 * (t39 * t49) + c_x * (c_x * t38) + t87;
-        stiffness[3][1] = t79;
-        stiffness[3][2] = t80;
-        stiffness[3][3] = t79;
-        stiffness[3][4] = a_y * t60 + t50 * t67 + c_y * t69 + t87;
-        stiffness[3][5] = t81;
-        stiffness[3][6] = t80;
-        stiffness[3][7] = t81;
-        stiffness[3][8] = a_z * t61 + t51 * t68 + c_z * t70 + t87;
-        stiffness[4][0] = t44 + c_x * t71;
-        stiffness[4][1] = c_x * t72;
-        stiffness[4][2] = c_x * t73;
-        stiffness[4][3] = c_y * t71;
-        stiffness[4][4] = t44 + c_y * t72;
-        stiffness[4][5] = c_y * t73;
-        stiffness[4][6] = c_z * t71;
-        stiffness[4][7] = c_z * t72;
-        stiffness[4][8] = t44 + c_z * t73;
-        stiffness[5][0] = a_x * t64 + b_x * t71 + t52 * (t39 * t52) + t88;
-        stiffness[5][1] = t82;
-        stiffness[5][2] = t83;
-        stiffness[5][3] = t82;
-        stiffness[5][4] = a_y * t65 + b_y * t72 + t53 * t74 + t88;
-        stiffness[5][5] = t84;
-        stiffness[5][6] = t83;
-        stiffness[5][7] = t84;
-        stiffness[5][8] = a_z * t66 + b_z * t73 + t54 * t75 + t88;
+        let t32 = length * EA;
+        let t33 = length * kyGA;
+        let t34 = length * kzGA;
+        let t35 = length * GA;
+        let t36 = 0.5 * (0.5 * t32);
+        let t37 = t32 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0]);
+        let t38 = t33 * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]);
+        let t39 = t34 * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]);
+        let t40 = t32 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1]);
+        let t41 = t35 * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
+        let t42 = t32 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2]);
+        let t43 = a_x * 2.0;
+        let t44 = a_y * 2.0;
+        let t45 = a_z * 2.0;
+        let t46 = b_x * 2.0;
+        let t47 = b_y * 2.0;
+        let t48 = b_z * 2.0;
+        let t49 = c_x * 2.0;
+        let t50 = c_y * 2.0;
+        let t51 = c_z * 2.0;
+        let t52 = t36 * t44;
+        let t53 = t36 * t45;
+        let t54 = b_y * t33;
+        let t55 = b_z * t33;
+        let t56 = a_x * t33;
+        let t57 = a_y * t33;
+        let t58 = a_z * t33;
+        let t59 = c_y * t34;
+        let t60 = c_z * t34;
+        let t61 = a_x * t34;
+        let t62 = a_y * t34;
+        let t63 = a_z * t34;
+        let t64 = t36 * t47;
+        let t65 = t36 * t48;
+        let t66 = c_y * t35;
+        let t67 = c_z * t35;
+        let t68 = b_x * t35;
+        let t69 = b_y * t35;
+        let t70 = b_z * t35;
+        let t71 = t36 * t50;
+        let t72 = t36 * t51;
+        let t73 = t43 * t52 + b_x * t54 + c_x * t59;
+        let t74 = t43 * t53 + b_x * t55 + c_x * t60;
+        let t75 = t44 * t53 + b_y * t55 + c_y * t60;
+        let t76 = a_x * t57 + t46 * t64 + c_x * t66;
+        let t77 = a_x * t58 + t46 * t65 + c_x * t67;
+        let t78 = a_y * t58 + t47 * t65 + c_y * t67;
+        let t79 = a_x * t62 + b_x * t69 + t49 * t71;
+        let t80 = a_x * t63 + b_x * t70 + t49 * t72;
+        let t81 = a_y * t63 + b_y * t70 + t50 * t72;
+        let t82 = 0.5 * t37 * 2.0;
+        let t83 = t43 * (t36 * t43) + b_x * (b_x * t33) + c_x * (c_x * t34) + t82;
+        let t84 = 0.5 * t40 * 2.0;
+        let t85 = 0.5 * t42 * 2.0;
+        stiffness[0][0] = t83;
+        stiffness[0][1] = t73;
+        stiffness[0][2] = t74;
+        stiffness[0][3] = t73;
+        stiffness[0][4] = t44 * t52 + b_y * t54 + c_y * t59 + t82;
+        stiffness[0][5] = t75;
+        stiffness[0][6] = t74;
+        stiffness[0][7] = t75;
+        stiffness[0][8] = t45 * t53 + b_z * t55 + c_z * t60 + t82;
+        stiffness[1][0] = t38 + b_x * t56;
+        stiffness[1][1] = b_x * t57;
+        stiffness[1][2] = b_x * t58;
+        stiffness[1][3] = b_y * t56;
+        stiffness[1][4] = t38 + b_y * t57;
+        stiffness[1][5] = b_y * t58;
+        stiffness[1][6] = b_z * t56;
+        stiffness[1][7] = b_z * t57;
+        stiffness[1][8] = t38 + b_z * t58;
+        stiffness[2][0] = t39 + c_x * t61;
+        stiffness[2][1] = c_x * t62;
+        stiffness[2][2] = c_x * t63;
+        stiffness[2][3] = c_y * t61;
+        stiffness[2][4] = t39 + c_y * t62;
+        stiffness[2][5] = c_y * t63;
+        stiffness[2][6] = c_z * t61;
+        stiffness[2][7] = c_z * t62;
+        stiffness[2][8] = t39 + c_z * t63;
+        stiffness[3][0] = a_x * t56 + t46 * (t36 * t46) + c_x * (c_x * t35) + t84;
+        stiffness[3][1] = t76;
+        stiffness[3][2] = t77;
+        stiffness[3][3] = t76;
+        stiffness[3][4] = a_y * t57 + t47 * t64 + c_y * t66 + t84;
+        stiffness[3][5] = t78;
+        stiffness[3][6] = t77;
+        stiffness[3][7] = t78;
+        stiffness[3][8] = a_z * t58 + t48 * t65 + c_z * t67 + t84;
+        stiffness[4][0] = t41 + c_x * t68;
+        stiffness[4][1] = c_x * t69;
+        stiffness[4][2] = c_x * t70;
+        stiffness[4][3] = c_y * t68;
+        stiffness[4][4] = t41 + c_y * t69;
+        stiffness[4][5] = c_y * t70;
+        stiffness[4][6] = c_z * t68;
+        stiffness[4][7] = c_z * t69;
+        stiffness[4][8] = t41 + c_z * t70;
+        stiffness[5][0] = a_x * t61 + b_x * t68 + t49 * (t36 * t49) + t85;
+        stiffness[5][1] = t79;
+        stiffness[5][2] = t80;
+        stiffness[5][3] = t79;
+        stiffness[5][4] = a_y * t62 + b_y * t69 + t50 * t71 + t85;
+        stiffness[5][5] = t81;
+        stiffness[5][6] = t80;
+        stiffness[5][7] = t81;
+        stiffness[5][8] = a_z * t63 + b_z * t70 + t51 * t72 + t85;
     }
     /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -447,20 +448,20 @@ pub mod bend45_equations {
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
-        let t35 = 0.5 * (length * EA);
-        let t36 = (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0])
+        let t32 = 0.5 * (length * EA);
+        let t33 = (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0])
             .powi(2);
-        let t37 = (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1])
+        let t34 = (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1])
             .powi(2);
-        let t38 = (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2])
+        let t35 = (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2])
             .powi(2);
-        let t39 = 0.5 * (length * kyGA)
+        let t36 = 0.5 * (length * kyGA)
             * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]).powi(2);
-        let t40 = 0.5 * (length * kzGA)
+        let t37 = 0.5 * (length * kzGA)
             * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]).powi(2);
-        let t41 = 0.5 * (length * GA)
+        let t38 = 0.5 * (length * GA)
             * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]).powi(2);
-        *energy = t35 * t36 + t35 * t37 + t35 * t38 + t39 + t40 + t41;
+        *energy = t32 * t33 + t32 * t34 + t32 * t35 + t36 + t37 + t38;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
@@ -493,34 +494,38 @@ pub mod bend45_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t48 = length * EIz * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]);
-        let t49 = length * EIy * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]);
-        let t50 = length * GIz * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]);
-        let t51 = c_x * db_x + c_y * db_y + c_z * db_z
+        let t45 = c_x * db_x + c_y * db_y + c_z * db_z
             - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t52 = length * GJ * (0.5 * t51 - reference[2]);
-        let t53 = -0.5 * t52;
-        let t54 = 0.5 * t52;
-        let t55 = length * GIy * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]);
-        forces[0][0] = db_x * t48 + dc_x * t49;
-        forces[0][1] = db_y * t48 + dc_y * t49;
-        forces[0][2] = db_z * t48 + dc_z * t49;
-        forces[1][0] = db_x * t50 + dc_x * t53;
-        forces[1][1] = db_y * t50 + dc_y * t53;
-        forces[1][2] = db_z * t50 + dc_z * t53;
-        forces[2][0] = db_x * t54 + dc_x * t55;
-        forces[2][1] = db_y * t54 + dc_y * t55;
-        forces[2][2] = db_z * t54 + dc_z * t55;
-        forces[3][0] = inverse_length * (a_x * t48 + b_x * t50 + c_x * t54);
-        forces[3][1] = inverse_length * (a_y * t48 + b_y * t50 + c_y * t54);
-        forces[3][2] = inverse_length * (a_z * t48 + b_z * t50 + c_z * t54);
-        forces[4][0] = inverse_length * (a_x * t49 + b_x * t53 + c_x * t55);
-        forces[4][1] = inverse_length * (a_y * t49 + b_y * t53 + c_y * t55);
-        forces[4][2] = inverse_length * (a_z * t49 + b_z * t53 + c_z * t55);
+        let t46 = length * GJ * (0.5 * t45 - reference[2]);
+        let t47 = inverse_length
+            * (length * EIz * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]));
+        let t48 = inverse_length
+            * (length * EIy * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]));
+        let t49 = inverse_length
+            * (length * GIz * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
+        let t50 = inverse_length * (-0.5 * t46);
+        let t51 = inverse_length * (0.5 * t46);
+        let t52 = inverse_length
+            * (length * GIy * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]));
+        forces[0][0] = unit_db_x * t47 + unit_dc_x * t48;
+        forces[0][1] = unit_db_y * t47 + unit_dc_y * t48;
+        forces[0][2] = unit_db_z * t47 + unit_dc_z * t48;
+        forces[1][0] = unit_db_x * t49 + unit_dc_x * t50;
+        forces[1][1] = unit_db_y * t49 + unit_dc_y * t50;
+        forces[1][2] = unit_db_z * t49 + unit_dc_z * t50;
+        forces[2][0] = unit_db_x * t51 + unit_dc_x * t52;
+        forces[2][1] = unit_db_y * t51 + unit_dc_y * t52;
+        forces[2][2] = unit_db_z * t51 + unit_dc_z * t52;
+        forces[3][0] = a_x * t47 + b_x * t49 + c_x * t51;
+        forces[3][1] = a_y * t47 + b_y * t49 + c_y * t51;
+        forces[3][2] = a_z * t47 + b_z * t49 + c_z * t51;
+        forces[4][0] = a_x * t48 + b_x * t50 + c_x * t52;
+        forces[4][1] = a_y * t48 + b_y * t50 + c_y * t52;
+        forces[4][2] = a_z * t48 + b_z * t50 + c_z * t52;
     }
     /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 141 additions, 425 multiplications, 1 divisions.
+    /// Operations: 141 additions, 340 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_tangent(
         row: &BeamSpatialCurved,
         reference: &[f64; 5],
@@ -549,210 +554,218 @@ pub mod bend45_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t48 = length * EIz;
-        let t49 = length * EIy;
-        let t50 = length * GJ;
-        let t51 = 0.5 * t50;
-        let t52 = length * GIz;
-        let t53 = length * GIy;
-        let t54 = t50 * (-0.5);
-        let t55 = -0.5 * t54;
-        let t56 = -0.5 * t51;
-        let t57 = 0.5 * t54;
-        let t58 = 0.5 * t51;
-        let t59 = t48 * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]);
-        let t60 = t49 * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]);
-        let t61 = t52 * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]);
-        let t62 = c_x * db_x + c_y * db_y + c_z * db_z
+        let t45 = length * EIz;
+        let t46 = length * EIy;
+        let t47 = length * GJ;
+        let t48 = 0.5 * t47;
+        let t49 = length * GIz;
+        let t50 = length * GIy;
+        let t51 = t47 * (-0.5);
+        let t52 = c_x * db_x + c_y * db_y + c_z * db_z
             - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t63 = t50 * (0.5 * t62 - reference[2]);
-        let t64 = -0.5 * t63;
-        let t65 = 0.5 * t63;
-        let t66 = t53 * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]);
-        let t67 = db_x * t48;
-        let t68 = db_y * t48;
-        let t69 = db_z * t48;
-        let t70 = a_x * t48;
-        let t71 = a_y * t48;
-        let t72 = a_z * t48;
-        let t73 = dc_x * t49;
-        let t74 = dc_y * t49;
-        let t75 = dc_z * t49;
-        let t76 = a_x * t49;
-        let t77 = a_y * t49;
-        let t78 = a_z * t49;
-        let t79 = db_x * t52;
-        let t80 = db_y * t52;
-        let t81 = db_z * t52;
-        let t82 = b_x * t52;
-        let t83 = b_y * t52;
-        let t84 = b_z * t52;
-        let t85 = dc_x * t55;
-        let t86 = dc_y * t55;
-        let t87 = dc_z * t55;
-        let t88 = db_x * t56;
-        let t89 = db_y * t56;
-        let t90 = db_z * t56;
-        let t91 = c_x * t56;
-        let t92 = c_y * t56;
-        let t93 = c_z * t56;
-        let t94 = b_x * t55;
-        let t95 = b_y * t55;
-        let t96 = b_z * t55;
-        let t97 = dc_x * t57;
-        let t98 = dc_y * t57;
-        let t99 = dc_z * t57;
-        let t100 = db_x * t58;
-        let t101 = db_y * t58;
-        let t102 = db_z * t58;
-        let t103 = c_x * t58;
-        let t104 = c_y * t58;
-        let t105 = c_z * t58;
-        let t106 = b_x * t57;
-        let t107 = b_y * t57;
-        let t108 = b_z * t57;
-        let t109 = dc_x * t53;
-        let t110 = dc_y * t53;
-        let t111 = dc_z * t53;
-        let t112 = c_x * t53;
-        let t113 = c_y * t53;
-        let t114 = c_z * t53;
-        let t115 = inverse_length * inverse_length;
-        stiffness[0][0] = db_x * t67 + dc_x * t73;
-        stiffness[0][1] = db_x * t68 + dc_x * t74;
-        stiffness[0][2] = db_x * t69 + dc_x * t75;
-        stiffness[0][3] = db_y * t67 + dc_y * t73;
-        stiffness[0][4] = db_y * t68 + dc_y * t74;
-        stiffness[0][5] = db_y * t69 + dc_y * t75;
-        stiffness[0][6] = db_z * t67 + dc_z * t73;
-        stiffness[0][7] = db_z * t68 + dc_z * t74;
-        stiffness[0][8] = db_z * t69 + dc_z * t75;
-        stiffness[1][0] = inverse_length * (t59 + db_x * t70);
-        stiffness[1][1] = inverse_length * (db_x * t71);
-        stiffness[1][2] = inverse_length * (db_x * t72);
-        stiffness[1][3] = inverse_length * (db_y * t70);
-        stiffness[1][4] = inverse_length * (t59 + db_y * t71);
-        stiffness[1][5] = inverse_length * (db_y * t72);
-        stiffness[1][6] = inverse_length * (db_z * t70);
-        stiffness[1][7] = inverse_length * (db_z * t71);
-        stiffness[1][8] = inverse_length * (t59 + db_z * t72);
-        stiffness[2][0] = inverse_length * (t60 + dc_x * t76);
-        stiffness[2][1] = inverse_length * (dc_x * t77);
-        stiffness[2][2] = inverse_length * (dc_x * t78);
-        stiffness[2][3] = inverse_length * (dc_y * t76);
-        stiffness[2][4] = inverse_length * (t60 + dc_y * t77);
-        stiffness[2][5] = inverse_length * (dc_y * t78);
-        stiffness[2][6] = inverse_length * (dc_z * t76);
-        stiffness[2][7] = inverse_length * (dc_z * t77);
-        stiffness[2][8] = inverse_length * (t60 + dc_z * t78);
-        stiffness[3][0] = db_x * t79 + dc_x * t85;
-        stiffness[3][1] = db_x * t80 + dc_x * t86;
-        stiffness[3][2] = db_x * t81 + dc_x * t87;
-        stiffness[3][3] = db_y * t79 + dc_y * t85;
-        stiffness[3][4] = db_y * t80 + dc_y * t86;
-        stiffness[3][5] = db_y * t81 + dc_y * t87;
-        stiffness[3][6] = db_z * t79 + dc_z * t85;
-        stiffness[3][7] = db_z * t80 + dc_z * t86;
-        stiffness[3][8] = db_z * t81 + dc_z * t87;
-        stiffness[4][0] = inverse_length * (t61 + (db_x * t82 + dc_x * t91));
-        stiffness[4][1] = inverse_length * (db_x * t83 + dc_x * t92);
-        stiffness[4][2] = inverse_length * (db_x * t84 + dc_x * t93);
-        stiffness[4][3] = inverse_length * (db_y * t82 + dc_y * t91);
-        stiffness[4][4] = inverse_length * (t61 + (db_y * t83 + dc_y * t92));
-        stiffness[4][5] = inverse_length * (db_y * t84 + dc_y * t93);
-        stiffness[4][6] = inverse_length * (db_z * t82 + dc_z * t91);
-        stiffness[4][7] = inverse_length * (db_z * t83 + dc_z * t92);
-        stiffness[4][8] = inverse_length * (t61 + (db_z * t84 + dc_z * t93));
-        stiffness[5][0] = inverse_length * (t61 + (b_x * t79 + c_x * t97));
-        stiffness[5][1] = inverse_length * (b_x * t80 + c_x * t98);
-        stiffness[5][2] = inverse_length * (b_x * t81 + c_x * t99);
-        stiffness[5][3] = inverse_length * (b_y * t79 + c_y * t97);
-        stiffness[5][4] = inverse_length * (t61 + (b_y * t80 + c_y * t98));
-        stiffness[5][5] = inverse_length * (b_y * t81 + c_y * t99);
-        stiffness[5][6] = inverse_length * (b_z * t79 + c_z * t97);
-        stiffness[5][7] = inverse_length * (b_z * t80 + c_z * t98);
-        stiffness[5][8] = inverse_length * (t61 + (b_z * t81 + c_z * t99));
-        stiffness[6][0] = (a_x * t70 + b_x * t82 + c_x * t103) * t115;
-        stiffness[6][1] = (a_x * t71 + b_x * t83 + c_x * t104) * t115;
-        stiffness[6][2] = (a_x * t72 + b_x * t84 + c_x * t105) * t115;
-        stiffness[6][3] = (a_y * t70 + b_y * t82 + c_y * t103) * t115;
-        stiffness[6][4] = (a_y * t71 + b_y * t83 + c_y * t104) * t115;
-        stiffness[6][5] = (a_y * t72 + b_y * t84 + c_y * t105) * t115;
-        stiffness[6][6] = (a_z * t70 + b_z * t82 + c_z * t103) * t115;
-        stiffness[6][7] = (a_z * t71 + b_z * t83 + c_z * t104) * t115;
-        stiffness[6][8] = (a_z * t72 + b_z * t84 + c_z * t105) * t115;
-        stiffness[7][0] = dc_x * t88;
-        stiffness[7][1] = dc_x * t89;
-        stiffness[7][2] = dc_x * t90;
-        stiffness[7][3] = dc_y * t88;
-        stiffness[7][4] = dc_y * t89;
-        stiffness[7][5] = dc_y * t90;
-        stiffness[7][6] = dc_z * t88;
-        stiffness[7][7] = dc_z * t89;
-        stiffness[7][8] = dc_z * t90;
-        stiffness[8][0] = inverse_length * (t64 + dc_x * t94);
-        stiffness[8][1] = inverse_length * (dc_x * t95);
-        stiffness[8][2] = inverse_length * (dc_x * t96);
-        stiffness[8][3] = inverse_length * (dc_y * t94);
-        stiffness[8][4] = inverse_length * (t64 + dc_y * t95);
-        stiffness[8][5] = inverse_length * (dc_y * t96);
-        stiffness[8][6] = inverse_length * (dc_z * t94);
-        stiffness[8][7] = inverse_length * (dc_z * t95);
-        stiffness[8][8] = inverse_length * (t64 + dc_z * t96);
-        stiffness[9][0] = inverse_length * (t65 + c_x * t100);
-        stiffness[9][1] = inverse_length * (c_x * t101);
-        stiffness[9][2] = inverse_length * (c_x * t102);
-        stiffness[9][3] = inverse_length * (c_y * t100);
-        stiffness[9][4] = inverse_length * (t65 + c_y * t101);
-        stiffness[9][5] = inverse_length * (c_y * t102);
-        stiffness[9][6] = inverse_length * (c_z * t100);
-        stiffness[9][7] = inverse_length * (c_z * t101);
-        stiffness[9][8] = inverse_length * (t65 + c_z * t102);
-        stiffness[10][0] = c_x * t106 * t115;
-        stiffness[10][1] = c_x * t107 * t115;
-        stiffness[10][2] = c_x * t108 * t115;
-        stiffness[10][3] = c_y * t106 * t115;
-        stiffness[10][4] = c_y * t107 * t115;
-        stiffness[10][5] = c_y * t108 * t115;
-        stiffness[10][6] = c_z * t106 * t115;
-        stiffness[10][7] = c_z * t107 * t115;
-        stiffness[10][8] = c_z * t108 * t115;
-        stiffness[11][0] = db_x * t100 + dc_x * t109;
-        stiffness[11][1] = db_x * t101 + dc_x * t110;
-        stiffness[11][2] = db_x * t102 + dc_x * t111;
-        stiffness[11][3] = db_y * t100 + dc_y * t109;
-        stiffness[11][4] = db_y * t101 + dc_y * t110;
-        stiffness[11][5] = db_y * t102 + dc_y * t111;
-        stiffness[11][6] = db_z * t100 + dc_z * t109;
-        stiffness[11][7] = db_z * t101 + dc_z * t110;
-        stiffness[11][8] = db_z * t102 + dc_z * t111;
-        stiffness[12][0] = inverse_length * (t66 + (db_x * t106 + dc_x * t112));
-        stiffness[12][1] = inverse_length * (db_x * t107 + dc_x * t113);
-        stiffness[12][2] = inverse_length * (db_x * t108 + dc_x * t114);
-        stiffness[12][3] = inverse_length * (db_y * t106 + dc_y * t112);
-        stiffness[12][4] = inverse_length * (t66 + (db_y * t107 + dc_y * t113));
-        stiffness[12][5] = inverse_length * (db_y * t108 + dc_y * t114);
-        stiffness[12][6] = inverse_length * (db_z * t106 + dc_z * t112);
-        stiffness[12][7] = inverse_length * (db_z * t107 + dc_z * t113);
-        stiffness[12][8] = inverse_length * (t66 + (db_z * t108 + dc_z * t114));
-        stiffness[13][0] = inverse_length * (t66 + (b_x * t88 + c_x * t109));
-        stiffness[13][1] = inverse_length * (b_x * t89 + c_x * t110);
-        stiffness[13][2] = inverse_length * (b_x * t90 + c_x * t111);
-        stiffness[13][3] = inverse_length * (b_y * t88 + c_y * t109);
-        stiffness[13][4] = inverse_length * (t66 + (b_y * t89 + c_y * t110));
-        stiffness[13][5] = inverse_length * (b_y * t90 + c_y * t111);
-        stiffness[13][6] = inverse_length * (b_z * t88 + c_z * t109);
-        stiffness[13][7] = inverse_length * (b_z * t89 + c_z * t110);
-        stiffness[13][8] = inverse_length * (t66 + (b_z * t90 + c_z * t111));
-        stiffness[14][0] = (a_x * t76 + b_x * t94 + c_x * t112) * t115;
-        stiffness[14][1] = (a_x * t77 + b_x * t95 + c_x * t113) * t115;
-        stiffness[14][2] = (a_x * t78 + b_x * t96 + c_x * t114) * t115;
-        stiffness[14][3] = (a_y * t76 + b_y * t94 + c_y * t112) * t115;
-        stiffness[14][4] = (a_y * t77 + b_y * t95 + c_y * t113) * t115;
-        stiffness[14][5] = (a_y * t78 + b_y * t96 + c_y * t114) * t115;
-        stiffness[14][6] = (a_z * t76 + b_z * t94 + c_z * t112) * t115;
-        stiffness[14][7] = (a_z * t77 + b_z * t95 + c_z * t113) * t115;
-        stiffness[14][8] = (a_z * t78 + b_z * t96 + c_z * t114) * t115;
+        let t53 = t47 * (0.5 * t52 - reference[2]);
+        let t54 = inverse_length
+            * (t45 * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]));
+        let t55 = inverse_length * inverse_length;
+        let t56 = t45 * t55;
+        let t57 = inverse_length
+            * (t46 * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]));
+        let t58 = t46 * t55;
+        let t59 = inverse_length
+            * (t49 * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
+        let t60 = t49 * t55;
+        let t61 = inverse_length * (-0.5 * t53);
+        let t62 = -0.5 * t51 * t55;
+        let t63 = -0.5 * t48 * t55;
+        let t64 = inverse_length * (0.5 * t53);
+        let t65 = 0.5 * t51 * t55;
+        let t66 = 0.5 * t48 * t55;
+        let t67 = inverse_length
+            * (t50 * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]));
+        let t68 = t50 * t55;
+        let t69 = unit_db_x * t56;
+        let t70 = unit_db_y * t56;
+        let t71 = unit_db_z * t56;
+        let t72 = a_x * t56;
+        let t73 = a_y * t56;
+        let t74 = a_z * t56;
+        let t75 = unit_dc_x * t58;
+        let t76 = unit_dc_y * t58;
+        let t77 = unit_dc_z * t58;
+        let t78 = a_x * t58;
+        let t79 = a_y * t58;
+        let t80 = a_z * t58;
+        let t81 = unit_db_x * t60;
+        let t82 = unit_db_y * t60;
+        let t83 = unit_db_z * t60;
+        let t84 = b_x * t60;
+        let t85 = b_y * t60;
+        let t86 = b_z * t60;
+        let t87 = unit_dc_x * t62;
+        let t88 = unit_dc_y * t62;
+        let t89 = unit_dc_z * t62;
+        let t90 = unit_db_x * t63;
+        let t91 = unit_db_y * t63;
+        let t92 = unit_db_z * t63;
+        let t93 = c_x * t63;
+        let t94 = c_y * t63;
+        let t95 = c_z * t63;
+        let t96 = b_x * t62;
+        let t97 = b_y * t62;
+        let t98 = b_z * t62;
+        let t99 = unit_dc_x * t65;
+        let t100 = unit_dc_y * t65;
+        let t101 = unit_dc_z * t65;
+        let t102 = unit_db_x * t66;
+        let t103 = unit_db_y * t66;
+        let t104 = unit_db_z * t66;
+        let t105 = c_x * t66;
+        let t106 = c_y * t66;
+        let t107 = c_z * t66;
+        let t108 = b_x * t65;
+        let t109 = b_y * t65;
+        let t110 = b_z * t65;
+        let t111 = unit_dc_x * t68;
+        let t112 = unit_dc_y * t68;
+        let t113 = unit_dc_z * t68;
+        let t114 = c_x * t68;
+        let t115 = c_y * t68;
+        let t116 = c_z * t68;
+        stiffness[0][0] = unit_db_x * t69 + unit_dc_x * t75;
+        stiffness[0][1] = unit_db_x * t70 + unit_dc_x * t76;
+        stiffness[0][2] = unit_db_x * t71 + unit_dc_x * t77;
+        stiffness[0][3] = unit_db_y * t69 + unit_dc_y * t75;
+        stiffness[0][4] = unit_db_y * t70 + unit_dc_y * t76;
+        stiffness[0][5] = unit_db_y * t71 + unit_dc_y * t77;
+        stiffness[0][6] = unit_db_z * t69 + unit_dc_z * t75;
+        stiffness[0][7] = unit_db_z * t70 + unit_dc_z * t76;
+        stiffness[0][8] = unit_db_z * t71 + unit_dc_z * t77;
+        stiffness[1][0] = t54 + unit_db_x * t72;
+        stiffness[1][1] = unit_db_x * t73;
+        stiffness[1][2] = unit_db_x * t74;
+        stiffness[1][3] = unit_db_y * t72;
+        stiffness[1][4] = t54 + unit_db_y * t73;
+        stiffness[1][5] = unit_db_y * t74;
+        stiffness[1][6] = unit_db_z * t72;
+        stiffness[1][7] = unit_db_z * t73;
+        stiffness[1][8] = t54 + unit_db_z * t74;
+        stiffness[2][0] = t57 + unit_dc_x * t78;
+        stiffness[2][1] = unit_dc_x * t79;
+        stiffness[2][2] = unit_dc_x * t80;
+        stiffness[2][3] = unit_dc_y * t78;
+        stiffness[2][4] = t57 + unit_dc_y * t79;
+        stiffness[2][5] = unit_dc_y * t80;
+        stiffness[2][6] = unit_dc_z * t78;
+        stiffness[2][7] = unit_dc_z * t79;
+        stiffness[2][8] = t57 + unit_dc_z * t80;
+        stiffness[3][0] = unit_db_x * t81 + unit_dc_x * t87;
+        stiffness[3][1] = unit_db_x * t82 + unit_dc_x * t88;
+        stiffness[3][2] = unit_db_x * t83 + unit_dc_x * t89;
+        stiffness[3][3] = unit_db_y * t81 + unit_dc_y * t87;
+        stiffness[3][4] = unit_db_y * t82 + unit_dc_y * t88;
+        stiffness[3][5] = unit_db_y * t83 + unit_dc_y * t89;
+        stiffness[3][6] = unit_db_z * t81 + unit_dc_z * t87;
+        stiffness[3][7] = unit_db_z * t82 + unit_dc_z * t88;
+        stiffness[3][8] = unit_db_z * t83 + unit_dc_z * t89;
+        stiffness[4][0] = t59 + (unit_db_x * t84 + unit_dc_x * t93);
+        stiffness[4][1] = unit_db_x * t85 + unit_dc_x * t94;
+        stiffness[4][2] = unit_db_x * t86 + unit_dc_x * t95;
+        stiffness[4][3] = unit_db_y * t84 + unit_dc_y * t93;
+        stiffness[4][4] = t59 + (unit_db_y * t85 + unit_dc_y * t94);
+        stiffness[4][5] = unit_db_y * t86 + unit_dc_y * t95;
+        stiffness[4][6] = unit_db_z * t84 + unit_dc_z * t93;
+        stiffness[4][7] = unit_db_z * t85 + unit_dc_z * t94;
+        stiffness[4][8] = t59 + (unit_db_z * t86 + unit_dc_z * t95);
+        stiffness[5][0] = t59 + (b_x * t81 + c_x * t99);
+        stiffness[5][1] = b_x * t82 + c_x * t100;
+        stiffness[5][2] = b_x * t83 + c_x * t101;
+        stiffness[5][3] = b_y * t81 + c_y * t99;
+        stiffness[5][4] = t59 + (b_y * t82 + c_y * t100);
+        stiffness[5][5] = b_y * t83 + c_y * t101;
+        stiffness[5][6] = b_z * t81 + c_z * t99;
+        stiffness[5][7] = b_z * t82 + c_z * t100;
+        stiffness[5][8] = t59 + (b_z * t83 + c_z * t101);
+        stiffness[6][0] = a_x * t72 + b_x * t84 + c_x * t105;
+        stiffness[6][1] = a_x * t73 + b_x * t85 + c_x * t106;
+        stiffness[6][2] = a_x * t74 + b_x * t86 + c_x * t107;
+        stiffness[6][3] = a_y * t72 + b_y * t84 + c_y * t105;
+        stiffness[6][4] = a_y * t73 + b_y * t85 + c_y * t106;
+        stiffness[6][5] = a_y * t74 + b_y * t86 + c_y * t107;
+        stiffness[6][6] = a_z * t72 + b_z * t84 + c_z * t105;
+        stiffness[6][7] = a_z * t73 + b_z * t85 + c_z * t106;
+        stiffness[6][8] = a_z * t74 + b_z * t86 + c_z * t107;
+        stiffness[7][0] = unit_dc_x * t90;
+        stiffness[7][1] = unit_dc_x * t91;
+        stiffness[7][2] = unit_dc_x * t92;
+        stiffness[7][3] = unit_dc_y * t90;
+        stiffness[7][4] = unit_dc_y * t91;
+        stiffness[7][5] = unit_dc_y * t92;
+        stiffness[7][6] = unit_dc_z * t90;
+        stiffness[7][7] = unit_dc_z * t91;
+        stiffness[7][8] = unit_dc_z * t92;
+        stiffness[8][0] = t61 + unit_dc_x * t96;
+        stiffness[8][1] = unit_dc_x * t97;
+        stiffness[8][2] = unit_dc_x * t98;
+        stiffness[8][3] = unit_dc_y * t96;
+        stiffness[8][4] = t61 + unit_dc_y * t97;
+        stiffness[8][5] = unit_dc_y * t98;
+        stiffness[8][6] = unit_dc_z * t96;
+        stiffness[8][7] = unit_dc_z * t97;
+        stiffness[8][8] = t61 + unit_dc_z * t98;
+        stiffness[9][0] = t64 + c_x * t102;
+        stiffness[9][1] = c_x * t103;
+        stiffness[9][2] = c_x * t104;
+        stiffness[9][3] = c_y * t102;
+        stiffness[9][4] = t64 + c_y * t103;
+        stiffness[9][5] = c_y * t104;
+        stiffness[9][6] = c_z * t102;
+        stiffness[9][7] = c_z * t103;
+        stiffness[9][8] = t64 + c_z * t104;
+        stiffness[10][0] = c_x * t108;
+        stiffness[10][1] = c_x * t109;
+        stiffness[10][2] = c_x * t110;
+        stiffness[10][3] = c_y * t108;
+        stiffness[10][4] = c_y * t109;
+        stiffness[10][5] = c_y * t110;
+        stiffness[10][6] = c_z * t108;
+        stiffness[10][7] = c_z * t109;
+        stiffness[10][8] = c_z * t110;
+        stiffness[11][0] = unit_db_x * t102 + unit_dc_x * t111;
+        stiffness[11][1] = unit_db_x * t103 + unit_dc_x * t112;
+        stiffness[11][2] = unit_db_x * t104 + unit_dc_x * t113;
+        stiffness[11][3] = unit_db_y * t102 + unit_dc_y * t111;
+        stiffness[11][4] = unit_db_y * t103 + unit_dc_y * t112;
+        stiffness[11][5] = unit_db_y * t104 + unit_dc_y * t113;
+        stiffness[11][6] = unit_db_z * t102 + unit_dc_z * t111;
+        stiffness[11][7] = unit_db_z * t103 + unit_dc_z * t112;
+        stiffness[11][8] = unit_db_z * t104 + unit_dc_z * t113;
+        stiffness[12][0] = t67 + (unit_db_x * t108 + unit_dc_x * t114);
+        stiffness[12][1] = unit_db_x * t109 + unit_dc_x * t115;
+        stiffness[12][2] = unit_db_x * t110 + unit_dc_x * t116;
+        stiffness[12][3] = unit_db_y * t108 + unit_dc_y * t114;
+        stiffness[12][4] = t67 + (unit_db_y * t109 + unit_dc_y * t115);
+        stiffness[12][5] = unit_db_y * t110 + unit_dc_y * t116;
+        stiffness[12][6] = unit_db_z * t108 + unit_dc_z * t114;
+        stiffness[12][7] = unit_db_z * t109 + unit_dc_z * t115;
+        stiffness[12][8] = t67 + (unit_db_z * t110 + unit_dc_z * t116);
+        stiffness[13][0] = t67 + (b_x * t90 + c_x * t111);
+        stiffness[13][1] = b_x * t91 + c_x * t112;
+        stiffness[13][2] = b_x * t92 + c_x * t113;
+        stiffness[13][3] = b_y * t90 + c_y * t111;
+        stiffness[13][4] = t67 + (b_y * t91 + c_y * t112);
+        stiffness[13][5] = b_y * t92 + c_y * t113;
+        stiffness[13][6] = b_z * t90 + c_z * t111;
+        stiffness[13][7] = b_z * t91 + c_z * t112;
+        stiffness[13][8] = t67 + (b_z * t92 + c_z * t113);
+        stiffness[14][0] = a_x * t78 + b_x * t96 + c_x * t114;
+        stiffness[14][1] = a_x * t79 + b_x * t97 + c_x * t115;
+        stiffness[14][2] = a_x * t80 + b_x * t98 + c_x * t116;
+        stiffness[14][3] = a_y * t78 + b_y * t96 + c_y * t114;
+        stiffness[14][4] = a_y * t79 + b_y * t97 + c_y * t115;
+        stiffness[14][5] = a_y * t80 + b_y * t98 + c_y * t116;
+        stiffness[14][6] = a_z * t78 + b_z * t96 + c_z * t114;
+        stiffness[14][7] = a_z * t79 + b_z * t97 + c_z * t115;
+        stiffness[14][8] = a_z * t80 + b_z * t98 + c_z * t116;
     }
     /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
@@ -785,19 +798,19 @@ pub mod bend45_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t48 = c_x * db_x + c_y * db_y + c_z * db_z
+        let t45 = c_x * db_x + c_y * db_y + c_z * db_z
             - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t49 = 0.5 * (length * EIz)
+        let t46 = 0.5 * (length * EIz)
             * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]).powi(2);
-        let t50 = 0.5 * (length * EIy)
+        let t47 = 0.5 * (length * EIy)
             * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]).powi(2);
-        let t51 = 0.5 * (length * GIz)
+        let t48 = 0.5 * (length * GIz)
             * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]).powi(2);
-        let t52 = t49 + t50 + 0.5 * (length * GJ) * (0.5 * t48 - reference[2]).powi(2)
-            + t51;
-        let t53 = 0.5 * (length * GIy)
+        let t49 = t46 + t47 + 0.5 * (length * GJ) * (0.5 * t45 - reference[2]).powi(2)
+            + t48;
+        let t50 = 0.5 * (length * GIy)
             * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]).powi(2);
-        *energy = t52 + t53;
+        *energy = t49 + t50;
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
@@ -846,7 +859,7 @@ pub mod bend45_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 4566 additions, 5377 multiplications, 2 divisions.
+    /// Operations: 4566 additions, 5207 multiplications, 2 divisions.
     pub fn beam_spatial_curved_elastic_tangent(
         row: &BeamSpatialCurved,
         reference: &[f64; 28],
@@ -944,136 +957,136 @@ pub mod bend45_equations {
         let d_x = inverse_length * (r1_x - r0_x);
         let d_y = inverse_length * (r1_y - r0_y);
         let d_z = inverse_length * (r1_z - r0_z);
-        let t50 = d_x * 0.6;
-        let t51 = d_y * 0.6;
-        let t52 = d_z * 0.6;
-        let t53 = r0x_x * 0.5872983346207417 + t50 + r1x_x * (-0.18729833462074166);
-        let t54 = r0x_y * 0.5872983346207417 + t51 + r1x_y * (-0.18729833462074166);
-        let t55 = r0x_z * 0.5872983346207417 + t52 + r1x_z * (-0.18729833462074166);
-        let t56 = ry_half_x * 0.39999999999999997;
-        let t57 = ry_half_y * 0.39999999999999997;
-        let t58 = ry_half_z * 0.39999999999999997;
-        let t59 = r0y_x * 0.6872983346207417 + t56 + r1y_x * (-0.08729833462074169);
-        let t60 = r0y_y * 0.6872983346207417 + t57 + r1y_y * (-0.08729833462074169);
-        let t61 = r0y_z * 0.6872983346207417 + t58 + r1y_z * (-0.08729833462074169);
-        let t62 = rz_half_x * 0.39999999999999997;
-        let t63 = rz_half_y * 0.39999999999999997;
-        let t64 = rz_half_z * 0.39999999999999997;
-        let t65 = r0z_x * 0.6872983346207417 + t62 + r1z_x * (-0.08729833462074169);
-        let t66 = r0z_y * 0.6872983346207417 + t63 + r1z_y * (-0.08729833462074169);
-        let t67 = r0z_z * 0.6872983346207417 + t64 + r1z_z * (-0.08729833462074169);
-        let t68 = r0x_x * (-0.25) + d_x * 1.5 + r1x_x * (-0.25);
-        let t69 = r0x_y * (-0.25) + d_y * 1.5 + r1x_y * (-0.25);
-        let t70 = r0x_z * (-0.25) + d_z * 1.5 + r1x_z * (-0.25);
-        let t71 = t50 + r0x_x * (-0.18729833462074175) + r1x_x * 0.5872983346207418;
-        let t72 = t51 + r0x_y * (-0.18729833462074175) + r1x_y * 0.5872983346207418;
-        let t73 = t52 + r0x_z * (-0.18729833462074175) + r1x_z * 0.5872983346207418;
-        let t74 = t56 + r0y_x * (-0.08729833462074166) + r1y_x * 0.6872983346207417;
-        let t75 = t57 + r0y_y * (-0.08729833462074166) + r1y_y * 0.6872983346207417;
-        let t76 = t58 + r0y_z * (-0.08729833462074166) + r1y_z * 0.6872983346207417;
-        let t77 = t62 + r0z_x * (-0.08729833462074166) + r1z_x * 0.6872983346207417;
-        let t78 = t63 + r0z_y * (-0.08729833462074166) + r1z_y * 0.6872983346207417;
-        let t79 = t64 + r0z_z * (-0.08729833462074166) + r1z_z * 0.6872983346207417;
-        let t80 = d_x + r0x_x * 0.28867513459481287 + r1x_x * (-0.2886751345948129);
-        let t81 = d_y + r0x_y * 0.28867513459481287 + r1x_y * (-0.2886751345948129);
-        let t82 = d_z + r0x_z * 0.28867513459481287 + r1x_z * (-0.2886751345948129);
-        let t83 = ry_half_x * 0.6666666666666667;
-        let t84 = ry_half_y * 0.6666666666666667;
-        let t85 = ry_half_z * 0.6666666666666667;
-        let t86 = r0y_x * 0.4553418012614795 + t83 + r1y_x * (-0.12200846792814622);
-        let t87 = r0y_y * 0.4553418012614795 + t84 + r1y_y * (-0.12200846792814622);
-        let t88 = r0y_z * 0.4553418012614795 + t85 + r1y_z * (-0.12200846792814622);
-        let t89 = rz_half_x * 0.6666666666666667;
-        let t90 = rz_half_y * 0.6666666666666667;
-        let t91 = rz_half_z * 0.6666666666666667;
-        let t92 = r0z_x * 0.4553418012614795 + t89 + r1z_x * (-0.12200846792814622);
-        let t93 = r0z_y * 0.4553418012614795 + t90 + r1z_y * (-0.12200846792814622);
-        let t94 = r0z_z * 0.4553418012614795 + t91 + r1z_z * (-0.12200846792814622);
-        let t95 = inverse_length
+        let t47 = d_x * 0.6;
+        let t48 = d_y * 0.6;
+        let t49 = d_z * 0.6;
+        let t50 = r0x_x * 0.5872983346207417 + t47 + r1x_x * (-0.18729833462074166);
+        let t51 = r0x_y * 0.5872983346207417 + t48 + r1x_y * (-0.18729833462074166);
+        let t52 = r0x_z * 0.5872983346207417 + t49 + r1x_z * (-0.18729833462074166);
+        let t53 = ry_half_x * 0.39999999999999997;
+        let t54 = ry_half_y * 0.39999999999999997;
+        let t55 = ry_half_z * 0.39999999999999997;
+        let t56 = r0y_x * 0.6872983346207417 + t53 + r1y_x * (-0.08729833462074169);
+        let t57 = r0y_y * 0.6872983346207417 + t54 + r1y_y * (-0.08729833462074169);
+        let t58 = r0y_z * 0.6872983346207417 + t55 + r1y_z * (-0.08729833462074169);
+        let t59 = rz_half_x * 0.39999999999999997;
+        let t60 = rz_half_y * 0.39999999999999997;
+        let t61 = rz_half_z * 0.39999999999999997;
+        let t62 = r0z_x * 0.6872983346207417 + t59 + r1z_x * (-0.08729833462074169);
+        let t63 = r0z_y * 0.6872983346207417 + t60 + r1z_y * (-0.08729833462074169);
+        let t64 = r0z_z * 0.6872983346207417 + t61 + r1z_z * (-0.08729833462074169);
+        let t65 = r0x_x * (-0.25) + d_x * 1.5 + r1x_x * (-0.25);
+        let t66 = r0x_y * (-0.25) + d_y * 1.5 + r1x_y * (-0.25);
+        let t67 = r0x_z * (-0.25) + d_z * 1.5 + r1x_z * (-0.25);
+        let t68 = t47 + r0x_x * (-0.18729833462074175) + r1x_x * 0.5872983346207418;
+        let t69 = t48 + r0x_y * (-0.18729833462074175) + r1x_y * 0.5872983346207418;
+        let t70 = t49 + r0x_z * (-0.18729833462074175) + r1x_z * 0.5872983346207418;
+        let t71 = t53 + r0y_x * (-0.08729833462074166) + r1y_x * 0.6872983346207417;
+        let t72 = t54 + r0y_y * (-0.08729833462074166) + r1y_y * 0.6872983346207417;
+        let t73 = t55 + r0y_z * (-0.08729833462074166) + r1y_z * 0.6872983346207417;
+        let t74 = t59 + r0z_x * (-0.08729833462074166) + r1z_x * 0.6872983346207417;
+        let t75 = t60 + r0z_y * (-0.08729833462074166) + r1z_y * 0.6872983346207417;
+        let t76 = t61 + r0z_z * (-0.08729833462074166) + r1z_z * 0.6872983346207417;
+        let t77 = d_x + r0x_x * 0.28867513459481287 + r1x_x * (-0.2886751345948129);
+        let t78 = d_y + r0x_y * 0.28867513459481287 + r1x_y * (-0.2886751345948129);
+        let t79 = d_z + r0x_z * 0.28867513459481287 + r1x_z * (-0.2886751345948129);
+        let t80 = ry_half_x * 0.6666666666666667;
+        let t81 = ry_half_y * 0.6666666666666667;
+        let t82 = ry_half_z * 0.6666666666666667;
+        let t83 = r0y_x * 0.4553418012614795 + t80 + r1y_x * (-0.12200846792814622);
+        let t84 = r0y_y * 0.4553418012614795 + t81 + r1y_y * (-0.12200846792814622);
+        let t85 = r0y_z * 0.4553418012614795 + t82 + r1y_z * (-0.12200846792814622);
+        let t86 = rz_half_x * 0.6666666666666667;
+        let t87 = rz_half_y * 0.6666666666666667;
+        let t88 = rz_half_z * 0.6666666666666667;
+        let t89 = r0z_x * 0.4553418012614795 + t86 + r1z_x * (-0.12200846792814622);
+        let t90 = r0z_y * 0.4553418012614795 + t87 + r1z_y * (-0.12200846792814622);
+        let t91 = r0z_z * 0.4553418012614795 + t88 + r1z_z * (-0.12200846792814622);
+        let t92 = inverse_length
             * (r0y_x * (-2.1547005383792515) + ry_half_x * 2.309401076758503
                 + r1y_x * (-0.15470053837925146));
-        let t96 = inverse_length
+        let t93 = inverse_length
             * (r0y_y * (-2.1547005383792515) + ry_half_y * 2.309401076758503
                 + r1y_y * (-0.15470053837925146));
-        let t97 = inverse_length
+        let t94 = inverse_length
             * (r0y_z * (-2.1547005383792515) + ry_half_z * 2.309401076758503
                 + r1y_z * (-0.15470053837925146));
-        let t98 = inverse_length
+        let t95 = inverse_length
             * (r0z_x * (-2.1547005383792515) + rz_half_x * 2.309401076758503
                 + r1z_x * (-0.15470053837925146));
-        let t99 = inverse_length
+        let t96 = inverse_length
             * (r0z_y * (-2.1547005383792515) + rz_half_y * 2.309401076758503
                 + r1z_y * (-0.15470053837925146));
-        let t100 = inverse_length
+        let t97 = inverse_length
             * (r0z_z * (-2.1547005383792515) + rz_half_z * 2.309401076758503
                 + r1z_z * (-0.15470053837925146));
-        let t101 = t92 * t95 + t93 * t96 + t94 * t97
-            - (t86 * t98 + t87 * t99 + t88 * t100);
-        let t102 = r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
+        let t98 = t89 * t92 + t90 * t93 + t91 * t94
+            - (t83 * t95 + t84 * t96 + t85 * t97);
+        let t99 = r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
             + r1x_x * 0.28867513459481264;
-        let t103 = r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
+        let t100 = r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
             + r1x_y * 0.28867513459481264;
-        let t104 = r0x_z * (-0.2886751345948131) + d_z * 1.0000000000000004
+        let t101 = r0x_z * (-0.2886751345948131) + d_z * 1.0000000000000004
             + r1x_z * 0.28867513459481264;
-        let t105 = t83 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795;
-        let t106 = t84 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795;
-        let t107 = t85 + r0y_z * (-0.12200846792814612) + r1y_z * 0.4553418012614795;
-        let t108 = t89 + r0z_x * (-0.12200846792814612) + r1z_x * 0.4553418012614795;
-        let t109 = t90 + r0z_y * (-0.12200846792814612) + r1z_y * 0.4553418012614795;
-        let t110 = t91 + r0z_z * (-0.12200846792814612) + r1z_z * 0.4553418012614795;
-        let t111 = inverse_length
+        let t102 = t80 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795;
+        let t103 = t81 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795;
+        let t104 = t82 + r0y_z * (-0.12200846792814612) + r1y_z * 0.4553418012614795;
+        let t105 = t86 + r0z_x * (-0.12200846792814612) + r1z_x * 0.4553418012614795;
+        let t106 = t87 + r0z_y * (-0.12200846792814612) + r1z_y * 0.4553418012614795;
+        let t107 = t88 + r0z_z * (-0.12200846792814612) + r1z_z * 0.4553418012614795;
+        let t108 = inverse_length
             * (r0y_x * 0.15470053837925146 + ry_half_x * (-2.309401076758503)
                 + r1y_x * 2.1547005383792515);
-        let t112 = inverse_length
+        let t109 = inverse_length
             * (r0y_y * 0.15470053837925146 + ry_half_y * (-2.309401076758503)
                 + r1y_y * 2.1547005383792515);
-        let t113 = inverse_length
+        let t110 = inverse_length
             * (r0y_z * 0.15470053837925146 + ry_half_z * (-2.309401076758503)
                 + r1y_z * 2.1547005383792515);
-        let t114 = inverse_length
+        let t111 = inverse_length
             * (r0z_x * 0.15470053837925146 + rz_half_x * (-2.309401076758503)
                 + r1z_x * 2.1547005383792515);
-        let t115 = inverse_length
+        let t112 = inverse_length
             * (r0z_y * 0.15470053837925146 + rz_half_y * (-2.309401076758503)
                 + r1z_y * 2.1547005383792515);
-        let t116 = inverse_length
+        let t113 = inverse_length
             * (r0z_z * 0.15470053837925146 + rz_half_z * (-2.309401076758503)
                 + r1z_z * 2.1547005383792515);
-        let t117 = t108 * t111 + t109 * t112 + t110 * t113
-            - (t105 * t114 + t106 * t115 + t107 * t116);
-        reference[0] = 0.5 * (t53 * t53 + t54 * t54 + t55 * t55 - 1.0);
-        reference[1] = 0.5 * (t59 * t59 + t60 * t60 + t61 * t61 - 1.0);
-        reference[2] = 0.5 * (t65 * t65 + t66 * t66 + t67 * t67 - 1.0);
-        reference[3] = t53 * t59 + t54 * t60 + t55 * t61;
-        reference[4] = t53 * t65 + t54 * t66 + t55 * t67;
-        reference[5] = t59 * t65 + t60 * t66 + t61 * t67;
-        reference[6] = 0.5 * (t68 * t68 + t69 * t69 + t70 * t70 - 1.0);
+        let t114 = t105 * t108 + t106 * t109 + t107 * t110
+            - (t102 * t111 + t103 * t112 + t104 * t113);
+        reference[0] = 0.5 * (t50 * t50 + t51 * t51 + t52 * t52 - 1.0);
+        reference[1] = 0.5 * (t56 * t56 + t57 * t57 + t58 * t58 - 1.0);
+        reference[2] = 0.5 * (t62 * t62 + t63 * t63 + t64 * t64 - 1.0);
+        reference[3] = t50 * t56 + t51 * t57 + t52 * t58;
+        reference[4] = t50 * t62 + t51 * t63 + t52 * t64;
+        reference[5] = t56 * t62 + t57 * t63 + t58 * t64;
+        reference[6] = 0.5 * (t65 * t65 + t66 * t66 + t67 * t67 - 1.0);
         reference[7] = 0.5
             * (ry_half_x * ry_half_x + ry_half_y * ry_half_y + ry_half_z * ry_half_z
                 - 1.0);
         reference[8] = 0.5
             * (rz_half_x * rz_half_x + rz_half_y * rz_half_y + rz_half_z * rz_half_z
                 - 1.0);
-        reference[9] = ry_half_x * t68 + ry_half_y * t69 + ry_half_z * t70;
-        reference[10] = rz_half_x * t68 + rz_half_y * t69 + rz_half_z * t70;
+        reference[9] = ry_half_x * t65 + ry_half_y * t66 + ry_half_z * t67;
+        reference[10] = rz_half_x * t65 + rz_half_y * t66 + rz_half_z * t67;
         reference[11] = ry_half_x * rz_half_x + ry_half_y * rz_half_y
             + ry_half_z * rz_half_z;
-        reference[12] = 0.5 * (t71 * t71 + t72 * t72 + t73 * t73 - 1.0);
-        reference[13] = 0.5 * (t74 * t74 + t75 * t75 + t76 * t76 - 1.0);
-        reference[14] = 0.5 * (t77 * t77 + t78 * t78 + t79 * t79 - 1.0);
-        reference[15] = t71 * t74 + t72 * t75 + t73 * t76;
-        reference[16] = t71 * t77 + t72 * t78 + t73 * t79;
-        reference[17] = t74 * t77 + t75 * t78 + t76 * t79;
-        reference[18] = t80 * t95 + t81 * t96 + t82 * t97;
-        reference[19] = t80 * t98 + t81 * t99 + t82 * t100;
-        reference[20] = 0.5 * t101;
-        reference[21] = t86 * t95 + t87 * t96 + t88 * t97;
-        reference[22] = t92 * t98 + t93 * t99 + t94 * t100;
-        reference[23] = t102 * t111 + t103 * t112 + t104 * t113;
-        reference[24] = t102 * t114 + t103 * t115 + t104 * t116;
-        reference[25] = 0.5 * t117;
-        reference[26] = t105 * t111 + t106 * t112 + t107 * t113;
-        reference[27] = t108 * t114 + t109 * t115 + t110 * t116;
+        reference[12] = 0.5 * (t68 * t68 + t69 * t69 + t70 * t70 - 1.0);
+        reference[13] = 0.5 * (t71 * t71 + t72 * t72 + t73 * t73 - 1.0);
+        reference[14] = 0.5 * (t74 * t74 + t75 * t75 + t76 * t76 - 1.0);
+        reference[15] = t68 * t71 + t69 * t72 + t70 * t73;
+        reference[16] = t68 * t74 + t69 * t75 + t70 * t76;
+        reference[17] = t71 * t74 + t72 * t75 + t73 * t76;
+        reference[18] = t77 * t92 + t78 * t93 + t79 * t94;
+        reference[19] = t77 * t95 + t78 * t96 + t79 * t97;
+        reference[20] = 0.5 * t98;
+        reference[21] = t83 * t92 + t84 * t93 + t85 * t94;
+        reference[22] = t89 * t95 + t90 * t96 + t91 * t97;
+        reference[23] = t99 * t108 + t100 * t109 + t101 * t110;
+        reference[24] = t99 * t111 + t100 * t112 + t101 * t113;
+        reference[25] = 0.5 * t114;
+        reference[26] = t102 * t108 + t103 * t109 + t104 * t110;
+        reference[27] = t105 * t111 + t106 * t112 + t107 * t113;
     }
     /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
     ///
@@ -1086,14 +1099,14 @@ pub mod bend45_equations {
         let section_y_mass = length * rhoIz;
         let section_z_mass = length * rhoIy;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t23 = length * element_mass;
-        let mass_r0_r0x = t23 * 0.05238095238095238;
+        let t20 = length * element_mass;
+        let mass_r0_r0x = t20 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t23 * (-0.030952380952380953);
-        let t27 = element_mass * (length * length);
-        let mass_r0x_r0x = t27 * 0.009523809523809525;
-        let mass_r0x_r1 = t23 * 0.030952380952380953;
-        let mass_r0x_r1x = t27 * (-0.007142857142857143);
+        let mass_r0_r1x = t20 * (-0.030952380952380953);
+        let t24 = element_mass * (length * length);
+        let mass_r0x_r0x = t24 * 0.009523809523809525;
+        let mass_r0x_r1 = t20 * 0.030952380952380953;
+        let mass_r0x_r1x = t24 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
@@ -1102,7 +1115,7 @@ pub mod bend45_equations {
         let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
         let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
-        let mass_r1_r1x = t23 * (-0.05238095238095238);
+        let mass_r1_r1x = t20 * (-0.05238095238095238);
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_r0x;
         mass[2] = 0.0;
@@ -1231,29 +1244,29 @@ pub mod bend45_equations {
         let total_r1_y = a_r1_y + e_y;
         let total_r1_z = a_r1_z + e_z;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t62 = length * element_mass;
-        let mass_r0_r0x = t62 * 0.05238095238095238;
+        let t59 = length * element_mass;
+        let mass_r0_r0x = t59 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t62 * (-0.030952380952380953);
-        let t66 = element_mass * (length * length);
-        let mass_r0x_r0x = t66 * 0.009523809523809525;
-        let mass_r0x_r1 = t62 * 0.030952380952380953;
-        let mass_r0x_r1x = t66 * (-0.007142857142857143);
+        let mass_r0_r1x = t59 * (-0.030952380952380953);
+        let t63 = element_mass * (length * length);
+        let mass_r0x_r0x = t63 * 0.009523809523809525;
+        let mass_r0x_r1 = t59 * 0.030952380952380953;
+        let mass_r0x_r1x = t63 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
-        let t73 = a_ry_half_x * mass_r0y_ry_half;
-        let t74 = a_ry_half_y * mass_r0y_ry_half;
-        let t75 = a_ry_half_z * mass_r0y_ry_half;
+        let t70 = a_ry_half_x * mass_r0y_ry_half;
+        let t71 = a_ry_half_y * mass_r0y_ry_half;
+        let t72 = a_ry_half_z * mass_r0y_ry_half;
         let mass_r0z_r0z = section_z_mass * 0.13333333333333333;
         let mass_r0z_rz_half = section_z_mass * 0.06666666666666667;
         let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
-        let t79 = a_rz_half_x * mass_r0z_rz_half;
-        let t80 = a_rz_half_y * mass_r0z_rz_half;
-        let t81 = a_rz_half_z * mass_r0z_rz_half;
+        let t76 = a_rz_half_x * mass_r0z_rz_half;
+        let t77 = a_rz_half_y * mass_r0z_rz_half;
+        let t78 = a_rz_half_z * mass_r0z_rz_half;
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
         let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
-        let mass_r1_r1x = t62 * (-0.05238095238095238);
+        let mass_r1_r1x = t59 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + a_r0x_x * mass_r0_r0x + total_r1_x * mass_r0_r1
                 + a_r1x_x * mass_r0_r1x;
@@ -1272,12 +1285,12 @@ pub mod bend45_equations {
         force[5]
             += total_r0_z * mass_r0_r0x + a_r0x_z * mass_r0x_r0x
                 + total_r1_z * mass_r0x_r1 + a_r1x_z * mass_r0x_r1x;
-        force[6] += a_r0y_x * mass_r0y_r0y + t73 + a_r1y_x * mass_r0y_r1y;
-        force[7] += a_r0y_y * mass_r0y_r0y + t74 + a_r1y_y * mass_r0y_r1y;
-        force[8] += a_r0y_z * mass_r0y_r0y + t75 + a_r1y_z * mass_r0y_r1y;
-        force[9] += a_r0z_x * mass_r0z_r0z + t79 + a_r1z_x * mass_r0z_r1z;
-        force[10] += a_r0z_y * mass_r0z_r0z + t80 + a_r1z_y * mass_r0z_r1z;
-        force[11] += a_r0z_z * mass_r0z_r0z + t81 + a_r1z_z * mass_r0z_r1z;
+        force[6] += a_r0y_x * mass_r0y_r0y + t70 + a_r1y_x * mass_r0y_r1y;
+        force[7] += a_r0y_y * mass_r0y_r0y + t71 + a_r1y_y * mass_r0y_r1y;
+        force[8] += a_r0y_z * mass_r0y_r0y + t72 + a_r1y_z * mass_r0y_r1y;
+        force[9] += a_r0z_x * mass_r0z_r0z + t76 + a_r1z_x * mass_r0z_r1z;
+        force[10] += a_r0z_y * mass_r0z_r0z + t77 + a_r1z_y * mass_r0z_r1z;
+        force[11] += a_r0z_z * mass_r0z_r0z + t78 + a_r1z_z * mass_r0z_r1z;
         force[12]
             += a_r0y_x * mass_r0y_ry_half + a_ry_half_x * mass_ry_half_ry_half
                 + a_r1y_x * mass_r0y_ry_half;
@@ -1314,12 +1327,12 @@ pub mod bend45_equations {
         force[23]
             += total_r0_z * mass_r0_r1x + a_r0x_z * mass_r0x_r1x
                 + total_r1_z * mass_r1_r1x + a_r1x_z * mass_r0x_r0x;
-        force[24] += t73 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
-        force[25] += t74 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
-        force[26] += t75 + a_r0y_z * mass_r0y_r1y + a_r1y_z * mass_r0y_r0y;
-        force[27] += t79 + a_r0z_x * mass_r0z_r1z + a_r1z_x * mass_r0z_r0z;
-        force[28] += t80 + a_r0z_y * mass_r0z_r1z + a_r1z_y * mass_r0z_r0z;
-        force[29] += t81 + a_r0z_z * mass_r0z_r1z + a_r1z_z * mass_r0z_r0z;
+        force[24] += t70 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
+        force[25] += t71 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
+        force[26] += t72 + a_r0y_z * mass_r0y_r1y + a_r1y_z * mass_r0y_r0y;
+        force[27] += t76 + a_r0z_x * mass_r0z_r1z + a_r1z_x * mass_r0z_r0z;
+        force[28] += t77 + a_r0z_y * mass_r0z_r1z + a_r1z_y * mass_r0z_r0z;
+        force[29] += t78 + a_r0z_z * mass_r0z_r1z + a_r1z_z * mass_r0z_r0z;
     }
     /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
     ///
@@ -1342,12 +1355,12 @@ pub mod bend45_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t17 = 1.0 / length;
-        let t18 = xi * 3.0;
-        weights[0] = xi * (-6.0 + xi * 6.0) * t17;
-        weights[1] = 1.0 + xi * (-4.0 + t18);
-        weights[6] = t17 * (xi * (6.0 + xi * (-6.0)));
-        weights[7] = xi * (t18 + (-2.0));
+        let t14 = 1.0 / length;
+        let t15 = xi * 3.0;
+        weights[0] = xi * (-6.0 + xi * 6.0) * t14;
+        weights[1] = 1.0 + xi * (-4.0 + t15);
+        weights[6] = t14 * (xi * (6.0 + xi * (-6.0)));
+        weights[7] = xi * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
     ///
@@ -1357,13 +1370,13 @@ pub mod bend45_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t17 = 1.0 / (length * length);
-        let t18 = xi * 6.0;
-        let t19 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t17;
-        weights[1] = (-4.0 + t18) * t19;
-        weights[6] = t17 * (6.0 + xi * (-12.0));
-        weights[7] = t19 * (t18 + (-2.0));
+        let t14 = 1.0 / (length * length);
+        let t15 = xi * 6.0;
+        let t16 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t14;
+        weights[1] = (-4.0 + t15) * t16;
+        weights[6] = t14 * (6.0 + xi * (-12.0));
+        weights[7] = t16 * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1373,10 +1386,10 @@ pub mod bend45_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t16 = xi * 2.0;
-        weights[2] = 1.0 + xi * (-3.0 + t16);
+        let t13 = xi * 2.0;
+        weights[2] = 1.0 + xi * (-3.0 + t13);
         weights[4] = xi * (4.0 + xi * (-4.0));
-        weights[8] = xi * (t16 + (-1.0));
+        weights[8] = xi * (t13 + (-1.0));
     }
     /// Weights of the nodal vectors in d/dx of the section's y axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1386,11 +1399,11 @@ pub mod bend45_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t17 = xi * 4.0;
-        let t18 = 1.0 / length;
-        weights[2] = (-3.0 + t17) * t18;
-        weights[4] = t18 * (4.0 + xi * (-8.0));
-        weights[8] = t18 * (t17 + (-1.0));
+        let t14 = xi * 4.0;
+        let t15 = 1.0 / length;
+        weights[2] = (-3.0 + t14) * t15;
+        weights[4] = t15 * (4.0 + xi * (-8.0));
+        weights[8] = t15 * (t14 + (-1.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1400,11 +1413,11 @@ pub mod bend45_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t16 = 1.0 / (length * length);
-        let t17 = 4.0 * t16;
-        weights[2] = t17;
-        weights[4] = t16 * (-8.0);
-        weights[8] = t17;
+        let t13 = 1.0 / (length * length);
+        let t14 = 4.0 * t13;
+        weights[2] = t14;
+        weights[4] = t13 * (-8.0);
+        weights[8] = t14;
     }
     /// Weights of the nodal vectors in the section's z axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1414,10 +1427,10 @@ pub mod bend45_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t16 = xi * 2.0;
-        weights[3] = 1.0 + xi * (-3.0 + t16);
+        let t13 = xi * 2.0;
+        weights[3] = 1.0 + xi * (-3.0 + t13);
         weights[5] = xi * (4.0 + xi * (-4.0));
-        weights[9] = xi * (t16 + (-1.0));
+        weights[9] = xi * (t13 + (-1.0));
     }
     /// Weights of the nodal vectors in d/dx of the section's z axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1427,11 +1440,11 @@ pub mod bend45_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t17 = xi * 4.0;
-        let t18 = 1.0 / length;
-        weights[3] = (-3.0 + t17) * t18;
-        weights[5] = t18 * (4.0 + xi * (-8.0));
-        weights[9] = t18 * (t17 + (-1.0));
+        let t14 = xi * 4.0;
+        let t15 = 1.0 / length;
+        weights[3] = (-3.0 + t14) * t15;
+        weights[5] = t15 * (4.0 + xi * (-8.0));
+        weights[9] = t15 * (t14 + (-1.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the section's z axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1441,11 +1454,11 @@ pub mod bend45_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t16 = 1.0 / (length * length);
-        let t17 = 4.0 * t16;
-        weights[3] = t17;
-        weights[5] = t16 * (-8.0);
-        weights[9] = t17;
+        let t13 = 1.0 / (length * length);
+        let t14 = 4.0 * t13;
+        weights[3] = t14;
+        weights[5] = t13 * (-8.0);
+        weights[9] = t14;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -1469,97 +1482,97 @@ pub mod bend45_equations {
             GIy,
             ..
         } = *row;
-        let t54 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
+        let t51 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
             - (fields[3] * fields[12] + fields[4] * fields[13] + fields[5] * fields[14]);
-        let t55 = 0.5
+        let t52 = 0.5
             * (fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2]
                 - 1.0)
             - 0.5
                 * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
                     + stress_free[2] * stress_free[2] - 1.0);
-        let t56 = EA * t55;
-        let t57 = 0.5
+        let t53 = EA * t52;
+        let t54 = 0.5
             * (fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5]
                 - 1.0)
             - 0.5
                 * (stress_free[3] * stress_free[3] + stress_free[4] * stress_free[4]
                     + stress_free[5] * stress_free[5] - 1.0);
-        let t58 = EA * t57;
-        let t59 = 0.5
+        let t55 = EA * t54;
+        let t56 = 0.5
             * (fields[6] * fields[6] + fields[7] * fields[7] + fields[8] * fields[8]
                 - 1.0)
             - 0.5
                 * (stress_free[6] * stress_free[6] + stress_free[7] * stress_free[7]
                     + stress_free[8] * stress_free[8] - 1.0);
-        let t60 = EA * t59;
-        let t61 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
+        let t57 = EA * t56;
+        let t58 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
             - (stress_free[0] * stress_free[3] + stress_free[1] * stress_free[4]
                 + stress_free[2] * stress_free[5]);
-        let t62 = kyGA * t61;
-        let t63 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
+        let t59 = kyGA * t58;
+        let t60 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
             - (stress_free[0] * stress_free[6] + stress_free[1] * stress_free[7]
                 + stress_free[2] * stress_free[8]);
-        let t64 = kzGA * t63;
-        let t65 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
+        let t61 = kzGA * t60;
+        let t62 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
             - (stress_free[3] * stress_free[6] + stress_free[4] * stress_free[7]
                 + stress_free[5] * stress_free[8]);
-        let t66 = GA * t65;
-        let t67 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
+        let t63 = GA * t62;
+        let t64 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
             - (stress_free[0] * stress_free[9] + stress_free[1] * stress_free[10]
                 + stress_free[2] * stress_free[11]);
-        let t68 = EIz * t67;
-        let t69 = t56 * (0.5 * (fields[0] * 2.0)) + fields[3] * t62 + fields[6] * t64
-            + fields[9] * t68;
-        let t70 = t56 * (0.5 * (fields[1] * 2.0)) + fields[4] * t62 + fields[7] * t64
-            + fields[10] * t68;
-        let t71 = t56 * (0.5 * (fields[2] * 2.0)) + fields[5] * t62 + fields[8] * t64
-            + fields[11] * t68;
-        let t72 = fields[0] * fields[12] + fields[1] * fields[13]
+        let t65 = EIz * t64;
+        let t66 = t53 * (0.5 * (fields[0] * 2.0)) + fields[3] * t59 + fields[6] * t61
+            + fields[9] * t65;
+        let t67 = t53 * (0.5 * (fields[1] * 2.0)) + fields[4] * t59 + fields[7] * t61
+            + fields[10] * t65;
+        let t68 = t53 * (0.5 * (fields[2] * 2.0)) + fields[5] * t59 + fields[8] * t61
+            + fields[11] * t65;
+        let t69 = fields[0] * fields[12] + fields[1] * fields[13]
             + fields[2] * fields[14]
             - (stress_free[0] * stress_free[12] + stress_free[1] * stress_free[13]
                 + stress_free[2] * stress_free[14]);
-        let t73 = EIy * t72;
-        let t74 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
+        let t70 = EIy * t69;
+        let t71 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
             + stress_free[8] * stress_free[11]
             - (stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
                 + stress_free[5] * stress_free[14]);
-        let t75 = GJ * (0.5 * t54 - 0.5 * t74);
-        let t76 = t58 * (0.5 * (fields[3] * 2.0)) + fields[0] * t62 + fields[6] * t66
-            - t75 * (fields[12] * 0.5);
-        let t77 = t58 * (0.5 * (fields[4] * 2.0)) + fields[1] * t62 + fields[7] * t66
-            - t75 * (fields[13] * 0.5);
-        let t78 = t58 * (0.5 * (fields[5] * 2.0)) + fields[2] * t62 + fields[8] * t66
-            - t75 * (fields[14] * 0.5);
-        let t79 = t60 * (0.5 * (fields[6] * 2.0)) + fields[0] * t64 + fields[3] * t66
-            + t75 * (fields[9] * 0.5);
-        let t80 = t60 * (0.5 * (fields[7] * 2.0)) + fields[1] * t64 + fields[4] * t66
-            + t75 * (fields[10] * 0.5);
-        let t81 = t60 * (0.5 * (fields[8] * 2.0)) + fields[2] * t64 + fields[5] * t66
-            + t75 * (fields[11] * 0.5);
-        let t82 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
+        let t72 = GJ * (0.5 * t51 - 0.5 * t71);
+        let t73 = t55 * (0.5 * (fields[3] * 2.0)) + fields[0] * t59 + fields[6] * t63
+            - t72 * (fields[12] * 0.5);
+        let t74 = t55 * (0.5 * (fields[4] * 2.0)) + fields[1] * t59 + fields[7] * t63
+            - t72 * (fields[13] * 0.5);
+        let t75 = t55 * (0.5 * (fields[5] * 2.0)) + fields[2] * t59 + fields[8] * t63
+            - t72 * (fields[14] * 0.5);
+        let t76 = t57 * (0.5 * (fields[6] * 2.0)) + fields[0] * t61 + fields[3] * t63
+            + t72 * (fields[9] * 0.5);
+        let t77 = t57 * (0.5 * (fields[7] * 2.0)) + fields[1] * t61 + fields[4] * t63
+            + t72 * (fields[10] * 0.5);
+        let t78 = t57 * (0.5 * (fields[8] * 2.0)) + fields[2] * t61 + fields[5] * t63
+            + t72 * (fields[11] * 0.5);
+        let t79 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
             - (stress_free[3] * stress_free[9] + stress_free[4] * stress_free[10]
                 + stress_free[5] * stress_free[11]);
-        let t83 = GIz * t82;
-        let t84 = fields[6] * fields[12] + fields[7] * fields[13]
+        let t80 = GIz * t79;
+        let t81 = fields[6] * fields[12] + fields[7] * fields[13]
             + fields[8] * fields[14]
             - (stress_free[6] * stress_free[12] + stress_free[7] * stress_free[13]
                 + stress_free[8] * stress_free[14]);
-        let t85 = GIy * t84;
-        forces[0] = t69 + fields[12] * t73;
-        forces[1] = t70 + fields[13] * t73;
-        forces[2] = t71 + fields[14] * t73;
-        forces[3] = t76 + fields[9] * t83;
-        forces[4] = t77 + fields[10] * t83;
-        forces[5] = t78 + fields[11] * t83;
-        forces[6] = t79 + fields[12] * t85;
-        forces[7] = t80 + fields[13] * t85;
-        forces[8] = t81 + fields[14] * t85;
-        forces[9] = fields[0] * t68 + t75 * (fields[6] * 0.5) + fields[3] * t83;
-        forces[10] = fields[1] * t68 + t75 * (fields[7] * 0.5) + fields[4] * t83;
-        forces[11] = fields[2] * t68 + t75 * (fields[8] * 0.5) + fields[5] * t83;
-        forces[12] = fields[0] * t73 - t75 * (fields[3] * 0.5) + fields[6] * t85;
-        forces[13] = fields[1] * t73 - t75 * (fields[4] * 0.5) + fields[7] * t85;
-        forces[14] = fields[2] * t73 - t75 * (fields[5] * 0.5) + fields[8] * t85;
+        let t82 = GIy * t81;
+        forces[0] = t66 + fields[12] * t70;
+        forces[1] = t67 + fields[13] * t70;
+        forces[2] = t68 + fields[14] * t70;
+        forces[3] = t73 + fields[9] * t80;
+        forces[4] = t74 + fields[10] * t80;
+        forces[5] = t75 + fields[11] * t80;
+        forces[6] = t76 + fields[12] * t82;
+        forces[7] = t77 + fields[13] * t82;
+        forces[8] = t78 + fields[14] * t82;
+        forces[9] = fields[0] * t65 + t72 * (fields[6] * 0.5) + fields[3] * t80;
+        forces[10] = fields[1] * t65 + t72 * (fields[7] * 0.5) + fields[4] * t80;
+        forces[11] = fields[2] * t65 + t72 * (fields[8] * 0.5) + fields[5] * t80;
+        forces[12] = fields[0] * t70 - t72 * (fields[3] * 0.5) + fields[6] * t82;
+        forces[13] = fields[1] * t70 - t72 * (fields[4] * 0.5) + fields[7] * t82;
+        forces[14] = fields[2] * t70 - t72 * (fields[5] * 0.5) + fields[8] * t82;
     }
     /// Load `pull` in its frame's axes.
     ///

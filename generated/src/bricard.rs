@@ -135,36 +135,36 @@ pub mod bricard_equations {
     ) {
         let [e_x, e_y, e_z] = frame.acceleration;
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
-        let t37 = w_y * rigid.moment[2] - w_z * rigid.moment[1];
-        let t38 = w_z * rigid.moment[0] - w_x * rigid.moment[2];
-        let t39 = w_x * rigid.moment[1] - w_y * rigid.moment[0];
-        let t40 = w_y * t39 - w_z * t38
+        let t34 = w_y * rigid.moment[2] - w_z * rigid.moment[1];
+        let t35 = w_z * rigid.moment[0] - w_x * rigid.moment[2];
+        let t36 = w_x * rigid.moment[1] - w_y * rigid.moment[0];
+        let t37 = w_y * t36 - w_z * t35
             + (e_x * rigid.mass + (dw_y * rigid.moment[2] - dw_z * rigid.moment[1]));
-        let t41 = w_z * t37 - w_x * t39
+        let t38 = w_z * t34 - w_x * t36
             + (e_y * rigid.mass + (dw_z * rigid.moment[0] - dw_x * rigid.moment[2]));
-        let t42 = w_x * t38 - w_y * t37
+        let t39 = w_x * t35 - w_y * t34
             + (e_z * rigid.mass + (dw_x * rigid.moment[1] - dw_y * rigid.moment[0]));
-        let t43 = w_x * rigid.inertia[0][0] + w_y * rigid.inertia[0][1]
+        let t40 = w_x * rigid.inertia[0][0] + w_y * rigid.inertia[0][1]
             + w_z * rigid.inertia[0][2];
-        let t44 = w_x * rigid.inertia[1][0] + w_y * rigid.inertia[1][1]
+        let t41 = w_x * rigid.inertia[1][0] + w_y * rigid.inertia[1][1]
             + w_z * rigid.inertia[1][2];
-        let t45 = w_x * rigid.inertia[2][0] + w_y * rigid.inertia[2][1]
+        let t42 = w_x * rigid.inertia[2][0] + w_y * rigid.inertia[2][1]
             + w_z * rigid.inertia[2][2];
-        let t46 = e_z * rigid.moment[1] - e_y * rigid.moment[2]
+        let t43 = e_z * rigid.moment[1] - e_y * rigid.moment[2]
             + (dw_x * rigid.inertia[0][0] + dw_y * rigid.inertia[0][1]
                 + dw_z * rigid.inertia[0][2]);
-        let t47 = e_x * rigid.moment[2] - e_z * rigid.moment[0]
+        let t44 = e_x * rigid.moment[2] - e_z * rigid.moment[0]
             + (dw_x * rigid.inertia[1][0] + dw_y * rigid.inertia[1][1]
                 + dw_z * rigid.inertia[1][2]);
-        let t48 = e_y * rigid.moment[0] - e_x * rigid.moment[1]
+        let t45 = e_y * rigid.moment[0] - e_x * rigid.moment[1]
             + (dw_x * rigid.inertia[2][0] + dw_y * rigid.inertia[2][1]
                 + dw_z * rigid.inertia[2][2]);
-        out[0] += t40;
-        out[1] += t41;
-        out[2] += t42;
-        out[3] += w_y * t45 - w_z * t44 + t46;
-        out[4] += w_z * t43 - w_x * t45 + t47;
-        out[5] += w_x * t44 - w_y * t43 + t48;
+        out[0] += t37;
+        out[1] += t38;
+        out[2] += t39;
+        out[3] += w_y * t42 - w_z * t41 + t43;
+        out[4] += w_z * t40 - w_x * t42 + t44;
+        out[5] += w_x * t41 - w_y * t40 + t45;
     }
     /// Writes the derivatives of force and moment, rows first: `mass` with respect to e and w', `damping` to w. Entries that are always zero are left alone.
     ///
@@ -177,27 +177,27 @@ pub mod bricard_equations {
     ) {
         let [e_x, e_y, e_z] = frame.acceleration;
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
-        let t31 = w_y * rigid.moment[2];
-        let t32 = w_z * rigid.moment[1];
+        let t28 = w_y * rigid.moment[2];
+        let t29 = w_z * rigid.moment[1];
+        let t30 = t28 - t29;
+        let t31 = w_z * rigid.moment[0];
+        let t32 = w_x * rigid.moment[2];
         let t33 = t31 - t32;
-        let t34 = w_z * rigid.moment[0];
-        let t35 = w_x * rigid.moment[2];
+        let t34 = w_x * rigid.moment[1];
+        let t35 = w_y * rigid.moment[0];
         let t36 = t34 - t35;
-        let t37 = w_x * rigid.moment[1];
-        let t38 = w_y * rigid.moment[0];
-        let t39 = t37 - t38;
-        let t40 = w_y * rigid.inertia[0][1];
-        let t41 = w_z * rigid.inertia[0][2];
-        let t42 = w_x * rigid.inertia[0][0] + t40 + t41;
-        let t43 = w_x * rigid.inertia[1][0];
-        let t44 = w_z * rigid.inertia[1][2];
-        let t45 = t43 + w_y * rigid.inertia[1][1] + t44;
-        let t46 = w_x * rigid.inertia[2][0];
-        let t47 = w_y * rigid.inertia[2][1];
-        let t48 = t46 + t47 + w_z * rigid.inertia[2][2];
-        let t49 = w_y * rigid.moment[1];
-        let t50 = w_z * rigid.moment[2];
-        let t51 = w_x * rigid.moment[0];
+        let t37 = w_y * rigid.inertia[0][1];
+        let t38 = w_z * rigid.inertia[0][2];
+        let t39 = w_x * rigid.inertia[0][0] + t37 + t38;
+        let t40 = w_x * rigid.inertia[1][0];
+        let t41 = w_z * rigid.inertia[1][2];
+        let t42 = t40 + w_y * rigid.inertia[1][1] + t41;
+        let t43 = w_x * rigid.inertia[2][0];
+        let t44 = w_y * rigid.inertia[2][1];
+        let t45 = t43 + t44 + w_z * rigid.inertia[2][2];
+        let t46 = w_y * rigid.moment[1];
+        let t47 = w_z * rigid.moment[2];
+        let t48 = w_x * rigid.moment[0];
         mass[0] = rigid.mass;
         mass[4] = rigid.moment[2];
         mass[5] = -rigid.moment[1];
@@ -222,23 +222,23 @@ pub mod bricard_equations {
         mass[33] = rigid.inertia[2][0];
         mass[34] = rigid.inertia[2][1];
         mass[35] = rigid.inertia[2][2];
-        damping[0] = t49 + t50;
-        damping[1] = t39 - t38;
-        damping[2] = -(t34 + t36);
-        damping[3] = -(t37 + t39);
-        damping[4] = t50 + t51;
-        damping[5] = t33 - t32;
-        damping[6] = t36 - t35;
-        damping[7] = -(t31 + t33);
-        damping[8] = t49 + t51;
+        damping[0] = t46 + t47;
+        damping[1] = t36 - t35;
+        damping[2] = -(t31 + t33);
+        damping[3] = -(t34 + t36);
+        damping[4] = t47 + t48;
+        damping[5] = t30 - t29;
+        damping[6] = t33 - t32;
+        damping[7] = -(t28 + t30);
+        damping[8] = t46 + t48;
         damping[9] = w_y * rigid.inertia[2][0] - w_z * rigid.inertia[1][0];
-        damping[10] = t47 + t48 - w_z * rigid.inertia[1][1];
-        damping[11] = w_y * rigid.inertia[2][2] - (t44 + t45);
-        damping[12] = w_z * rigid.inertia[0][0] - (t46 + t48);
+        damping[10] = t44 + t45 - w_z * rigid.inertia[1][1];
+        damping[11] = w_y * rigid.inertia[2][2] - (t41 + t42);
+        damping[12] = w_z * rigid.inertia[0][0] - (t43 + t45);
         damping[13] = w_z * rigid.inertia[0][1] - w_x * rigid.inertia[2][1];
-        damping[14] = t41 + t42 - w_x * rigid.inertia[2][2];
-        damping[15] = t43 + t45 - w_y * rigid.inertia[0][0];
-        damping[16] = w_x * rigid.inertia[1][1] - (t40 + t42);
+        damping[14] = t38 + t39 - w_x * rigid.inertia[2][2];
+        damping[15] = t40 + t42 - w_y * rigid.inertia[0][0];
+        damping[16] = w_x * rigid.inertia[1][1] - (t37 + t39);
         damping[17] = w_x * rigid.inertia[1][2] - w_y * rigid.inertia[0][2];
     }
     /// Rigid body `p01`: its start relative to its parent, and its rigid parts.
@@ -358,17 +358,17 @@ pub mod bricard_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..5];
-        let t39 = z[3][0][0] * z[1][1][0] + z[1][0][0] * z[3][1][0]
+        let t36 = z[3][0][0] * z[1][1][0] + z[1][0][0] * z[3][1][0]
             + (z[3][0][1] * z[1][1][1] + z[1][0][1] * z[3][1][1])
             + (z[3][0][2] * z[1][1][2] + z[1][0][2] * z[3][1][2]);
-        let t40 = z[4][0][0] * z[1][1][0] + z[1][0][0] * z[4][1][0]
+        let t37 = z[4][0][0] * z[1][1][0] + z[1][0][0] * z[4][1][0]
             + (z[4][0][1] * z[1][1][1] + z[1][0][1] * z[4][1][1])
             + (z[4][0][2] * z[1][1][2] + z[1][0][2] * z[4][1][2]);
         rows[0] = z[0][1][0] - z[2][1][0];
         rows[1] = z[0][1][1] - z[2][1][1];
         rows[2] = z[0][1][2] - z[2][1][2];
-        rows[3] = t39;
-        rows[4] = t40;
+        rows[3] = t36;
+        rows[4] = t37;
     }
     /// Constraint `p0` (revolute), `p1` (revolute), `p2` (revolute), `p3` (revolute), `p4` (revolute): their second time derivative.
     ///
@@ -380,23 +380,23 @@ pub mod bricard_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..5];
-        let t48 = z[1][1][0] * z[3][1][0];
-        let t49 = z[1][1][1] * z[3][1][1];
-        let t50 = t48 + z[3][0][0] * z[1][2][0] + (t48 + z[1][0][0] * z[3][2][0])
-            + (t49 + z[3][0][1] * z[1][2][1] + (t49 + z[1][0][1] * z[3][2][1]));
-        let t51 = z[1][1][2] * z[3][1][2];
-        let t52 = z[1][1][0] * z[4][1][0];
-        let t53 = z[1][1][1] * z[4][1][1];
-        let t54 = t52 + z[4][0][0] * z[1][2][0] + (t52 + z[1][0][0] * z[4][2][0])
-            + (t53 + z[4][0][1] * z[1][2][1] + (t53 + z[1][0][1] * z[4][2][1]));
-        let t55 = z[1][1][2] * z[4][1][2];
+        let t45 = z[1][1][0] * z[3][1][0];
+        let t46 = z[1][1][1] * z[3][1][1];
+        let t47 = t45 + z[3][0][0] * z[1][2][0] + (t45 + z[1][0][0] * z[3][2][0])
+            + (t46 + z[3][0][1] * z[1][2][1] + (t46 + z[1][0][1] * z[3][2][1]));
+        let t48 = z[1][1][2] * z[3][1][2];
+        let t49 = z[1][1][0] * z[4][1][0];
+        let t50 = z[1][1][1] * z[4][1][1];
+        let t51 = t49 + z[4][0][0] * z[1][2][0] + (t49 + z[1][0][0] * z[4][2][0])
+            + (t50 + z[4][0][1] * z[1][2][1] + (t50 + z[1][0][1] * z[4][2][1]));
+        let t52 = z[1][1][2] * z[4][1][2];
         rows[0] = z[0][2][0] - z[2][2][0];
         rows[1] = z[0][2][1] - z[2][2][1];
         rows[2] = z[0][2][2] - z[2][2][2];
-        rows[3] = t50
-            + (t51 + z[3][0][2] * z[1][2][2] + (t51 + z[1][0][2] * z[3][2][2]));
-        rows[4] = t54
-            + (t55 + z[4][0][2] * z[1][2][2] + (t55 + z[1][0][2] * z[4][2][2]));
+        rows[3] = t47
+            + (t48 + z[3][0][2] * z[1][2][2] + (t48 + z[1][0][2] * z[3][2][2]));
+        rows[4] = t51
+            + (t52 + z[4][0][2] * z[1][2][2] + (t52 + z[1][0][2] * z[4][2][2]));
     }
     /// Constraint `p0` (revolute), `p1` (revolute), `p2` (revolute), `p3` (revolute), `p4` (revolute): their third time derivative.
     ///
@@ -408,41 +408,41 @@ pub mod bricard_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..5];
-        let t57 = z[3][1][0] * z[1][2][0];
-        let t58 = z[1][1][0] * z[3][2][0];
+        let t54 = z[3][1][0] * z[1][2][0];
+        let t55 = z[1][1][0] * z[3][2][0];
+        let t56 = t54 + t55;
+        let t57 = z[3][1][1] * z[1][2][1];
+        let t58 = z[1][1][1] * z[3][2][1];
         let t59 = t57 + t58;
-        let t60 = z[3][1][1] * z[1][2][1];
-        let t61 = z[1][1][1] * z[3][2][1];
-        let t62 = t60 + t61;
-        let t63 = t59 + (t57 + z[3][0][0] * z[1][3][0])
-            + (t59 + (t58 + z[1][0][0] * z[3][3][0]))
-            + (t62 + (t60 + z[3][0][1] * z[1][3][1])
-                + (t62 + (t61 + z[1][0][1] * z[3][3][1])));
-        let t64 = z[3][1][2] * z[1][2][2];
-        let t65 = z[1][1][2] * z[3][2][2];
+        let t60 = t56 + (t54 + z[3][0][0] * z[1][3][0])
+            + (t56 + (t55 + z[1][0][0] * z[3][3][0]))
+            + (t59 + (t57 + z[3][0][1] * z[1][3][1])
+                + (t59 + (t58 + z[1][0][1] * z[3][3][1])));
+        let t61 = z[3][1][2] * z[1][2][2];
+        let t62 = z[1][1][2] * z[3][2][2];
+        let t63 = t61 + t62;
+        let t64 = z[4][1][0] * z[1][2][0];
+        let t65 = z[1][1][0] * z[4][2][0];
         let t66 = t64 + t65;
-        let t67 = z[4][1][0] * z[1][2][0];
-        let t68 = z[1][1][0] * z[4][2][0];
+        let t67 = z[4][1][1] * z[1][2][1];
+        let t68 = z[1][1][1] * z[4][2][1];
         let t69 = t67 + t68;
-        let t70 = z[4][1][1] * z[1][2][1];
-        let t71 = z[1][1][1] * z[4][2][1];
-        let t72 = t70 + t71;
-        let t73 = t69 + (t67 + z[4][0][0] * z[1][3][0])
-            + (t69 + (t68 + z[1][0][0] * z[4][3][0]))
-            + (t72 + (t70 + z[4][0][1] * z[1][3][1])
-                + (t72 + (t71 + z[1][0][1] * z[4][3][1])));
-        let t74 = z[4][1][2] * z[1][2][2];
-        let t75 = z[1][1][2] * z[4][2][2];
-        let t76 = t74 + t75;
+        let t70 = t66 + (t64 + z[4][0][0] * z[1][3][0])
+            + (t66 + (t65 + z[1][0][0] * z[4][3][0]))
+            + (t69 + (t67 + z[4][0][1] * z[1][3][1])
+                + (t69 + (t68 + z[1][0][1] * z[4][3][1])));
+        let t71 = z[4][1][2] * z[1][2][2];
+        let t72 = z[1][1][2] * z[4][2][2];
+        let t73 = t71 + t72;
         rows[0] = z[0][3][0] - z[2][3][0];
         rows[1] = z[0][3][1] - z[2][3][1];
         rows[2] = z[0][3][2] - z[2][3][2];
-        rows[3] = t63
-            + (t66 + (t64 + z[3][0][2] * z[1][3][2])
-                + (t66 + (t65 + z[1][0][2] * z[3][3][2])));
-        rows[4] = t73
-            + (t76 + (t74 + z[4][0][2] * z[1][3][2])
-                + (t76 + (t75 + z[1][0][2] * z[4][3][2])));
+        rows[3] = t60
+            + (t63 + (t61 + z[3][0][2] * z[1][3][2])
+                + (t63 + (t62 + z[1][0][2] * z[3][3][2])));
+        rows[4] = t70
+            + (t73 + (t71 + z[4][0][2] * z[1][3][2])
+                + (t73 + (t72 + z[1][0][2] * z[4][3][2])));
     }
     /// Constraint `p0` (revolute), `p1` (revolute), `p2` (revolute), `p3` (revolute), `p4` (revolute): writes dC/dz, rows first; entries that are always zero are left alone.
     ///
@@ -556,13 +556,13 @@ pub mod bricard_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..4];
-        let t33 = z[3][0][0] * z[1][1][0] + z[1][0][0] * z[3][1][0]
+        let t30 = z[3][0][0] * z[1][1][0] + z[1][0][0] * z[3][1][0]
             + (z[3][0][1] * z[1][1][1] + z[1][0][1] * z[3][1][1])
             + (z[3][0][2] * z[1][1][2] + z[1][0][2] * z[3][1][2]);
         rows[0] = z[0][1][0] - z[2][1][0];
         rows[1] = z[0][1][1] - z[2][1][1];
         rows[2] = z[0][1][2] - z[2][1][2];
-        rows[3] = t33;
+        rows[3] = t30;
     }
     /// Constraint `p5` (universal): their second time derivative.
     ///
@@ -574,16 +574,16 @@ pub mod bricard_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..4];
-        let t39 = z[1][1][0] * z[3][1][0];
-        let t40 = z[1][1][1] * z[3][1][1];
-        let t41 = t39 + z[3][0][0] * z[1][2][0] + (t39 + z[1][0][0] * z[3][2][0])
-            + (t40 + z[3][0][1] * z[1][2][1] + (t40 + z[1][0][1] * z[3][2][1]));
-        let t42 = z[1][1][2] * z[3][1][2];
+        let t36 = z[1][1][0] * z[3][1][0];
+        let t37 = z[1][1][1] * z[3][1][1];
+        let t38 = t36 + z[3][0][0] * z[1][2][0] + (t36 + z[1][0][0] * z[3][2][0])
+            + (t37 + z[3][0][1] * z[1][2][1] + (t37 + z[1][0][1] * z[3][2][1]));
+        let t39 = z[1][1][2] * z[3][1][2];
         rows[0] = z[0][2][0] - z[2][2][0];
         rows[1] = z[0][2][1] - z[2][2][1];
         rows[2] = z[0][2][2] - z[2][2][2];
-        rows[3] = t41
-            + (t42 + z[3][0][2] * z[1][2][2] + (t42 + z[1][0][2] * z[3][2][2]));
+        rows[3] = t38
+            + (t39 + z[3][0][2] * z[1][2][2] + (t39 + z[1][0][2] * z[3][2][2]));
     }
     /// Constraint `p5` (universal): their third time derivative.
     ///
@@ -595,25 +595,25 @@ pub mod bricard_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..4];
-        let t45 = z[3][1][0] * z[1][2][0];
-        let t46 = z[1][1][0] * z[3][2][0];
+        let t42 = z[3][1][0] * z[1][2][0];
+        let t43 = z[1][1][0] * z[3][2][0];
+        let t44 = t42 + t43;
+        let t45 = z[3][1][1] * z[1][2][1];
+        let t46 = z[1][1][1] * z[3][2][1];
         let t47 = t45 + t46;
-        let t48 = z[3][1][1] * z[1][2][1];
-        let t49 = z[1][1][1] * z[3][2][1];
-        let t50 = t48 + t49;
-        let t51 = t47 + (t45 + z[3][0][0] * z[1][3][0])
-            + (t47 + (t46 + z[1][0][0] * z[3][3][0]))
-            + (t50 + (t48 + z[3][0][1] * z[1][3][1])
-                + (t50 + (t49 + z[1][0][1] * z[3][3][1])));
-        let t52 = z[3][1][2] * z[1][2][2];
-        let t53 = z[1][1][2] * z[3][2][2];
-        let t54 = t52 + t53;
+        let t48 = t44 + (t42 + z[3][0][0] * z[1][3][0])
+            + (t44 + (t43 + z[1][0][0] * z[3][3][0]))
+            + (t47 + (t45 + z[3][0][1] * z[1][3][1])
+                + (t47 + (t46 + z[1][0][1] * z[3][3][1])));
+        let t49 = z[3][1][2] * z[1][2][2];
+        let t50 = z[1][1][2] * z[3][2][2];
+        let t51 = t49 + t50;
         rows[0] = z[0][3][0] - z[2][3][0];
         rows[1] = z[0][3][1] - z[2][3][1];
         rows[2] = z[0][3][2] - z[2][3][2];
-        rows[3] = t51
-            + (t54 + (t52 + z[3][0][2] * z[1][3][2])
-                + (t54 + (t53 + z[1][0][2] * z[3][3][2])));
+        rows[3] = t48
+            + (t51 + (t49 + z[3][0][2] * z[1][3][2])
+                + (t51 + (t50 + z[1][0][2] * z[3][3][2])));
     }
     /// Constraint `p5` (universal): writes dC/dz, rows first; entries that are always zero are left alone.
     ///

@@ -67,8 +67,9 @@ impl ::rncf::Model for CurvedDownwind {
     run { t_end = 20 s; every = 0.05 s; }
 }"#;
     const NOTES: &'static [&'static str] = &[
-        "Body `beam` uses `beam_planar_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1981).",
+        "Body `beam` uses `beam_planar_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1967).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",
+        "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear, twist and have rotary inertia.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -175,7 +176,7 @@ pub mod curved_downwind_equations {
     ///
     /// Nodal vectors: r0, r0x, r0y, ry_half, r1, r1x, r1y, 2 components each.
     ///
-    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1981).
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1967).
     ///
     /// The energy is integrated with 3 Gauss points.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -256,14 +257,14 @@ pub mod curved_downwind_equations {
     ) {
         let BeamPlanarCurved { length, EA, kyGA, EIz, GIz, .. } = *row;
         let [[a_x, a_y], [b_x, b_y]] = *fields;
-        let t25 = length * EA;
-        let t26 = 0.5 * (t25 * (0.5 * (a_x * a_x + a_y * a_y - 1.0) - reference[0]));
-        let t27 = length * kyGA * (a_x * b_x + a_y * b_y - reference[2]);
-        let t28 = 0.5 * (t25 * (0.5 * (b_x * b_x + b_y * b_y - 1.0) - reference[1]));
-        forces[0][0] = t26 * (a_x * 2.0) + b_x * t27;
-        forces[0][1] = t26 * (a_y * 2.0) + b_y * t27;
-        forces[1][0] = a_x * t27 + t28 * (b_x * 2.0);
-        forces[1][1] = a_y * t27 + t28 * (b_y * 2.0);
+        let t22 = length * EA;
+        let t23 = 0.5 * (t22 * (0.5 * (a_x * a_x + a_y * a_y - 1.0) - reference[0]));
+        let t24 = length * kyGA * (a_x * b_x + a_y * b_y - reference[2]);
+        let t25 = 0.5 * (t22 * (0.5 * (b_x * b_x + b_y * b_y - 1.0) - reference[1]));
+        forces[0][0] = t23 * (a_x * 2.0) + b_x * t24;
+        forces[0][1] = t23 * (a_y * 2.0) + b_y * t24;
+        forces[1][0] = a_x * t24 + t25 * (b_x * 2.0);
+        forces[1][1] = a_y * t24 + t25 * (b_y * 2.0);
     }
     /// Writes the blocks of the tangent on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -276,37 +277,37 @@ pub mod curved_downwind_equations {
     ) {
         let BeamPlanarCurved { length, EA, kyGA, EIz, GIz, .. } = *row;
         let [[a_x, a_y], [b_x, b_y]] = *fields;
-        let t25 = length * EA;
-        let t26 = length * kyGA;
-        let t27 = 0.5 * (0.5 * t25);
-        let t28 = t26 * (a_x * b_x + a_y * b_y - reference[2]);
-        let t29 = a_x * 2.0;
-        let t30 = a_y * 2.0;
-        let t31 = b_x * 2.0;
-        let t32 = b_y * 2.0;
-        let t33 = t27 * t30;
-        let t34 = b_y * t26;
-        let t35 = a_x * t26;
-        let t36 = a_y * t26;
-        let t37 = t27 * t32;
-        let t38 = t29 * t33 + b_x * t34;
-        let t39 = a_x * t36 + t31 * t37;
-        let t40 = 0.5 * (t25 * (0.5 * (a_x * a_x + a_y * a_y - 1.0) - reference[0]))
+        let t22 = length * EA;
+        let t23 = length * kyGA;
+        let t24 = 0.5 * (0.5 * t22);
+        let t25 = t23 * (a_x * b_x + a_y * b_y - reference[2]);
+        let t26 = a_x * 2.0;
+        let t27 = a_y * 2.0;
+        let t28 = b_x * 2.0;
+        let t29 = b_y * 2.0;
+        let t30 = t24 * t27;
+        let t31 = b_y * t23;
+        let t32 = a_x * t23;
+        let t33 = a_y * t23;
+        let t34 = t24 * t29;
+        let t35 = t26 * t30 + b_x * t31;
+        let t36 = a_x * t33 + t28 * t34;
+        let t37 = 0.5 * (t22 * (0.5 * (a_x * a_x + a_y * a_y - 1.0) - reference[0]))
             * 2.0;
-        let t41 = 0.5 * (t25 * (0.5 * (b_x * b_x + b_y * b_y - 1.0) - reference[1]))
+        let t38 = 0.5 * (t22 * (0.5 * (b_x * b_x + b_y * b_y - 1.0) - reference[1]))
             * 2.0;
-        stiffness[0][0] = t29 * (t27 * t29) + b_x * (b_x * t26) + t40;
-        stiffness[0][1] = t38;
-        stiffness[0][2] = t38;
-        stiffness[0][3] = t30 * t33 + b_y * t34 + t40;
-        stiffness[1][0] = t28 + b_x * t35;
-        stiffness[1][1] = b_x * t36;
-        stiffness[1][2] = b_y * t35;
-        stiffness[1][3] = t28 + b_y * t36;
-        stiffness[2][0] = a_x * t35 + t31 * (t27 * t31) + t41;
-        stiffness[2][1] = t39;
-        stiffness[2][2] = t39;
-        stiffness[2][3] = a_y * t36 + t32 * t37 + t41;
+        stiffness[0][0] = t26 * (t24 * t26) + b_x * (b_x * t23) + t37;
+        stiffness[0][1] = t35;
+        stiffness[0][2] = t35;
+        stiffness[0][3] = t27 * t30 + b_y * t31 + t37;
+        stiffness[1][0] = t25 + b_x * t32;
+        stiffness[1][1] = b_x * t33;
+        stiffness[1][2] = b_y * t32;
+        stiffness[1][3] = t25 + b_y * t33;
+        stiffness[2][0] = a_x * t32 + t28 * (t24 * t28) + t38;
+        stiffness[2][1] = t36;
+        stiffness[2][2] = t36;
+        stiffness[2][3] = a_y * t33 + t29 * t34 + t38;
     }
     /// Writes the strain energy a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -319,12 +320,12 @@ pub mod curved_downwind_equations {
     ) {
         let BeamPlanarCurved { length, EA, kyGA, EIz, GIz, .. } = *row;
         let [[a_x, a_y], [b_x, b_y]] = *fields;
-        let t25 = 0.5 * (length * EA);
-        let t26 = t25 * (0.5 * (a_x * a_x + a_y * a_y - 1.0) - reference[0]).powi(2)
-            + t25 * (0.5 * (b_x * b_x + b_y * b_y - 1.0) - reference[1]).powi(2);
-        let t27 = t26
+        let t22 = 0.5 * (length * EA);
+        let t23 = t22 * (0.5 * (a_x * a_x + a_y * a_y - 1.0) - reference[0]).powi(2)
+            + t22 * (0.5 * (b_x * b_x + b_y * b_y - 1.0) - reference[1]).powi(2);
+        let t24 = t23
             + 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y - reference[2]).powi(2);
-        *energy = t27;
+        *energy = t24;
     }
     /// Writes the forces on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
@@ -340,18 +341,20 @@ pub mod curved_downwind_equations {
         let inverse_length = 1.0 / length;
         let db_x = inverse_length * unit_db_x;
         let db_y = inverse_length * unit_db_y;
-        let t29 = length * EIz * (a_x * db_x + a_y * db_y - reference[0]);
-        let t30 = length * GIz * (b_x * db_x + b_y * db_y - reference[1]);
-        forces[0][0] = db_x * t29;
-        forces[0][1] = db_y * t29;
-        forces[1][0] = db_x * t30;
-        forces[1][1] = db_y * t30;
-        forces[2][0] = inverse_length * (a_x * t29 + b_x * t30);
-        forces[2][1] = inverse_length * (a_y * t29 + b_y * t30);
+        let t26 = inverse_length
+            * (length * EIz * (a_x * db_x + a_y * db_y - reference[0]));
+        let t27 = inverse_length
+            * (length * GIz * (b_x * db_x + b_y * db_y - reference[1]));
+        forces[0][0] = unit_db_x * t26;
+        forces[0][1] = unit_db_y * t26;
+        forces[1][0] = unit_db_x * t27;
+        forces[1][1] = unit_db_y * t27;
+        forces[2][0] = a_x * t26 + b_x * t27;
+        forces[2][1] = a_y * t26 + b_y * t27;
     }
     /// Writes the blocks of the tangent on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 11 additions, 50 multiplications, 1 divisions.
+    /// Operations: 11 additions, 43 multiplications, 1 divisions.
     pub fn beam_planar_curved_points2_tangent(
         row: &BeamPlanarCurved,
         reference: &[f64; 2],
@@ -363,48 +366,50 @@ pub mod curved_downwind_equations {
         let inverse_length = 1.0 / length;
         let db_x = inverse_length * unit_db_x;
         let db_y = inverse_length * unit_db_y;
-        let t29 = length * EIz;
-        let t30 = length * GIz;
-        let t31 = t29 * (a_x * db_x + a_y * db_y - reference[0]);
-        let t32 = t30 * (b_x * db_x + b_y * db_y - reference[1]);
-        let t33 = db_y * t29;
-        let t34 = a_x * t29;
-        let t35 = a_y * t29;
-        let t36 = db_y * t30;
-        let t37 = b_x * t30;
-        let t38 = b_y * t30;
-        let t39 = db_x * t33;
-        let t40 = db_x * t36;
-        let t41 = inverse_length * (t32 + db_x * t37);
-        let t42 = inverse_length * (db_x * t38);
-        let t43 = inverse_length * (db_y * t37);
-        let t44 = inverse_length * (t32 + db_y * t38);
-        let t45 = inverse_length * inverse_length;
-        let t46 = (a_x * t35 + b_x * t38) * t45;
-        stiffness[0][0] = db_x * (db_x * t29);
+        let t26 = length * EIz;
+        let t27 = length * GIz;
+        let t28 = inverse_length * (t26 * (a_x * db_x + a_y * db_y - reference[0]));
+        let t29 = inverse_length * inverse_length;
+        let t30 = t26 * t29;
+        let t31 = inverse_length * (t27 * (b_x * db_x + b_y * db_y - reference[1]));
+        let t32 = t27 * t29;
+        let t33 = unit_db_y * t30;
+        let t34 = a_x * t30;
+        let t35 = a_y * t30;
+        let t36 = unit_db_y * t32;
+        let t37 = b_x * t32;
+        let t38 = b_y * t32;
+        let t39 = unit_db_x * t33;
+        let t40 = unit_db_x * t36;
+        let t41 = unit_db_x * t38;
+        let t42 = unit_db_y * t37;
+        let t43 = a_x * t35 + b_x * t38;
+        let t44 = t31 + unit_db_x * t37;
+        let t45 = t31 + unit_db_y * t38;
+        stiffness[0][0] = unit_db_x * (unit_db_x * t30);
         stiffness[0][1] = t39;
         stiffness[0][2] = t39;
-        stiffness[0][3] = db_y * t33;
-        stiffness[1][0] = inverse_length * (t31 + db_x * t34);
-        stiffness[1][1] = inverse_length * (db_x * t35);
-        stiffness[1][2] = inverse_length * (db_y * t34);
-        stiffness[1][3] = inverse_length * (t31 + db_y * t35);
-        stiffness[2][0] = db_x * (db_x * t30);
+        stiffness[0][3] = unit_db_y * t33;
+        stiffness[1][0] = t28 + unit_db_x * t34;
+        stiffness[1][1] = unit_db_x * t35;
+        stiffness[1][2] = unit_db_y * t34;
+        stiffness[1][3] = t28 + unit_db_y * t35;
+        stiffness[2][0] = unit_db_x * (unit_db_x * t32);
         stiffness[2][1] = t40;
         stiffness[2][2] = t40;
-        stiffness[2][3] = db_y * t36;
-        stiffness[3][0] = t41;
-        stiffness[3][1] = t42;
-        stiffness[3][2] = t43;
-        stiffness[3][3] = t44;
-        stiffness[4][0] = t41;
-        stiffness[4][1] = t43;
-        stiffness[4][2] = t42;
-        stiffness[4][3] = t44;
-        stiffness[5][0] = (a_x * t34 + b_x * t37) * t45;
-        stiffness[5][1] = t46;
-        stiffness[5][2] = t46;
-        stiffness[5][3] = (a_y * t35 + b_y * t38) * t45;
+        stiffness[2][3] = unit_db_y * t36;
+        stiffness[3][0] = t44;
+        stiffness[3][1] = t41;
+        stiffness[3][2] = t42;
+        stiffness[3][3] = t45;
+        stiffness[4][0] = t44;
+        stiffness[4][1] = t42;
+        stiffness[4][2] = t41;
+        stiffness[4][3] = t45;
+        stiffness[5][0] = a_x * t34 + b_x * t37;
+        stiffness[5][1] = t43;
+        stiffness[5][2] = t43;
+        stiffness[5][3] = a_y * t35 + b_y * t38;
     }
     /// Writes the strain energy a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
@@ -420,9 +425,9 @@ pub mod curved_downwind_equations {
         let inverse_length = 1.0 / length;
         let db_x = inverse_length * unit_db_x;
         let db_y = inverse_length * unit_db_y;
-        let t29 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y - reference[0]).powi(2)
+        let t26 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y - reference[0]).powi(2)
             + 0.5 * (length * GIz) * (b_x * db_x + b_y * db_y - reference[1]).powi(2);
-        *energy = t29;
+        *energy = t26;
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
@@ -471,7 +476,7 @@ pub mod curved_downwind_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 910 additions, 1069 multiplications, 2 divisions.
+    /// Operations: 910 additions, 1055 multiplications, 2 divisions.
     pub fn beam_planar_curved_elastic_tangent(
         row: &BeamPlanarCurved,
         reference: &[f64; 13],
@@ -567,60 +572,60 @@ pub mod curved_downwind_equations {
         let inverse_length = 1.0 / length;
         let d_x = inverse_length * (r1_x - r0_x);
         let d_y = inverse_length * (r1_y - r0_y);
-        let t33 = d_x * 0.6;
-        let t34 = d_y * 0.6;
-        let t35 = r0x_x * 0.5872983346207417 + t33 + r1x_x * (-0.18729833462074166);
-        let t36 = r0x_y * 0.5872983346207417 + t34 + r1x_y * (-0.18729833462074166);
-        let t37 = ry_half_x * 0.39999999999999997;
-        let t38 = ry_half_y * 0.39999999999999997;
-        let t39 = r0y_x * 0.6872983346207417 + t37 + r1y_x * (-0.08729833462074169);
-        let t40 = r0y_y * 0.6872983346207417 + t38 + r1y_y * (-0.08729833462074169);
-        let t41 = r0x_x * (-0.25) + d_x * 1.5 + r1x_x * (-0.25);
-        let t42 = r0x_y * (-0.25) + d_y * 1.5 + r1x_y * (-0.25);
-        let t43 = t33 + r0x_x * (-0.18729833462074175) + r1x_x * 0.5872983346207418;
-        let t44 = t34 + r0x_y * (-0.18729833462074175) + r1x_y * 0.5872983346207418;
-        let t45 = t37 + r0y_x * (-0.08729833462074166) + r1y_x * 0.6872983346207417;
-        let t46 = t38 + r0y_y * (-0.08729833462074166) + r1y_y * 0.6872983346207417;
-        let t47 = ry_half_x * 0.6666666666666667;
-        let t48 = ry_half_y * 0.6666666666666667;
-        let t49 = inverse_length
+        let t30 = d_x * 0.6;
+        let t31 = d_y * 0.6;
+        let t32 = r0x_x * 0.5872983346207417 + t30 + r1x_x * (-0.18729833462074166);
+        let t33 = r0x_y * 0.5872983346207417 + t31 + r1x_y * (-0.18729833462074166);
+        let t34 = ry_half_x * 0.39999999999999997;
+        let t35 = ry_half_y * 0.39999999999999997;
+        let t36 = r0y_x * 0.6872983346207417 + t34 + r1y_x * (-0.08729833462074169);
+        let t37 = r0y_y * 0.6872983346207417 + t35 + r1y_y * (-0.08729833462074169);
+        let t38 = r0x_x * (-0.25) + d_x * 1.5 + r1x_x * (-0.25);
+        let t39 = r0x_y * (-0.25) + d_y * 1.5 + r1x_y * (-0.25);
+        let t40 = t30 + r0x_x * (-0.18729833462074175) + r1x_x * 0.5872983346207418;
+        let t41 = t31 + r0x_y * (-0.18729833462074175) + r1x_y * 0.5872983346207418;
+        let t42 = t34 + r0y_x * (-0.08729833462074166) + r1y_x * 0.6872983346207417;
+        let t43 = t35 + r0y_y * (-0.08729833462074166) + r1y_y * 0.6872983346207417;
+        let t44 = ry_half_x * 0.6666666666666667;
+        let t45 = ry_half_y * 0.6666666666666667;
+        let t46 = inverse_length
             * (r0y_x * (-2.1547005383792515) + ry_half_x * 2.309401076758503
                 + r1y_x * (-0.15470053837925146));
-        let t50 = inverse_length
+        let t47 = inverse_length
             * (r0y_y * (-2.1547005383792515) + ry_half_y * 2.309401076758503
                 + r1y_y * (-0.15470053837925146));
-        let t51 = (d_x + r0x_x * 0.28867513459481287 + r1x_x * (-0.2886751345948129))
-            * t49
-            + (d_y + r0x_y * 0.28867513459481287 + r1x_y * (-0.2886751345948129)) * t50;
-        let t52 = (r0y_x * 0.4553418012614795 + t47 + r1y_x * (-0.12200846792814622))
-            * t49
-            + (r0y_y * 0.4553418012614795 + t48 + r1y_y * (-0.12200846792814622)) * t50;
-        let t53 = inverse_length
+        let t48 = (d_x + r0x_x * 0.28867513459481287 + r1x_x * (-0.2886751345948129))
+            * t46
+            + (d_y + r0x_y * 0.28867513459481287 + r1x_y * (-0.2886751345948129)) * t47;
+        let t49 = (r0y_x * 0.4553418012614795 + t44 + r1y_x * (-0.12200846792814622))
+            * t46
+            + (r0y_y * 0.4553418012614795 + t45 + r1y_y * (-0.12200846792814622)) * t47;
+        let t50 = inverse_length
             * (r0y_x * 0.15470053837925146 + ry_half_x * (-2.309401076758503)
                 + r1y_x * 2.1547005383792515);
-        let t54 = inverse_length
+        let t51 = inverse_length
             * (r0y_y * 0.15470053837925146 + ry_half_y * (-2.309401076758503)
                 + r1y_y * 2.1547005383792515);
-        let t55 = (r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
-            + r1x_x * 0.28867513459481264) * t53
+        let t52 = (r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
+            + r1x_x * 0.28867513459481264) * t50
             + (r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
-                + r1x_y * 0.28867513459481264) * t54;
-        let t56 = (t47 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795)
-            * t53
-            + (t48 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795) * t54;
-        reference[0] = 0.5 * (t35 * t35 + t36 * t36 - 1.0);
-        reference[1] = 0.5 * (t39 * t39 + t40 * t40 - 1.0);
-        reference[2] = t35 * t39 + t36 * t40;
-        reference[3] = 0.5 * (t41 * t41 + t42 * t42 - 1.0);
+                + r1x_y * 0.28867513459481264) * t51;
+        let t53 = (t44 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795)
+            * t50
+            + (t45 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795) * t51;
+        reference[0] = 0.5 * (t32 * t32 + t33 * t33 - 1.0);
+        reference[1] = 0.5 * (t36 * t36 + t37 * t37 - 1.0);
+        reference[2] = t32 * t36 + t33 * t37;
+        reference[3] = 0.5 * (t38 * t38 + t39 * t39 - 1.0);
         reference[4] = 0.5 * (ry_half_x * ry_half_x + ry_half_y * ry_half_y - 1.0);
-        reference[5] = ry_half_x * t41 + ry_half_y * t42;
-        reference[6] = 0.5 * (t43 * t43 + t44 * t44 - 1.0);
-        reference[7] = 0.5 * (t45 * t45 + t46 * t46 - 1.0);
-        reference[8] = t43 * t45 + t44 * t46;
-        reference[9] = t51;
-        reference[10] = t52;
-        reference[11] = t55;
-        reference[12] = t56;
+        reference[5] = ry_half_x * t38 + ry_half_y * t39;
+        reference[6] = 0.5 * (t40 * t40 + t41 * t41 - 1.0);
+        reference[7] = 0.5 * (t42 * t42 + t43 * t43 - 1.0);
+        reference[8] = t40 * t42 + t41 * t43;
+        reference[9] = t48;
+        reference[10] = t49;
+        reference[11] = t52;
+        reference[12] = t53;
     }
     /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
     ///
@@ -632,19 +637,19 @@ pub mod curved_downwind_equations {
         let element_mass = length * rhoA;
         let section_y_mass = length * rhoIz;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t21 = length * element_mass;
-        let mass_r0_r0x = t21 * 0.05238095238095238;
+        let t18 = length * element_mass;
+        let mass_r0_r0x = t18 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t21 * (-0.030952380952380953);
-        let t25 = element_mass * (length * length);
-        let mass_r0x_r0x = t25 * 0.009523809523809525;
-        let mass_r0x_r1 = t21 * 0.030952380952380953;
-        let mass_r0x_r1x = t25 * (-0.007142857142857143);
+        let mass_r0_r1x = t18 * (-0.030952380952380953);
+        let t22 = element_mass * (length * length);
+        let mass_r0x_r0x = t22 * 0.009523809523809525;
+        let mass_r0x_r1 = t18 * 0.030952380952380953;
+        let mass_r0x_r1x = t22 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
-        let mass_r1_r1x = t21 * (-0.05238095238095238);
+        let mass_r1_r1x = t18 * (-0.05238095238095238);
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_r0x;
         mass[2] = 0.0;
@@ -739,21 +744,21 @@ pub mod curved_downwind_equations {
         let total_r1y_x = a_r1y_x - 2.0 * (v_r1y_y * w) - r1y_y * dw - w * (r1y_x * w);
         let total_r1y_y = r1y_x * dw + (a_r1y_y + 2.0 * (v_r1y_x * w)) - w * (r1y_y * w);
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t81 = length * element_mass;
-        let mass_r0_r0x = t81 * 0.05238095238095238;
+        let t78 = length * element_mass;
+        let mass_r0_r0x = t78 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t81 * (-0.030952380952380953);
-        let t85 = element_mass * (length * length);
-        let mass_r0x_r0x = t85 * 0.009523809523809525;
-        let mass_r0x_r1 = t81 * 0.030952380952380953;
-        let mass_r0x_r1x = t85 * (-0.007142857142857143);
+        let mass_r0_r1x = t78 * (-0.030952380952380953);
+        let t82 = element_mass * (length * length);
+        let mass_r0x_r0x = t82 * 0.009523809523809525;
+        let mass_r0x_r1 = t78 * 0.030952380952380953;
+        let mass_r0x_r1x = t82 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
-        let t92 = total_ry_half_x * mass_r0y_ry_half;
-        let t93 = total_ry_half_y * mass_r0y_ry_half;
+        let t89 = total_ry_half_x * mass_r0y_ry_half;
+        let t90 = total_ry_half_y * mass_r0y_ry_half;
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
-        let mass_r1_r1x = t81 * (-0.05238095238095238);
+        let mass_r1_r1x = t78 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + total_r0x_x * mass_r0_r0x
                 + total_r1_x * mass_r0_r1 + total_r1x_x * mass_r0_r1x;
@@ -766,8 +771,8 @@ pub mod curved_downwind_equations {
         force[3]
             += total_r0_y * mass_r0_r0x + total_r0x_y * mass_r0x_r0x
                 + total_r1_y * mass_r0x_r1 + total_r1x_y * mass_r0x_r1x;
-        force[4] += total_r0y_x * mass_r0y_r0y + t92 + total_r1y_x * mass_r0y_r1y;
-        force[5] += total_r0y_y * mass_r0y_r0y + t93 + total_r1y_y * mass_r0y_r1y;
+        force[4] += total_r0y_x * mass_r0y_r0y + t89 + total_r1y_x * mass_r0y_r1y;
+        force[5] += total_r0y_y * mass_r0y_r0y + t90 + total_r1y_y * mass_r0y_r1y;
         force[6]
             += total_r0y_x * mass_r0y_ry_half + total_ry_half_x * mass_ry_half_ry_half
                 + total_r1y_x * mass_r0y_ry_half;
@@ -786,8 +791,8 @@ pub mod curved_downwind_equations {
         force[11]
             += total_r0_y * mass_r0_r1x + total_r0x_y * mass_r0x_r1x
                 + total_r1_y * mass_r1_r1x + total_r1x_y * mass_r0x_r0x;
-        force[12] += t92 + total_r0y_x * mass_r0y_r1y + total_r1y_x * mass_r0y_r0y;
-        force[13] += t93 + total_r0y_y * mass_r0y_r1y + total_r1y_y * mass_r0y_r0y;
+        force[12] += t89 + total_r0y_x * mass_r0y_r1y + total_r1y_x * mass_r0y_r0y;
+        force[13] += t90 + total_r0y_y * mass_r0y_r1y + total_r1y_y * mass_r0y_r0y;
     }
     /// Adds the derivatives of the inertia forces with respect to q (Euler and centrifugal) and q' (gyroscopic).
     ///
@@ -805,207 +810,207 @@ pub mod curved_downwind_equations {
         let element_mass = length * rhoA;
         let section_y_mass = length * rhoIz;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t23 = length * element_mass;
-        let mass_r0_r0x = t23 * 0.05238095238095238;
+        let t20 = length * element_mass;
+        let mass_r0_r0x = t20 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t23 * (-0.030952380952380953);
-        let t27 = element_mass * (length * length);
-        let mass_r0x_r0x = t27 * 0.009523809523809525;
-        let mass_r0x_r1 = t23 * 0.030952380952380953;
-        let mass_r0x_r1x = t27 * (-0.007142857142857143);
+        let mass_r0_r1x = t20 * (-0.030952380952380953);
+        let t24 = element_mass * (length * length);
+        let mass_r0x_r0x = t24 * 0.009523809523809525;
+        let mass_r0x_r1 = t20 * 0.030952380952380953;
+        let mass_r0x_r1x = t24 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
-        let mass_r1_r1x = t23 * (-0.05238095238095238);
-        let t36 = w * w;
-        let t37 = -mass_r0_r0 * t36;
-        let t38 = dw * mass_r0_r0;
-        let t39 = -mass_r0_r0x * t36;
-        let t40 = dw * mass_r0_r0x;
-        let t41 = -mass_r0_r1 * t36;
-        let t42 = dw * mass_r0_r1;
-        let t43 = -mass_r0_r1x * t36;
-        let t44 = dw * mass_r0_r1x;
-        let t45 = -mass_r0x_r0x * t36;
-        let t46 = dw * mass_r0x_r0x;
-        let t47 = -mass_r0x_r1 * t36;
-        let t48 = dw * mass_r0x_r1;
-        let t49 = -mass_r0x_r1x * t36;
-        let t50 = dw * mass_r0x_r1x;
-        let t51 = -mass_r0y_r0y * t36;
-        let t52 = dw * mass_r0y_r0y;
-        let t53 = -mass_r0y_ry_half * t36;
-        let t54 = dw * mass_r0y_ry_half;
-        let t55 = -mass_r0y_r1y * t36;
-        let t56 = dw * mass_r0y_r1y;
-        let t57 = -mass_ry_half_ry_half * t36;
-        let t58 = dw * mass_ry_half_ry_half;
-        let t59 = -mass_r1_r1x * t36;
-        let t60 = dw * mass_r1_r1x;
-        let t61 = w * 2.0;
-        let t62 = mass_r0_r0 * t61;
-        let t63 = mass_r0_r0x * t61;
-        let t64 = mass_r0_r1 * t61;
-        let t65 = mass_r0_r1x * t61;
-        let t66 = mass_r0x_r0x * t61;
-        let t67 = mass_r0x_r1 * t61;
-        let t68 = mass_r0x_r1x * t61;
-        let t69 = mass_r0y_r0y * t61;
-        let t70 = mass_r0y_ry_half * t61;
-        let t71 = mass_r0y_r1y * t61;
-        let t72 = mass_ry_half_ry_half * t61;
-        let t73 = mass_r1_r1x * t61;
-        stiffness[0] += t37;
-        stiffness[1] -= t38;
-        stiffness[2] += t39;
-        stiffness[3] -= t40;
-        stiffness[8] += t41;
-        stiffness[9] -= t42;
-        stiffness[10] += t43;
-        stiffness[11] -= t44;
-        stiffness[14] += t38;
-        stiffness[15] += t37;
-        stiffness[16] += t40;
-        stiffness[17] += t39;
-        stiffness[22] += t42;
-        stiffness[23] += t41;
-        stiffness[24] += t44;
-        stiffness[25] += t43;
-        stiffness[28] += t39;
-        stiffness[29] -= t40;
-        stiffness[30] += t45;
-        stiffness[31] -= t46;
-        stiffness[36] += t47;
-        stiffness[37] -= t48;
-        stiffness[38] += t49;
-        stiffness[39] -= t50;
-        stiffness[42] += t40;
-        stiffness[43] += t39;
-        stiffness[44] += t46;
-        stiffness[45] += t45;
-        stiffness[50] += t48;
-        stiffness[51] += t47;
-        stiffness[52] += t50;
-        stiffness[53] += t49;
-        stiffness[60] += t51;
-        stiffness[61] -= t52;
-        stiffness[62] += t53;
-        stiffness[63] -= t54;
-        stiffness[68] += t55;
-        stiffness[69] -= t56;
-        stiffness[74] += t52;
-        stiffness[75] += t51;
-        stiffness[76] += t54;
-        stiffness[77] += t53;
-        stiffness[82] += t56;
-        stiffness[83] += t55;
-        stiffness[88] += t53;
-        stiffness[89] -= t54;
-        stiffness[90] += t57;
-        stiffness[91] -= t58;
-        stiffness[96] += t53;
-        stiffness[97] -= t54;
-        stiffness[102] += t54;
-        stiffness[103] += t53;
-        stiffness[104] += t58;
-        stiffness[105] += t57;
-        stiffness[110] += t54;
-        stiffness[111] += t53;
-        stiffness[112] += t41;
-        stiffness[113] -= t42;
-        stiffness[114] += t47;
-        stiffness[115] -= t48;
-        stiffness[120] += t37;
-        stiffness[121] -= t38;
-        stiffness[122] += t59;
-        stiffness[123] -= t60;
-        stiffness[126] += t42;
-        stiffness[127] += t41;
-        stiffness[128] += t48;
-        stiffness[129] += t47;
-        stiffness[134] += t38;
-        stiffness[135] += t37;
-        stiffness[136] += t60;
-        stiffness[137] += t59;
-        stiffness[140] += t43;
-        stiffness[141] -= t44;
-        stiffness[142] += t49;
-        stiffness[143] -= t50;
-        stiffness[148] += t59;
-        stiffness[149] -= t60;
-        stiffness[150] += t45;
-        stiffness[151] -= t46;
-        stiffness[154] += t44;
-        stiffness[155] += t43;
-        stiffness[156] += t50;
-        stiffness[157] += t49;
-        stiffness[162] += t60;
-        stiffness[163] += t59;
-        stiffness[164] += t46;
-        stiffness[165] += t45;
-        stiffness[172] += t55;
-        stiffness[173] -= t56;
-        stiffness[174] += t53;
-        stiffness[175] -= t54;
-        stiffness[180] += t51;
-        stiffness[181] -= t52;
-        stiffness[186] += t56;
-        stiffness[187] += t55;
-        stiffness[188] += t54;
-        stiffness[189] += t53;
-        stiffness[194] += t52;
-        stiffness[195] += t51;
-        damping_matrix[1] -= t62;
-        damping_matrix[3] -= t63;
-        damping_matrix[9] -= t64;
-        damping_matrix[11] -= t65;
-        damping_matrix[14] += t62;
-        damping_matrix[16] += t63;
-        damping_matrix[22] += t64;
-        damping_matrix[24] += t65;
-        damping_matrix[29] -= t63;
-        damping_matrix[31] -= t66;
-        damping_matrix[37] -= t67;
-        damping_matrix[39] -= t68;
-        damping_matrix[42] += t63;
-        damping_matrix[44] += t66;
-        damping_matrix[50] += t67;
-        damping_matrix[52] += t68;
-        damping_matrix[61] -= t69;
-        damping_matrix[63] -= t70;
-        damping_matrix[69] -= t71;
-        damping_matrix[74] += t69;
-        damping_matrix[76] += t70;
-        damping_matrix[82] += t71;
-        damping_matrix[89] -= t70;
-        damping_matrix[91] -= t72;
-        damping_matrix[97] -= t70;
-        damping_matrix[102] += t70;
-        damping_matrix[104] += t72;
-        damping_matrix[110] += t70;
-        damping_matrix[113] -= t64;
-        damping_matrix[115] -= t67;
-        damping_matrix[121] -= t62;
-        damping_matrix[123] -= t73;
-        damping_matrix[126] += t64;
-        damping_matrix[128] += t67;
-        damping_matrix[134] += t62;
-        damping_matrix[136] += t73;
-        damping_matrix[141] -= t65;
-        damping_matrix[143] -= t68;
-        damping_matrix[149] -= t73;
-        damping_matrix[151] -= t66;
-        damping_matrix[154] += t65;
-        damping_matrix[156] += t68;
-        damping_matrix[162] += t73;
-        damping_matrix[164] += t66;
-        damping_matrix[173] -= t71;
-        damping_matrix[175] -= t70;
-        damping_matrix[181] -= t69;
-        damping_matrix[186] += t71;
-        damping_matrix[188] += t70;
-        damping_matrix[194] += t69;
+        let mass_r1_r1x = t20 * (-0.05238095238095238);
+        let t33 = w * w;
+        let t34 = -mass_r0_r0 * t33;
+        let t35 = dw * mass_r0_r0;
+        let t36 = -mass_r0_r0x * t33;
+        let t37 = dw * mass_r0_r0x;
+        let t38 = -mass_r0_r1 * t33;
+        let t39 = dw * mass_r0_r1;
+        let t40 = -mass_r0_r1x * t33;
+        let t41 = dw * mass_r0_r1x;
+        let t42 = -mass_r0x_r0x * t33;
+        let t43 = dw * mass_r0x_r0x;
+        let t44 = -mass_r0x_r1 * t33;
+        let t45 = dw * mass_r0x_r1;
+        let t46 = -mass_r0x_r1x * t33;
+        let t47 = dw * mass_r0x_r1x;
+        let t48 = -mass_r0y_r0y * t33;
+        let t49 = dw * mass_r0y_r0y;
+        let t50 = -mass_r0y_ry_half * t33;
+        let t51 = dw * mass_r0y_ry_half;
+        let t52 = -mass_r0y_r1y * t33;
+        let t53 = dw * mass_r0y_r1y;
+        let t54 = -mass_ry_half_ry_half * t33;
+        let t55 = dw * mass_ry_half_ry_half;
+        let t56 = -mass_r1_r1x * t33;
+        let t57 = dw * mass_r1_r1x;
+        let t58 = w * 2.0;
+        let t59 = mass_r0_r0 * t58;
+        let t60 = mass_r0_r0x * t58;
+        let t61 = mass_r0_r1 * t58;
+        let t62 = mass_r0_r1x * t58;
+        let t63 = mass_r0x_r0x * t58;
+        let t64 = mass_r0x_r1 * t58;
+        let t65 = mass_r0x_r1x * t58;
+        let t66 = mass_r0y_r0y * t58;
+        let t67 = mass_r0y_ry_half * t58;
+        let t68 = mass_r0y_r1y * t58;
+        let t69 = mass_ry_half_ry_half * t58;
+        let t70 = mass_r1_r1x * t58;
+        stiffness[0] += t34;
+        stiffness[1] -= t35;
+        stiffness[2] += t36;
+        stiffness[3] -= t37;
+        stiffness[8] += t38;
+        stiffness[9] -= t39;
+        stiffness[10] += t40;
+        stiffness[11] -= t41;
+        stiffness[14] += t35;
+        stiffness[15] += t34;
+        stiffness[16] += t37;
+        stiffness[17] += t36;
+        stiffness[22] += t39;
+        stiffness[23] += t38;
+        stiffness[24] += t41;
+        stiffness[25] += t40;
+        stiffness[28] += t36;
+        stiffness[29] -= t37;
+        stiffness[30] += t42;
+        stiffness[31] -= t43;
+        stiffness[36] += t44;
+        stiffness[37] -= t45;
+        stiffness[38] += t46;
+        stiffness[39] -= t47;
+        stiffness[42] += t37;
+        stiffness[43] += t36;
+        stiffness[44] += t43;
+        stiffness[45] += t42;
+        stiffness[50] += t45;
+        stiffness[51] += t44;
+        stiffness[52] += t47;
+        stiffness[53] += t46;
+        stiffness[60] += t48;
+        stiffness[61] -= t49;
+        stiffness[62] += t50;
+        stiffness[63] -= t51;
+        stiffness[68] += t52;
+        stiffness[69] -= t53;
+        stiffness[74] += t49;
+        stiffness[75] += t48;
+        stiffness[76] += t51;
+        stiffness[77] += t50;
+        stiffness[82] += t53;
+        stiffness[83] += t52;
+        stiffness[88] += t50;
+        stiffness[89] -= t51;
+        stiffness[90] += t54;
+        stiffness[91] -= t55;
+        stiffness[96] += t50;
+        stiffness[97] -= t51;
+        stiffness[102] += t51;
+        stiffness[103] += t50;
+        stiffness[104] += t55;
+        stiffness[105] += t54;
+        stiffness[110] += t51;
+        stiffness[111] += t50;
+        stiffness[112] += t38;
+        stiffness[113] -= t39;
+        stiffness[114] += t44;
+        stiffness[115] -= t45;
+        stiffness[120] += t34;
+        stiffness[121] -= t35;
+        stiffness[122] += t56;
+        stiffness[123] -= t57;
+        stiffness[126] += t39;
+        stiffness[127] += t38;
+        stiffness[128] += t45;
+        stiffness[129] += t44;
+        stiffness[134] += t35;
+        stiffness[135] += t34;
+        stiffness[136] += t57;
+        stiffness[137] += t56;
+        stiffness[140] += t40;
+        stiffness[141] -= t41;
+        stiffness[142] += t46;
+        stiffness[143] -= t47;
+        stiffness[148] += t56;
+        stiffness[149] -= t57;
+        stiffness[150] += t42;
+        stiffness[151] -= t43;
+        stiffness[154] += t41;
+        stiffness[155] += t40;
+        stiffness[156] += t47;
+        stiffness[157] += t46;
+        stiffness[162] += t57;
+        stiffness[163] += t56;
+        stiffness[164] += t43;
+        stiffness[165] += t42;
+        stiffness[172] += t52;
+        stiffness[173] -= t53;
+        stiffness[174] += t50;
+        stiffness[175] -= t51;
+        stiffness[180] += t48;
+        stiffness[181] -= t49;
+        stiffness[186] += t53;
+        stiffness[187] += t52;
+        stiffness[188] += t51;
+        stiffness[189] += t50;
+        stiffness[194] += t49;
+        stiffness[195] += t48;
+        damping_matrix[1] -= t59;
+        damping_matrix[3] -= t60;
+        damping_matrix[9] -= t61;
+        damping_matrix[11] -= t62;
+        damping_matrix[14] += t59;
+        damping_matrix[16] += t60;
+        damping_matrix[22] += t61;
+        damping_matrix[24] += t62;
+        damping_matrix[29] -= t60;
+        damping_matrix[31] -= t63;
+        damping_matrix[37] -= t64;
+        damping_matrix[39] -= t65;
+        damping_matrix[42] += t60;
+        damping_matrix[44] += t63;
+        damping_matrix[50] += t64;
+        damping_matrix[52] += t65;
+        damping_matrix[61] -= t66;
+        damping_matrix[63] -= t67;
+        damping_matrix[69] -= t68;
+        damping_matrix[74] += t66;
+        damping_matrix[76] += t67;
+        damping_matrix[82] += t68;
+        damping_matrix[89] -= t67;
+        damping_matrix[91] -= t69;
+        damping_matrix[97] -= t67;
+        damping_matrix[102] += t67;
+        damping_matrix[104] += t69;
+        damping_matrix[110] += t67;
+        damping_matrix[113] -= t61;
+        damping_matrix[115] -= t64;
+        damping_matrix[121] -= t59;
+        damping_matrix[123] -= t70;
+        damping_matrix[126] += t61;
+        damping_matrix[128] += t64;
+        damping_matrix[134] += t59;
+        damping_matrix[136] += t70;
+        damping_matrix[141] -= t62;
+        damping_matrix[143] -= t65;
+        damping_matrix[149] -= t70;
+        damping_matrix[151] -= t63;
+        damping_matrix[154] += t62;
+        damping_matrix[156] += t65;
+        damping_matrix[162] += t70;
+        damping_matrix[164] += t63;
+        damping_matrix[173] -= t68;
+        damping_matrix[175] -= t67;
+        damping_matrix[181] -= t66;
+        damping_matrix[186] += t68;
+        damping_matrix[188] += t67;
+        damping_matrix[194] += t66;
     }
     /// Adds the inertia forces of one element in the inertial frame; e is minus gravity.
     ///
@@ -1029,21 +1034,21 @@ pub mod curved_downwind_equations {
         let total_r1_x = a_r1_x + e_x;
         let total_r1_y = a_r1_y + e_y;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t41 = length * element_mass;
-        let mass_r0_r0x = t41 * 0.05238095238095238;
+        let t38 = length * element_mass;
+        let mass_r0_r0x = t38 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t41 * (-0.030952380952380953);
-        let t45 = element_mass * (length * length);
-        let mass_r0x_r0x = t45 * 0.009523809523809525;
-        let mass_r0x_r1 = t41 * 0.030952380952380953;
-        let mass_r0x_r1x = t45 * (-0.007142857142857143);
+        let mass_r0_r1x = t38 * (-0.030952380952380953);
+        let t42 = element_mass * (length * length);
+        let mass_r0x_r0x = t42 * 0.009523809523809525;
+        let mass_r0x_r1 = t38 * 0.030952380952380953;
+        let mass_r0x_r1x = t42 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
-        let t52 = a_ry_half_x * mass_r0y_ry_half;
-        let t53 = a_ry_half_y * mass_r0y_ry_half;
+        let t49 = a_ry_half_x * mass_r0y_ry_half;
+        let t50 = a_ry_half_y * mass_r0y_ry_half;
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
-        let mass_r1_r1x = t41 * (-0.05238095238095238);
+        let mass_r1_r1x = t38 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + a_r0x_x * mass_r0_r0x + total_r1_x * mass_r0_r1
                 + a_r1x_x * mass_r0_r1x;
@@ -1056,8 +1061,8 @@ pub mod curved_downwind_equations {
         force[3]
             += total_r0_y * mass_r0_r0x + a_r0x_y * mass_r0x_r0x
                 + total_r1_y * mass_r0x_r1 + a_r1x_y * mass_r0x_r1x;
-        force[4] += a_r0y_x * mass_r0y_r0y + t52 + a_r1y_x * mass_r0y_r1y;
-        force[5] += a_r0y_y * mass_r0y_r0y + t53 + a_r1y_y * mass_r0y_r1y;
+        force[4] += a_r0y_x * mass_r0y_r0y + t49 + a_r1y_x * mass_r0y_r1y;
+        force[5] += a_r0y_y * mass_r0y_r0y + t50 + a_r1y_y * mass_r0y_r1y;
         force[6]
             += a_r0y_x * mass_r0y_ry_half + a_ry_half_x * mass_ry_half_ry_half
                 + a_r1y_x * mass_r0y_ry_half;
@@ -1076,8 +1081,8 @@ pub mod curved_downwind_equations {
         force[11]
             += total_r0_y * mass_r0_r1x + a_r0x_y * mass_r0x_r1x
                 + total_r1_y * mass_r1_r1x + a_r1x_y * mass_r0x_r0x;
-        force[12] += t52 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
-        force[13] += t53 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
+        force[12] += t49 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
+        force[13] += t50 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
     }
     /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
     ///
@@ -1100,12 +1105,12 @@ pub mod curved_downwind_equations {
         xi: f64,
         weights: &mut [f64; 7],
     ) {
-        let t17 = 1.0 / length;
-        let t18 = xi * 3.0;
-        weights[0] = xi * (-6.0 + xi * 6.0) * t17;
-        weights[1] = 1.0 + xi * (-4.0 + t18);
-        weights[4] = t17 * (xi * (6.0 + xi * (-6.0)));
-        weights[5] = xi * (t18 + (-2.0));
+        let t14 = 1.0 / length;
+        let t15 = xi * 3.0;
+        weights[0] = xi * (-6.0 + xi * 6.0) * t14;
+        weights[1] = 1.0 + xi * (-4.0 + t15);
+        weights[4] = t14 * (xi * (6.0 + xi * (-6.0)));
+        weights[5] = xi * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
     ///
@@ -1115,13 +1120,13 @@ pub mod curved_downwind_equations {
         xi: f64,
         weights: &mut [f64; 7],
     ) {
-        let t17 = 1.0 / (length * length);
-        let t18 = xi * 6.0;
-        let t19 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t17;
-        weights[1] = (-4.0 + t18) * t19;
-        weights[4] = t17 * (6.0 + xi * (-12.0));
-        weights[5] = t19 * (t18 + (-2.0));
+        let t14 = 1.0 / (length * length);
+        let t15 = xi * 6.0;
+        let t16 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t14;
+        weights[1] = (-4.0 + t15) * t16;
+        weights[4] = t14 * (6.0 + xi * (-12.0));
+        weights[5] = t16 * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1131,10 +1136,10 @@ pub mod curved_downwind_equations {
         xi: f64,
         weights: &mut [f64; 7],
     ) {
-        let t16 = xi * 2.0;
-        weights[2] = 1.0 + xi * (-3.0 + t16);
+        let t13 = xi * 2.0;
+        weights[2] = 1.0 + xi * (-3.0 + t13);
         weights[3] = xi * (4.0 + xi * (-4.0));
-        weights[6] = xi * (t16 + (-1.0));
+        weights[6] = xi * (t13 + (-1.0));
     }
     /// Weights of the nodal vectors in d/dx of the section's y axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1144,11 +1149,11 @@ pub mod curved_downwind_equations {
         xi: f64,
         weights: &mut [f64; 7],
     ) {
-        let t17 = xi * 4.0;
-        let t18 = 1.0 / length;
-        weights[2] = (-3.0 + t17) * t18;
-        weights[3] = t18 * (4.0 + xi * (-8.0));
-        weights[6] = t18 * (t17 + (-1.0));
+        let t14 = xi * 4.0;
+        let t15 = 1.0 / length;
+        weights[2] = (-3.0 + t14) * t15;
+        weights[3] = t15 * (4.0 + xi * (-8.0));
+        weights[6] = t15 * (t14 + (-1.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1158,11 +1163,11 @@ pub mod curved_downwind_equations {
         xi: f64,
         weights: &mut [f64; 7],
     ) {
-        let t16 = 1.0 / (length * length);
-        let t17 = 4.0 * t16;
-        weights[2] = t17;
-        weights[3] = t16 * (-8.0);
-        weights[6] = t17;
+        let t13 = 1.0 / (length * length);
+        let t14 = 4.0 * t13;
+        weights[2] = t14;
+        weights[3] = t13 * (-8.0);
+        weights[6] = t14;
     }
     /// Writes the forces on the fields a, b, db at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -1174,31 +1179,31 @@ pub mod curved_downwind_equations {
         forces: &mut [f64; 6],
     ) {
         let BeamPlanarCurved { length, EA, kyGA, EIz, GIz, .. } = *row;
-        let t31 = 0.5 * (fields[0] * fields[0] + fields[1] * fields[1] - 1.0)
+        let t28 = 0.5 * (fields[0] * fields[0] + fields[1] * fields[1] - 1.0)
             - 0.5
                 * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
                     - 1.0);
-        let t32 = EA * t31;
-        let t33 = 0.5 * (fields[2] * fields[2] + fields[3] * fields[3] - 1.0)
+        let t29 = EA * t28;
+        let t30 = 0.5 * (fields[2] * fields[2] + fields[3] * fields[3] - 1.0)
             - 0.5
                 * (stress_free[2] * stress_free[2] + stress_free[3] * stress_free[3]
                     - 1.0);
-        let t34 = EA * t33;
-        let t35 = kyGA
+        let t31 = EA * t30;
+        let t32 = kyGA
             * (fields[0] * fields[2] + fields[1] * fields[3]
                 - (stress_free[0] * stress_free[2] + stress_free[1] * stress_free[3]));
-        let t36 = EIz
+        let t33 = EIz
             * (fields[0] * fields[4] + fields[1] * fields[5]
                 - (stress_free[0] * stress_free[4] + stress_free[1] * stress_free[5]));
-        let t37 = GIz
+        let t34 = GIz
             * (fields[2] * fields[4] + fields[3] * fields[5]
                 - (stress_free[2] * stress_free[4] + stress_free[3] * stress_free[5]));
-        forces[0] = t32 * (0.5 * (fields[0] * 2.0)) + fields[2] * t35 + fields[4] * t36;
-        forces[1] = t32 * (0.5 * (fields[1] * 2.0)) + fields[3] * t35 + fields[5] * t36;
-        forces[2] = t34 * (0.5 * (fields[2] * 2.0)) + fields[0] * t35 + fields[4] * t37;
-        forces[3] = t34 * (0.5 * (fields[3] * 2.0)) + fields[1] * t35 + fields[5] * t37;
-        forces[4] = fields[0] * t36 + fields[2] * t37;
-        forces[5] = fields[1] * t36 + fields[3] * t37;
+        forces[0] = t29 * (0.5 * (fields[0] * 2.0)) + fields[2] * t32 + fields[4] * t33;
+        forces[1] = t29 * (0.5 * (fields[1] * 2.0)) + fields[3] * t32 + fields[5] * t33;
+        forces[2] = t31 * (0.5 * (fields[2] * 2.0)) + fields[0] * t32 + fields[4] * t34;
+        forces[3] = t31 * (0.5 * (fields[3] * 2.0)) + fields[1] * t32 + fields[5] * t34;
+        forces[4] = fields[0] * t33 + fields[2] * t34;
+        forces[5] = fields[1] * t33 + fields[3] * t34;
     }
     /// Motion of frame `hub` and its first three derivatives.
     ///
@@ -1209,41 +1214,41 @@ pub mod curved_downwind_equations {
         motion: &mut ::rncf::mesh::FrameMotion,
     ) {
         *motion = ::rncf::mesh::FrameMotion::INERTIAL;
-        let t18 = model.omega_s / model.T_s;
-        let t19 = (model.T_s / 6.283185307179586).powi(2);
-        let t20 = t * 6.283185307179586 / model.T_s;
-        let t21 = t20.cos();
+        let t15 = model.omega_s / model.T_s;
+        let t16 = (model.T_s / 6.283185307179586).powi(2);
+        let t17 = t * 6.283185307179586 / model.T_s;
+        let t18 = t17.cos();
         let theta = (if t <= model.T_s {
-            t18 * (t * t / 2.0 + t19 * (t21 - 1.0))
+            t15 * (t * t / 2.0 + t16 * (t18 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t23 = theta.cos();
-        let t24 = theta.sin();
-        let t25 = 6.283185307179586 / model.T_s;
-        let t26 = t25 * t20.sin();
+        let t20 = theta.cos();
+        let t21 = theta.sin();
+        let t22 = 6.283185307179586 / model.T_s;
+        let t23 = t22 * t17.sin();
         let theta_t = (if t <= model.T_s {
-            t18 * (t - t19 * t26)
+            t15 * (t - t16 * t23)
         } else {
             model.omega_s
         });
         let theta_t_t = (if t <= model.T_s {
-            t18 * (1.0 - t19 * (t25 * (t21 * t25)))
+            t15 * (1.0 - t16 * (t22 * (t18 * t22)))
         } else {
             0.0
         });
         let theta_t_t_t = (if t <= model.T_s {
-            t18 * (t19 * (t25 * (t25 * t26)))
+            t15 * (t16 * (t22 * (t22 * t23)))
         } else {
             0.0
         });
         motion.spin[2] = theta_t;
         motion.spin_rate[2] = theta_t_t;
         motion.spin_jerk[2] = theta_t_t_t;
-        motion.rotation[0][0] = t23;
-        motion.rotation[0][1] = -t24;
-        motion.rotation[1][0] = t24;
-        motion.rotation[1][1] = t23;
+        motion.rotation[0][0] = t20;
+        motion.rotation[0][1] = -t21;
+        motion.rotation[1][0] = t21;
+        motion.rotation[1][1] = t20;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -1369,21 +1374,21 @@ pub mod curved_downwind_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t26 = t * t / 2.0
+        let t23 = t * t / 2.0
             + (model.T_s / 6.283185307179586).powi(2)
                 * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
         let theta = (if t <= model.T_s {
-            model.omega_s / model.T_s * t26
+            model.omega_s / model.T_s * t23
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t28 = theta.cos();
-        let t29 = theta.sin();
-        let t30 = q[2] * (t28 * data.normals[0][0] - t29 * data.normals[0][1])
-            + q[3] * (t29 * data.normals[0][0] + t28 * data.normals[0][1]);
-        rows[0] = q[0] - (t28 * data.point[0] - t29 * data.point[1]);
-        rows[1] = q[1] - (t29 * data.point[0] + t28 * data.point[1]);
-        rows[2] = t30;
+        let t25 = theta.cos();
+        let t26 = theta.sin();
+        let t27 = q[2] * (t25 * data.normals[0][0] - t26 * data.normals[0][1])
+            + q[3] * (t26 * data.normals[0][0] + t25 * data.normals[0][1]);
+        rows[0] = q[0] - (t25 * data.point[0] - t26 * data.point[1]);
+        rows[1] = q[1] - (t26 * data.point[0] + t25 * data.point[1]);
+        rows[2] = t27;
     }
     /// Joint `root`: conditions, velocity level.
     ///
@@ -1397,26 +1402,26 @@ pub mod curved_downwind_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t24 = model.omega_s / model.T_s;
-        let t25 = (model.T_s / 6.283185307179586).powi(2);
-        let t26 = t * 6.283185307179586 / model.T_s;
+        let t21 = model.omega_s / model.T_s;
+        let t22 = (model.T_s / 6.283185307179586).powi(2);
+        let t23 = t * 6.283185307179586 / model.T_s;
         let theta = (if t <= model.T_s {
-            t24 * (t * t / 2.0 + t25 * (t26.cos() - 1.0))
+            t21 * (t * t / 2.0 + t22 * (t23.cos() - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t28 = (if t <= model.T_s {
-            t24 * (t - t25 * (6.283185307179586 / model.T_s * t26.sin()))
+        let t25 = (if t <= model.T_s {
+            t21 * (t - t22 * (6.283185307179586 / model.T_s * t23.sin()))
         } else {
             model.omega_s
         });
-        let t29 = theta.sin() * t28;
-        let t30 = theta.cos() * t28;
-        let t31 = q[3] * (data.normals[0][0] * t30 - data.normals[0][1] * t29)
-            - q[2] * (data.normals[0][0] * t29 + data.normals[0][1] * t30);
-        rows[0] = data.point[0] * t29 + data.point[1] * t30;
-        rows[1] = data.point[1] * t29 - data.point[0] * t30;
-        rows[2] = t31;
+        let t26 = theta.sin() * t25;
+        let t27 = theta.cos() * t25;
+        let t28 = q[3] * (data.normals[0][0] * t27 - data.normals[0][1] * t26)
+            - q[2] * (data.normals[0][0] * t26 + data.normals[0][1] * t27);
+        rows[0] = data.point[0] * t26 + data.point[1] * t27;
+        rows[1] = data.point[1] * t26 - data.point[0] * t27;
+        rows[2] = t28;
     }
     /// Joint `root`: conditions, acceleration level.
     ///
@@ -1430,41 +1435,41 @@ pub mod curved_downwind_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t26 = model.omega_s / model.T_s;
-        let t27 = (model.T_s / 6.283185307179586).powi(2);
-        let t28 = t * 6.283185307179586 / model.T_s;
-        let t29 = t28.cos();
+        let t23 = model.omega_s / model.T_s;
+        let t24 = (model.T_s / 6.283185307179586).powi(2);
+        let t25 = t * 6.283185307179586 / model.T_s;
+        let t26 = t25.cos();
         let theta = (if t <= model.T_s {
-            t26 * (t * t / 2.0 + t27 * (t29 - 1.0))
+            t23 * (t * t / 2.0 + t24 * (t26 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t31 = theta.cos();
-        let t32 = theta.sin();
-        let t33 = 6.283185307179586 / model.T_s;
-        let t34 = (if t <= model.T_s {
-            t26 * (t - t27 * (t33 * t28.sin()))
+        let t28 = theta.cos();
+        let t29 = theta.sin();
+        let t30 = 6.283185307179586 / model.T_s;
+        let t31 = (if t <= model.T_s {
+            t23 * (t - t24 * (t30 * t25.sin()))
         } else {
             model.omega_s
         });
-        let t35 = t32 * t34;
-        let t36 = t31 * t34;
-        let t37 = (if t <= model.T_s {
-            t26 * (1.0 - t27 * (t33 * (t29 * t33)))
+        let t32 = t29 * t31;
+        let t33 = t28 * t31;
+        let t34 = (if t <= model.T_s {
+            t23 * (1.0 - t24 * (t30 * (t26 * t30)))
         } else {
             0.0
         });
-        let t38 = t34 * t36 + t32 * t37;
-        let t39 = t31 * t37 - t34 * t35;
-        let t40 = v[2] * (data.normals[0][0] * t35 + data.normals[0][1] * t36);
-        let t41 = v[3] * (data.normals[0][0] * t36 - data.normals[0][1] * t35);
-        let t42 = t41
-            + (t41 + q[3] * (data.normals[0][0] * t39 - data.normals[0][1] * t38))
-            - (t40
-                + (t40 + q[2] * (data.normals[0][0] * t38 + data.normals[0][1] * t39)));
-        rows[0] = data.point[0] * t38 + data.point[1] * t39;
-        rows[1] = data.point[1] * t38 - data.point[0] * t39;
-        rows[2] = t42;
+        let t35 = t31 * t33 + t29 * t34;
+        let t36 = t28 * t34 - t31 * t32;
+        let t37 = v[2] * (data.normals[0][0] * t32 + data.normals[0][1] * t33);
+        let t38 = v[3] * (data.normals[0][0] * t33 - data.normals[0][1] * t32);
+        let t39 = t38
+            + (t38 + q[3] * (data.normals[0][0] * t36 - data.normals[0][1] * t35))
+            - (t37
+                + (t37 + q[2] * (data.normals[0][0] * t35 + data.normals[0][1] * t36)));
+        rows[0] = data.point[0] * t35 + data.point[1] * t36;
+        rows[1] = data.point[1] * t35 - data.point[0] * t36;
+        rows[2] = t39;
     }
     /// Joint `root`: conditions, jerk level.
     ///
@@ -1478,51 +1483,51 @@ pub mod curved_downwind_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t28 = model.omega_s / model.T_s;
-        let t29 = (model.T_s / 6.283185307179586).powi(2);
-        let t30 = t * 6.283185307179586 / model.T_s;
-        let t31 = t30.cos();
+        let t25 = model.omega_s / model.T_s;
+        let t26 = (model.T_s / 6.283185307179586).powi(2);
+        let t27 = t * 6.283185307179586 / model.T_s;
+        let t28 = t27.cos();
         let theta = (if t <= model.T_s {
-            t28 * (t * t / 2.0 + t29 * (t31 - 1.0))
+            t25 * (t * t / 2.0 + t26 * (t28 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t33 = theta.cos();
-        let t34 = theta.sin();
-        let t35 = 6.283185307179586 / model.T_s;
-        let t36 = t35 * t30.sin();
-        let t37 = (if t <= model.T_s { t28 * (t - t29 * t36) } else { model.omega_s });
-        let t38 = t34 * t37;
-        let t39 = t33 * t37;
-        let t40 = (if t <= model.T_s {
-            t28 * (1.0 - t29 * (t35 * (t31 * t35)))
+        let t30 = theta.cos();
+        let t31 = theta.sin();
+        let t32 = 6.283185307179586 / model.T_s;
+        let t33 = t32 * t27.sin();
+        let t34 = (if t <= model.T_s { t25 * (t - t26 * t33) } else { model.omega_s });
+        let t35 = t31 * t34;
+        let t36 = t30 * t34;
+        let t37 = (if t <= model.T_s {
+            t25 * (1.0 - t26 * (t32 * (t28 * t32)))
         } else {
             0.0
         });
-        let t41 = t37 * t39 + t34 * t40;
-        let t42 = t33 * t40 - t37 * t38;
-        let t43 = (if t <= model.T_s { t28 * (t29 * (t35 * (t35 * t36))) } else { 0.0 });
-        let t44 = t39 * t40;
-        let t45 = t44 + t37 * t42 + (t44 + t34 * t43);
-        let t46 = t38 * t40;
-        let t47 = t33 * t43 - t46 - (t46 + t37 * t41);
-        let t48 = a[2] * (data.normals[0][0] * t38 + data.normals[0][1] * t39);
-        let t49 = v[2] * (data.normals[0][0] * t41 + data.normals[0][1] * t42);
+        let t38 = t34 * t36 + t31 * t37;
+        let t39 = t30 * t37 - t34 * t35;
+        let t40 = (if t <= model.T_s { t25 * (t26 * (t32 * (t32 * t33))) } else { 0.0 });
+        let t41 = t36 * t37;
+        let t42 = t41 + t34 * t39 + (t41 + t31 * t40);
+        let t43 = t35 * t37;
+        let t44 = t30 * t40 - t43 - (t43 + t34 * t38);
+        let t45 = a[2] * (data.normals[0][0] * t35 + data.normals[0][1] * t36);
+        let t46 = v[2] * (data.normals[0][0] * t38 + data.normals[0][1] * t39);
+        let t47 = t45 + t46;
+        let t48 = a[3] * (data.normals[0][0] * t36 - data.normals[0][1] * t35);
+        let t49 = v[3] * (data.normals[0][0] * t39 - data.normals[0][1] * t38);
         let t50 = t48 + t49;
-        let t51 = a[3] * (data.normals[0][0] * t39 - data.normals[0][1] * t38);
-        let t52 = v[3] * (data.normals[0][0] * t42 - data.normals[0][1] * t41);
-        let t53 = t51 + t52;
-        let t54 = t51 + t53
-            + (t53
-                + (t52 + q[3] * (data.normals[0][0] * t47 - data.normals[0][1] * t45)))
-            - (t48 + t50
-                + (t50
-                    + (t49
+        let t51 = t48 + t50
+            + (t50
+                + (t49 + q[3] * (data.normals[0][0] * t44 - data.normals[0][1] * t42)))
+            - (t45 + t47
+                + (t47
+                    + (t46
                         + q[2]
-                            * (data.normals[0][0] * t45 + data.normals[0][1] * t47))));
-        rows[0] = data.point[0] * t45 + data.point[1] * t47;
-        rows[1] = data.point[1] * t45 - data.point[0] * t47;
-        rows[2] = t54;
+                            * (data.normals[0][0] * t42 + data.normals[0][1] * t44))));
+        rows[0] = data.point[0] * t42 + data.point[1] * t44;
+        rows[1] = data.point[1] * t42 - data.point[0] * t44;
+        rows[2] = t51;
     }
     /// Joint `root`: derivatives of the conditions.
     ///
@@ -1533,16 +1538,16 @@ pub mod curved_downwind_equations {
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
     ) {
-        let t20 = t * t / 2.0
+        let t17 = t * t / 2.0
             + (model.T_s / 6.283185307179586).powi(2)
                 * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
         let theta = (if t <= model.T_s {
-            model.omega_s / model.T_s * t20
+            model.omega_s / model.T_s * t17
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t22 = theta.cos();
-        let t23 = theta.sin();
+        let t19 = theta.cos();
+        let t20 = theta.sin();
         jacobian[0] = 1.0;
         jacobian[1] = 0.0;
         jacobian[2] = 0.0;
@@ -1553,8 +1558,8 @@ pub mod curved_downwind_equations {
         jacobian[7] = 0.0;
         jacobian[8] = 0.0;
         jacobian[9] = 0.0;
-        jacobian[10] = t22 * data.normals[0][0] - t23 * data.normals[0][1];
-        jacobian[11] = t23 * data.normals[0][0] + t22 * data.normals[0][1];
+        jacobian[10] = t19 * data.normals[0][0] - t20 * data.normals[0][1];
+        jacobian[11] = t20 * data.normals[0][0] + t19 * data.normals[0][1];
     }
     /// Joint `root`: what it prescribes, with three derivatives.
     ///
@@ -1565,50 +1570,50 @@ pub mod curved_downwind_equations {
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
     ) {
-        let t22 = model.omega_s / model.T_s;
-        let t23 = (model.T_s / 6.283185307179586).powi(2);
-        let t24 = t * 6.283185307179586 / model.T_s;
-        let t25 = t24.cos();
+        let t19 = model.omega_s / model.T_s;
+        let t20 = (model.T_s / 6.283185307179586).powi(2);
+        let t21 = t * 6.283185307179586 / model.T_s;
+        let t22 = t21.cos();
         let theta = (if t <= model.T_s {
-            t22 * (t * t / 2.0 + t23 * (t25 - 1.0))
+            t19 * (t * t / 2.0 + t20 * (t22 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t27 = theta.cos();
-        let t28 = theta.sin();
-        let t29 = 6.283185307179586 / model.T_s;
-        let t30 = t29 * t24.sin();
-        let t31 = (if t <= model.T_s { t22 * (t - t23 * t30) } else { model.omega_s });
-        let t32 = t28 * t31;
-        let t33 = t27 * t31;
-        let t34 = (if t <= model.T_s {
-            t22 * (1.0 - t23 * (t29 * (t25 * t29)))
+        let t24 = theta.cos();
+        let t25 = theta.sin();
+        let t26 = 6.283185307179586 / model.T_s;
+        let t27 = t26 * t21.sin();
+        let t28 = (if t <= model.T_s { t19 * (t - t20 * t27) } else { model.omega_s });
+        let t29 = t25 * t28;
+        let t30 = t24 * t28;
+        let t31 = (if t <= model.T_s {
+            t19 * (1.0 - t20 * (t26 * (t22 * t26)))
         } else {
             0.0
         });
-        let t35 = t31 * t33 + t28 * t34;
-        let t36 = t27 * t34 - t31 * t32;
-        let t37 = (if t <= model.T_s { t22 * (t23 * (t29 * (t29 * t30))) } else { 0.0 });
-        let t38 = t33 * t34;
-        let t39 = t38 + t31 * t36 + (t38 + t28 * t37);
-        let t40 = t32 * t34;
-        let t41 = t27 * t37 - t40 - (t40 + t31 * t35);
-        prescribed.position[0][0] = t27 * data.point[0] - t28 * data.point[1];
-        prescribed.position[0][1] = t28 * data.point[0] + t27 * data.point[1];
-        prescribed.position[1][0] = -(data.point[0] * t32 + data.point[1] * t33);
-        prescribed.position[1][1] = data.point[0] * t33 - data.point[1] * t32;
-        prescribed.position[2][0] = -(data.point[0] * t35 + data.point[1] * t36);
-        prescribed.position[2][1] = data.point[0] * t36 - data.point[1] * t35;
-        prescribed.position[3][0] = -(data.point[0] * t39 + data.point[1] * t41);
-        prescribed.position[3][1] = data.point[0] * t41 - data.point[1] * t39;
-        prescribed.slope[0][0] = t27 * data.tangent[0] - t28 * data.tangent[1];
-        prescribed.slope[0][1] = t28 * data.tangent[0] + t27 * data.tangent[1];
-        prescribed.slope[1][0] = -(data.tangent[0] * t32 + data.tangent[1] * t33);
-        prescribed.slope[1][1] = data.tangent[0] * t33 - data.tangent[1] * t32;
-        prescribed.slope[2][0] = -(data.tangent[0] * t35 + data.tangent[1] * t36);
-        prescribed.slope[2][1] = data.tangent[0] * t36 - data.tangent[1] * t35;
-        prescribed.slope[3][0] = -(data.tangent[0] * t39 + data.tangent[1] * t41);
-        prescribed.slope[3][1] = data.tangent[0] * t41 - data.tangent[1] * t39;
+        let t32 = t28 * t30 + t25 * t31;
+        let t33 = t24 * t31 - t28 * t29;
+        let t34 = (if t <= model.T_s { t19 * (t20 * (t26 * (t26 * t27))) } else { 0.0 });
+        let t35 = t30 * t31;
+        let t36 = t35 + t28 * t33 + (t35 + t25 * t34);
+        let t37 = t29 * t31;
+        let t38 = t24 * t34 - t37 - (t37 + t28 * t32);
+        prescribed.position[0][0] = t24 * data.point[0] - t25 * data.point[1];
+        prescribed.position[0][1] = t25 * data.point[0] + t24 * data.point[1];
+        prescribed.position[1][0] = -(data.point[0] * t29 + data.point[1] * t30);
+        prescribed.position[1][1] = data.point[0] * t30 - data.point[1] * t29;
+        prescribed.position[2][0] = -(data.point[0] * t32 + data.point[1] * t33);
+        prescribed.position[2][1] = data.point[0] * t33 - data.point[1] * t32;
+        prescribed.position[3][0] = -(data.point[0] * t36 + data.point[1] * t38);
+        prescribed.position[3][1] = data.point[0] * t38 - data.point[1] * t36;
+        prescribed.slope[0][0] = t24 * data.tangent[0] - t25 * data.tangent[1];
+        prescribed.slope[0][1] = t25 * data.tangent[0] + t24 * data.tangent[1];
+        prescribed.slope[1][0] = -(data.tangent[0] * t29 + data.tangent[1] * t30);
+        prescribed.slope[1][1] = data.tangent[0] * t30 - data.tangent[1] * t29;
+        prescribed.slope[2][0] = -(data.tangent[0] * t32 + data.tangent[1] * t33);
+        prescribed.slope[2][1] = data.tangent[0] * t33 - data.tangent[1] * t32;
+        prescribed.slope[3][0] = -(data.tangent[0] * t36 + data.tangent[1] * t38);
+        prescribed.slope[3][1] = data.tangent[0] * t38 - data.tangent[1] * t36;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     ///

@@ -67,7 +67,8 @@ impl ::rncf::Model for CurvedOutOfPlane {
     run { t_end = 20 s; every = 0.05 s; }
 }"#;
     const NOTES: &'static [&'static str] = &[
-        "Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9945).",
+        "Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).",
+        "Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -174,7 +175,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
     ///
-    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9945).
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).
     ///
     /// The energy is integrated with 3 Gauss points.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -304,25 +305,25 @@ pub mod curved_out_of_plane_equations {
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
-        let t35 = length * EA;
-        let t36 = t35 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0]);
-        let t37 = 0.5 * t36;
-        let t38 = length * kyGA * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]);
-        let t39 = length * kzGA * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]);
-        let t40 = t35 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1]);
+        let t32 = length * EA;
+        let t33 = t32 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0]);
+        let t34 = 0.5 * t33;
+        let t35 = length * kyGA * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]);
+        let t36 = length * kzGA * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]);
+        let t37 = t32 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1]);
+        let t38 = 0.5 * t37;
+        let t39 = length * GA * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
+        let t40 = t32 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2]);
         let t41 = 0.5 * t40;
-        let t42 = length * GA * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
-        let t43 = t35 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2]);
-        let t44 = 0.5 * t43;
-        forces[0][0] = t37 * (a_x * 2.0) + b_x * t38 + c_x * t39;
-        forces[0][1] = t37 * (a_y * 2.0) + b_y * t38 + c_y * t39;
-        forces[0][2] = t37 * (a_z * 2.0) + b_z * t38 + c_z * t39;
-        forces[1][0] = a_x * t38 + t41 * (b_x * 2.0) + c_x * t42;
-        forces[1][1] = a_y * t38 + t41 * (b_y * 2.0) + c_y * t42;
-        forces[1][2] = a_z * t38 + t41 * (b_z * 2.0) + c_z * t42;
-        forces[2][0] = a_x * t39 + b_x * t42 + t44 * (c_x * 2.0);
-        forces[2][1] = a_y * t39 + b_y * t42 + t44 * (c_y * 2.0);
-        forces[2][2] = a_z * t39 + b_z * t42 + t44 * (c_z * 2.0);
+        forces[0][0] = t34 * (a_x * 2.0) + b_x * t35 + c_x * t36;
+        forces[0][1] = t34 * (a_y * 2.0) + b_y * t35 + c_y * t36;
+        forces[0][2] = t34 * (a_z * 2.0) + b_z * t35 + c_z * t36;
+        forces[1][0] = a_x * t35 + t38 * (b_x * 2.0) + c_x * t39;
+        forces[1][1] = a_y * t35 + t38 * (b_y * 2.0) + c_y * t39;
+        forces[1][2] = a_z * t35 + t38 * (b_z * 2.0) + c_z * t39;
+        forces[2][0] = a_x * t36 + b_x * t39 + t41 * (c_x * 2.0);
+        forces[2][1] = a_y * t36 + b_y * t39 + t41 * (c_y * 2.0);
+        forces[2][2] = a_z * t36 + b_z * t39 + t41 * (c_z * 2.0);
     }
     /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -347,114 +348,114 @@ pub mod curved_out_of_plane_equations {
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
-        let t35 = length * EA;
-        let t36 = length * kyGA;
-        let t37 = length * kzGA;
-        let t38 = length * GA;
-        let t39 = 0.5 * (0.5 * t35);
-        let t40 = t35 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0]);
-        let t41 = t36 * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]);
-        let t42 = t37 * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]);
-        let t43 = t35 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1]);
-        let t44 = t38 * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
-        let t45 = t35 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2]);
-        let t46 = a_x * 2.0;
-        let t47 = a_y * 2.0;
-        let t48 = a_z * 2.0;
-        let t49 = b_x * 2.0;
-        let t50 = b_y * 2.0;
-        let t51 = b_z * 2.0;
-        let t52 = c_x * 2.0;
-        let t53 = c_y * 2.0;
-        let t54 = c_z * 2.0;
-        let t55 = t39 * t47;
-        let t56 = t39 * t48;
-        let t57 = b_y * t36;
-        let t58 = b_z * t36;
-        let t59 = a_x * t36;
-        let t60 = a_y * t36;
-        let t61 = a_z * t36;
-        let t62 = c_y * t37;
-        let t63 = c_z * t37;
-        let t64 = a_x * t37;
-        let t65 = a_y * t37;
-        let t66 = a_z * t37;
-        let t67 = t39 * t50;
-        let t68 = t39 * t51;
-        let t69 = c_y * t38;
-        let t70 = c_z * t38;
-        let t71 = b_x * t38;
-        let t72 = b_y * t38;
-        let t73 = b_z * t38;
-        let t74 = t39 * t53;
-        let t75 = t39 * t54;
-        let t76 = t46 * t55 + b_x * t57 + c_x * t62;
-        let t77 = t46 * t56 + b_x * t58 + c_x * t63;
-        let t78 = t47 * t56 + b_y * t58 + c_y * t63;
-        let t79 = a_x * t60 + t49 * t67 + c_x * t69;
-        let t80 = a_x * t61 + t49 * t68 + c_x * t70;
-        let t81 = a_y * t61 + t50 * t68 + c_y * t70;
-        let t82 = a_x * t65 + b_x * t72 + t52 * t74;
-        let t83 = a_x * t66 + b_x * t73 + t52 * t75;
-        let t84 = a_y * t66 + b_y * t73 + t53 * t75;
-        let t85 = 0.5 * t40 * 2.0;
-        let t86 = t46 * (t39 * t46) + b_x * (b_x * t36) + c_x * (c_x * t37) + t85;
-        let t87 = 0.5 * t43 * 2.0;
-        let t88 = 0.5 * t45 * 2.0;
-        stiffness[0][0] = t86;
-        stiffness[0][1] = t76;
-        stiffness[0][2] = t77;
-        stiffness[0][3] = t76;
-        stiffness[0][4] = t47 * t55 + b_y * t57 + c_y * t62 + t85;
-        stiffness[0][5] = t78;
-        stiffness[0][6] = t77;
-        stiffness[0][7] = t78;
-        stiffness[0][8] = t48 * t56 + b_z * t58 + c_z * t63 + t85;
-        stiffness[1][0] = t41 + b_x * t59;
-        stiffness[1][1] = b_x * t60;
-        stiffness[1][2] = b_x * t61;
-        stiffness[1][3] = b_y * t59;
-        stiffness[1][4] = t41 + b_y * t60;
-        stiffness[1][5] = b_y * t61;
-        stiffness[1][6] = b_z * t59;
-        stiffness[1][7] = b_z * t60;
-        stiffness[1][8] = t41 + b_z * t61;
-        stiffness[2][0] = t42 + c_x * t64;
-        stiffness[2][1] = c_x * t65;
-        stiffness[2][2] = c_x * t66;
-        stiffness[2][3] = c_y * t64;
-        stiffness[2][4] = t42 + c_y * t65;
-        stiffness[2][5] = c_y * t66;
-        stiffness[2][6] = c_z * t64;
-        stiffness[2][7] = c_z * t65;
-        stiffness[2][8] = t42 + c_z * t66;
-        stiffness[3][0] = a_x * t59 + t49 * (t39 * t49) + c_x * (c_x * t38) + t87;
-        stiffness[3][1] = t79;
-        stiffness[3][2] = t80;
-        stiffness[3][3] = t79;
-        stiffness[3][4] = a_y * t60 + t50 * t67 + c_y * t69 + t87;
-        stiffness[3][5] = t81;
-        stiffness[3][6] = t80;
-        stiffness[3][7] = t81;
-        stiffness[3][8] = a_z * t61 + t51 * t68 + c_z * t70 + t87;
-        stiffness[4][0] = t44 + c_x * t71;
-        stiffness[4][1] = c_x * t72;
-        stiffness[4][2] = c_x * t73;
-        stiffness[4][3] = c_y * t71;
-        stiffness[4][4] = t44 + c_y * t72;
-        stiffness[4][5] = c_y * t73;
-        stiffness[4][6] = c_z * t71;
-        stiffness[4][7] = c_z * t72;
-        stiffness[4][8] = t44 + c_z * t73;
-        stiffness[5][0] = a_x * t64 + b_x * t71 + t52 * (t39 * t52) + t88;
-        stiffness[5][1] = t82;
-        stiffness[5][2] = t83;
-        stiffness[5][3] = t82;
-        stiffness[5][4] = a_y * t65 + b_y * t72 + t53 * t74 + t88;
-        stiffness[5][5] = t84;
-        stiffness[5][6] = t83;
-        stiffness[5][7] = t84;
-        stiffness[5][8] = a_z * t66 + b_z * t73 + t54 * t75 + t88;
+        let t32 = length * EA;
+        let t33 = length * kyGA;
+        let t34 = length * kzGA;
+        let t35 = length * GA;
+        let t36 = 0.5 * (0.5 * t32);
+        let t37 = t32 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0]);
+        let t38 = t33 * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]);
+        let t39 = t34 * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]);
+        let t40 = t32 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1]);
+        let t41 = t35 * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
+        let t42 = t32 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2]);
+        let t43 = a_x * 2.0;
+        let t44 = a_y * 2.0;
+        let t45 = a_z * 2.0;
+        let t46 = b_x * 2.0;
+        let t47 = b_y * 2.0;
+        let t48 = b_z * 2.0;
+        let t49 = c_x * 2.0;
+        let t50 = c_y * 2.0;
+        let t51 = c_z * 2.0;
+        let t52 = t36 * t44;
+        let t53 = t36 * t45;
+        let t54 = b_y * t33;
+        let t55 = b_z * t33;
+        let t56 = a_x * t33;
+        let t57 = a_y * t33;
+        let t58 = a_z * t33;
+        let t59 = c_y * t34;
+        let t60 = c_z * t34;
+        let t61 = a_x * t34;
+        let t62 = a_y * t34;
+        let t63 = a_z * t34;
+        let t64 = t36 * t47;
+        let t65 = t36 * t48;
+        let t66 = c_y * t35;
+        let t67 = c_z * t35;
+        let t68 = b_x * t35;
+        let t69 = b_y * t35;
+        let t70 = b_z * t35;
+        let t71 = t36 * t50;
+        let t72 = t36 * t51;
+        let t73 = t43 * t52 + b_x * t54 + c_x * t59;
+        let t74 = t43 * t53 + b_x * t55 + c_x * t60;
+        let t75 = t44 * t53 + b_y * t55 + c_y * t60;
+        let t76 = a_x * t57 + t46 * t64 + c_x * t66;
+        let t77 = a_x * t58 + t46 * t65 + c_x * t67;
+        let t78 = a_y * t58 + t47 * t65 + c_y * t67;
+        let t79 = a_x * t62 + b_x * t69 + t49 * t71;
+        let t80 = a_x * t63 + b_x * t70 + t49 * t72;
+        let t81 = a_y * t63 + b_y * t70 + t50 * t72;
+        let t82 = 0.5 * t37 * 2.0;
+        let t83 = t43 * (t36 * t43) + b_x * (b_x * t33) + c_x * (c_x * t34) + t82;
+        let t84 = 0.5 * t40 * 2.0;
+        let t85 = 0.5 * t42 * 2.0;
+        stiffness[0][0] = t83;
+        stiffness[0][1] = t73;
+        stiffness[0][2] = t74;
+        stiffness[0][3] = t73;
+        stiffness[0][4] = t44 * t52 + b_y * t54 + c_y * t59 + t82;
+        stiffness[0][5] = t75;
+        stiffness[0][6] = t74;
+        stiffness[0][7] = t75;
+        stiffness[0][8] = t45 * t53 + b_z * t55 + c_z * t60 + t82;
+        stiffness[1][0] = t38 + b_x * t56;
+        stiffness[1][1] = b_x * t57;
+        stiffness[1][2] = b_x * t58;
+        stiffness[1][3] = b_y * t56;
+        stiffness[1][4] = t38 + b_y * t57;
+        stiffness[1][5] = b_y * t58;
+        stiffness[1][6] = b_z * t56;
+        stiffness[1][7] = b_z * t57;
+        stiffness[1][8] = t38 + b_z * t58;
+        stiffness[2][0] = t39 + c_x * t61;
+        stiffness[2][1] = c_x * t62;
+        stiffness[2][2] = c_x * t63;
+        stiffness[2][3] = c_y * t61;
+        stiffness[2][4] = t39 + c_y * t62;
+        stiffness[2][5] = c_y * t63;
+        stiffness[2][6] = c_z * t61;
+        stiffness[2][7] = c_z * t62;
+        stiffness[2][8] = t39 + c_z * t63;
+        stiffness[3][0] = a_x * t56 + t46 * (t36 * t46) + c_x * (c_x * t35) + t84;
+        stiffness[3][1] = t76;
+        stiffness[3][2] = t77;
+        stiffness[3][3] = t76;
+        stiffness[3][4] = a_y * t57 + t47 * t64 + c_y * t66 + t84;
+        stiffness[3][5] = t78;
+        stiffness[3][6] = t77;
+        stiffness[3][7] = t78;
+        stiffness[3][8] = a_z * t58 + t48 * t65 + c_z * t67 + t84;
+        stiffness[4][0] = t41 + c_x * t68;
+        stiffness[4][1] = c_x * t69;
+        stiffness[4][2] = c_x * t70;
+        stiffness[4][3] = c_y * t68;
+        stiffness[4][4] = t41 + c_y * t69;
+        stiffness[4][5] = c_y * t70;
+        stiffness[4][6] = c_z * t68;
+        stiffness[4][7] = c_z * t69;
+        stiffness[4][8] = t41 + c_z * t70;
+        stiffness[5][0] = a_x * t61 + b_x * t68 + t49 * (t36 * t49) + t85;
+        stiffness[5][1] = t79;
+        stiffness[5][2] = t80;
+        stiffness[5][3] = t79;
+        stiffness[5][4] = a_y * t62 + b_y * t69 + t50 * t71 + t85;
+        stiffness[5][5] = t81;
+        stiffness[5][6] = t80;
+        stiffness[5][7] = t81;
+        stiffness[5][8] = a_z * t63 + b_z * t70 + t51 * t72 + t85;
     }
     /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -479,20 +480,20 @@ pub mod curved_out_of_plane_equations {
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
-        let t35 = 0.5 * (length * EA);
-        let t36 = (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0])
+        let t32 = 0.5 * (length * EA);
+        let t33 = (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0])
             .powi(2);
-        let t37 = (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1])
+        let t34 = (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1])
             .powi(2);
-        let t38 = (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2])
+        let t35 = (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2])
             .powi(2);
-        let t39 = 0.5 * (length * kyGA)
+        let t36 = 0.5 * (length * kyGA)
             * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]).powi(2);
-        let t40 = 0.5 * (length * kzGA)
+        let t37 = 0.5 * (length * kzGA)
             * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]).powi(2);
-        let t41 = 0.5 * (length * GA)
+        let t38 = 0.5 * (length * GA)
             * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]).powi(2);
-        *energy = t35 * t36 + t35 * t37 + t35 * t38 + t39 + t40 + t41;
+        *energy = t32 * t33 + t32 * t34 + t32 * t35 + t36 + t37 + t38;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
@@ -525,34 +526,38 @@ pub mod curved_out_of_plane_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t48 = length * EIz * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]);
-        let t49 = length * EIy * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]);
-        let t50 = length * GIz * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]);
-        let t51 = c_x * db_x + c_y * db_y + c_z * db_z
+        let t45 = c_x * db_x + c_y * db_y + c_z * db_z
             - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t52 = length * GJ * (0.5 * t51 - reference[2]);
-        let t53 = -0.5 * t52;
-        let t54 = 0.5 * t52;
-        let t55 = length * GIy * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]);
-        forces[0][0] = db_x * t48 + dc_x * t49;
-        forces[0][1] = db_y * t48 + dc_y * t49;
-        forces[0][2] = db_z * t48 + dc_z * t49;
-        forces[1][0] = db_x * t50 + dc_x * t53;
-        forces[1][1] = db_y * t50 + dc_y * t53;
-        forces[1][2] = db_z * t50 + dc_z * t53;
-        forces[2][0] = db_x * t54 + dc_x * t55;
-        forces[2][1] = db_y * t54 + dc_y * t55;
-        forces[2][2] = db_z * t54 + dc_z * t55;
-        forces[3][0] = inverse_length * (a_x * t48 + b_x * t50 + c_x * t54);
-        forces[3][1] = inverse_length * (a_y * t48 + b_y * t50 + c_y * t54);
-        forces[3][2] = inverse_length * (a_z * t48 + b_z * t50 + c_z * t54);
-        forces[4][0] = inverse_length * (a_x * t49 + b_x * t53 + c_x * t55);
-        forces[4][1] = inverse_length * (a_y * t49 + b_y * t53 + c_y * t55);
-        forces[4][2] = inverse_length * (a_z * t49 + b_z * t53 + c_z * t55);
+        let t46 = length * GJ * (0.5 * t45 - reference[2]);
+        let t47 = inverse_length
+            * (length * EIz * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]));
+        let t48 = inverse_length
+            * (length * EIy * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]));
+        let t49 = inverse_length
+            * (length * GIz * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
+        let t50 = inverse_length * (-0.5 * t46);
+        let t51 = inverse_length * (0.5 * t46);
+        let t52 = inverse_length
+            * (length * GIy * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]));
+        forces[0][0] = unit_db_x * t47 + unit_dc_x * t48;
+        forces[0][1] = unit_db_y * t47 + unit_dc_y * t48;
+        forces[0][2] = unit_db_z * t47 + unit_dc_z * t48;
+        forces[1][0] = unit_db_x * t49 + unit_dc_x * t50;
+        forces[1][1] = unit_db_y * t49 + unit_dc_y * t50;
+        forces[1][2] = unit_db_z * t49 + unit_dc_z * t50;
+        forces[2][0] = unit_db_x * t51 + unit_dc_x * t52;
+        forces[2][1] = unit_db_y * t51 + unit_dc_y * t52;
+        forces[2][2] = unit_db_z * t51 + unit_dc_z * t52;
+        forces[3][0] = a_x * t47 + b_x * t49 + c_x * t51;
+        forces[3][1] = a_y * t47 + b_y * t49 + c_y * t51;
+        forces[3][2] = a_z * t47 + b_z * t49 + c_z * t51;
+        forces[4][0] = a_x * t48 + b_x * t50 + c_x * t52;
+        forces[4][1] = a_y * t48 + b_y * t50 + c_y * t52;
+        forces[4][2] = a_z * t48 + b_z * t50 + c_z * t52;
     }
     /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 141 additions, 425 multiplications, 1 divisions.
+    /// Operations: 141 additions, 340 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_tangent(
         row: &BeamSpatialCurved,
         reference: &[f64; 5],
@@ -581,210 +586,218 @@ pub mod curved_out_of_plane_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t48 = length * EIz;
-        let t49 = length * EIy;
-        let t50 = length * GJ;
-        let t51 = 0.5 * t50;
-        let t52 = length * GIz;
-        let t53 = length * GIy;
-        let t54 = t50 * (-0.5);
-        let t55 = -0.5 * t54;
-        let t56 = -0.5 * t51;
-        let t57 = 0.5 * t54;
-        let t58 = 0.5 * t51;
-        let t59 = t48 * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]);
-        let t60 = t49 * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]);
-        let t61 = t52 * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]);
-        let t62 = c_x * db_x + c_y * db_y + c_z * db_z
+        let t45 = length * EIz;
+        let t46 = length * EIy;
+        let t47 = length * GJ;
+        let t48 = 0.5 * t47;
+        let t49 = length * GIz;
+        let t50 = length * GIy;
+        let t51 = t47 * (-0.5);
+        let t52 = c_x * db_x + c_y * db_y + c_z * db_z
             - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t63 = t50 * (0.5 * t62 - reference[2]);
-        let t64 = -0.5 * t63;
-        let t65 = 0.5 * t63;
-        let t66 = t53 * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]);
-        let t67 = db_x * t48;
-        let t68 = db_y * t48;
-        let t69 = db_z * t48;
-        let t70 = a_x * t48;
-        let t71 = a_y * t48;
-        let t72 = a_z * t48;
-        let t73 = dc_x * t49;
-        let t74 = dc_y * t49;
-        let t75 = dc_z * t49;
-        let t76 = a_x * t49;
-        let t77 = a_y * t49;
-        let t78 = a_z * t49;
-        let t79 = db_x * t52;
-        let t80 = db_y * t52;
-        let t81 = db_z * t52;
-        let t82 = b_x * t52;
-        let t83 = b_y * t52;
-        let t84 = b_z * t52;
-        let t85 = dc_x * t55;
-        let t86 = dc_y * t55;
-        let t87 = dc_z * t55;
-        let t88 = db_x * t56;
-        let t89 = db_y * t56;
-        let t90 = db_z * t56;
-        let t91 = c_x * t56;
-        let t92 = c_y * t56;
-        let t93 = c_z * t56;
-        let t94 = b_x * t55;
-        let t95 = b_y * t55;
-        let t96 = b_z * t55;
-        let t97 = dc_x * t57;
-        let t98 = dc_y * t57;
-        let t99 = dc_z * t57;
-        let t100 = db_x * t58;
-        let t101 = db_y * t58;
-        let t102 = db_z * t58;
-        let t103 = c_x * t58;
-        let t104 = c_y * t58;
-        let t105 = c_z * t58;
-        let t106 = b_x * t57;
-        let t107 = b_y * t57;
-        let t108 = b_z * t57;
-        let t109 = dc_x * t53;
-        let t110 = dc_y * t53;
-        let t111 = dc_z * t53;
-        let t112 = c_x * t53;
-        let t113 = c_y * t53;
-        let t114 = c_z * t53;
-        let t115 = inverse_length * inverse_length;
-        stiffness[0][0] = db_x * t67 + dc_x * t73;
-        stiffness[0][1] = db_x * t68 + dc_x * t74;
-        stiffness[0][2] = db_x * t69 + dc_x * t75;
-        stiffness[0][3] = db_y * t67 + dc_y * t73;
-        stiffness[0][4] = db_y * t68 + dc_y * t74;
-        stiffness[0][5] = db_y * t69 + dc_y * t75;
-        stiffness[0][6] = db_z * t67 + dc_z * t73;
-        stiffness[0][7] = db_z * t68 + dc_z * t74;
-        stiffness[0][8] = db_z * t69 + dc_z * t75;
-        stiffness[1][0] = inverse_length * (t59 + db_x * t70);
-        stiffness[1][1] = inverse_length * (db_x * t71);
-        stiffness[1][2] = inverse_length * (db_x * t72);
-        stiffness[1][3] = inverse_length * (db_y * t70);
-        stiffness[1][4] = inverse_length * (t59 + db_y * t71);
-        stiffness[1][5] = inverse_length * (db_y * t72);
-        stiffness[1][6] = inverse_length * (db_z * t70);
-        stiffness[1][7] = inverse_length * (db_z * t71);
-        stiffness[1][8] = inverse_length * (t59 + db_z * t72);
-        stiffness[2][0] = inverse_length * (t60 + dc_x * t76);
-        stiffness[2][1] = inverse_length * (dc_x * t77);
-        stiffness[2][2] = inverse_length * (dc_x * t78);
-        stiffness[2][3] = inverse_length * (dc_y * t76);
-        stiffness[2][4] = inverse_length * (t60 + dc_y * t77);
-        stiffness[2][5] = inverse_length * (dc_y * t78);
-        stiffness[2][6] = inverse_length * (dc_z * t76);
-        stiffness[2][7] = inverse_length * (dc_z * t77);
-        stiffness[2][8] = inverse_length * (t60 + dc_z * t78);
-        stiffness[3][0] = db_x * t79 + dc_x * t85;
-        stiffness[3][1] = db_x * t80 + dc_x * t86;
-        stiffness[3][2] = db_x * t81 + dc_x * t87;
-        stiffness[3][3] = db_y * t79 + dc_y * t85;
-        stiffness[3][4] = db_y * t80 + dc_y * t86;
-        stiffness[3][5] = db_y * t81 + dc_y * t87;
-        stiffness[3][6] = db_z * t79 + dc_z * t85;
-        stiffness[3][7] = db_z * t80 + dc_z * t86;
-        stiffness[3][8] = db_z * t81 + dc_z * t87;
-        stiffness[4][0] = inverse_length * (t61 + (db_x * t82 + dc_x * t91));
-        stiffness[4][1] = inverse_length * (db_x * t83 + dc_x * t92);
-        stiffness[4][2] = inverse_length * (db_x * t84 + dc_x * t93);
-        stiffness[4][3] = inverse_length * (db_y * t82 + dc_y * t91);
-        stiffness[4][4] = inverse_length * (t61 + (db_y * t83 + dc_y * t92));
-        stiffness[4][5] = inverse_length * (db_y * t84 + dc_y * t93);
-        stiffness[4][6] = inverse_length * (db_z * t82 + dc_z * t91);
-        stiffness[4][7] = inverse_length * (db_z * t83 + dc_z * t92);
-        stiffness[4][8] = inverse_length * (t61 + (db_z * t84 + dc_z * t93));
-        stiffness[5][0] = inverse_length * (t61 + (b_x * t79 + c_x * t97));
-        stiffness[5][1] = inverse_length * (b_x * t80 + c_x * t98);
-        stiffness[5][2] = inverse_length * (b_x * t81 + c_x * t99);
-        stiffness[5][3] = inverse_length * (b_y * t79 + c_y * t97);
-        stiffness[5][4] = inverse_length * (t61 + (b_y * t80 + c_y * t98));
-        stiffness[5][5] = inverse_length * (b_y * t81 + c_y * t99);
-        stiffness[5][6] = inverse_length * (b_z * t79 + c_z * t97);
-        stiffness[5][7] = inverse_length * (b_z * t80 + c_z * t98);
-        stiffness[5][8] = inverse_length * (t61 + (b_z * t81 + c_z * t99));
-        stiffness[6][0] = (a_x * t70 + b_x * t82 + c_x * t103) * t115;
-        stiffness[6][1] = (a_x * t71 + b_x * t83 + c_x * t104) * t115;
-        stiffness[6][2] = (a_x * t72 + b_x * t84 + c_x * t105) * t115;
-        stiffness[6][3] = (a_y * t70 + b_y * t82 + c_y * t103) * t115;
-        stiffness[6][4] = (a_y * t71 + b_y * t83 + c_y * t104) * t115;
-        stiffness[6][5] = (a_y * t72 + b_y * t84 + c_y * t105) * t115;
-        stiffness[6][6] = (a_z * t70 + b_z * t82 + c_z * t103) * t115;
-        stiffness[6][7] = (a_z * t71 + b_z * t83 + c_z * t104) * t115;
-        stiffness[6][8] = (a_z * t72 + b_z * t84 + c_z * t105) * t115;
-        stiffness[7][0] = dc_x * t88;
-        stiffness[7][1] = dc_x * t89;
-        stiffness[7][2] = dc_x * t90;
-        stiffness[7][3] = dc_y * t88;
-        stiffness[7][4] = dc_y * t89;
-        stiffness[7][5] = dc_y * t90;
-        stiffness[7][6] = dc_z * t88;
-        stiffness[7][7] = dc_z * t89;
-        stiffness[7][8] = dc_z * t90;
-        stiffness[8][0] = inverse_length * (t64 + dc_x * t94);
-        stiffness[8][1] = inverse_length * (dc_x * t95);
-        stiffness[8][2] = inverse_length * (dc_x * t96);
-        stiffness[8][3] = inverse_length * (dc_y * t94);
-        stiffness[8][4] = inverse_length * (t64 + dc_y * t95);
-        stiffness[8][5] = inverse_length * (dc_y * t96);
-        stiffness[8][6] = inverse_length * (dc_z * t94);
-        stiffness[8][7] = inverse_length * (dc_z * t95);
-        stiffness[8][8] = inverse_length * (t64 + dc_z * t96);
-        stiffness[9][0] = inverse_length * (t65 + c_x * t100);
-        stiffness[9][1] = inverse_length * (c_x * t101);
-        stiffness[9][2] = inverse_length * (c_x * t102);
-        stiffness[9][3] = inverse_length * (c_y * t100);
-        stiffness[9][4] = inverse_length * (t65 + c_y * t101);
-        stiffness[9][5] = inverse_length * (c_y * t102);
-        stiffness[9][6] = inverse_length * (c_z * t100);
-        stiffness[9][7] = inverse_length * (c_z * t101);
-        stiffness[9][8] = inverse_length * (t65 + c_z * t102);
-        stiffness[10][0] = c_x * t106 * t115;
-        stiffness[10][1] = c_x * t107 * t115;
-        stiffness[10][2] = c_x * t108 * t115;
-        stiffness[10][3] = c_y * t106 * t115;
-        stiffness[10][4] = c_y * t107 * t115;
-        stiffness[10][5] = c_y * t108 * t115;
-        stiffness[10][6] = c_z * t106 * t115;
-        stiffness[10][7] = c_z * t107 * t115;
-        stiffness[10][8] = c_z * t108 * t115;
-        stiffness[11][0] = db_x * t100 + dc_x * t109;
-        stiffness[11][1] = db_x * t101 + dc_x * t110;
-        stiffness[11][2] = db_x * t102 + dc_x * t111;
-        stiffness[11][3] = db_y * t100 + dc_y * t109;
-        stiffness[11][4] = db_y * t101 + dc_y * t110;
-        stiffness[11][5] = db_y * t102 + dc_y * t111;
-        stiffness[11][6] = db_z * t100 + dc_z * t109;
-        stiffness[11][7] = db_z * t101 + dc_z * t110;
-        stiffness[11][8] = db_z * t102 + dc_z * t111;
-        stiffness[12][0] = inverse_length * (t66 + (db_x * t106 + dc_x * t112));
-        stiffness[12][1] = inverse_length * (db_x * t107 + dc_x * t113);
-        stiffness[12][2] = inverse_length * (db_x * t108 + dc_x * t114);
-        stiffness[12][3] = inverse_length * (db_y * t106 + dc_y * t112);
-        stiffness[12][4] = inverse_length * (t66 + (db_y * t107 + dc_y * t113));
-        stiffness[12][5] = inverse_length * (db_y * t108 + dc_y * t114);
-        stiffness[12][6] = inverse_length * (db_z * t106 + dc_z * t112);
-        stiffness[12][7] = inverse_length * (db_z * t107 + dc_z * t113);
-        stiffness[12][8] = inverse_length * (t66 + (db_z * t108 + dc_z * t114));
-        stiffness[13][0] = inverse_length * (t66 + (b_x * t88 + c_x * t109));
-        stiffness[13][1] = inverse_length * (b_x * t89 + c_x * t110);
-        stiffness[13][2] = inverse_length * (b_x * t90 + c_x * t111);
-        stiffness[13][3] = inverse_length * (b_y * t88 + c_y * t109);
-        stiffness[13][4] = inverse_length * (t66 + (b_y * t89 + c_y * t110));
-        stiffness[13][5] = inverse_length * (b_y * t90 + c_y * t111);
-        stiffness[13][6] = inverse_length * (b_z * t88 + c_z * t109);
-        stiffness[13][7] = inverse_length * (b_z * t89 + c_z * t110);
-        stiffness[13][8] = inverse_length * (t66 + (b_z * t90 + c_z * t111));
-        stiffness[14][0] = (a_x * t76 + b_x * t94 + c_x * t112) * t115;
-        stiffness[14][1] = (a_x * t77 + b_x * t95 + c_x * t113) * t115;
-        stiffness[14][2] = (a_x * t78 + b_x * t96 + c_x * t114) * t115;
-        stiffness[14][3] = (a_y * t76 + b_y * t94 + c_y * t112) * t115;
-        stiffness[14][4] = (a_y * t77 + b_y * t95 + c_y * t113) * t115;
-        stiffness[14][5] = (a_y * t78 + b_y * t96 + c_y * t114) * t115;
-        stiffness[14][6] = (a_z * t76 + b_z * t94 + c_z * t112) * t115;
-        stiffness[14][7] = (a_z * t77 + b_z * t95 + c_z * t113) * t115;
-        stiffness[14][8] = (a_z * t78 + b_z * t96 + c_z * t114) * t115;
+        let t53 = t47 * (0.5 * t52 - reference[2]);
+        let t54 = inverse_length
+            * (t45 * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]));
+        let t55 = inverse_length * inverse_length;
+        let t56 = t45 * t55;
+        let t57 = inverse_length
+            * (t46 * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]));
+        let t58 = t46 * t55;
+        let t59 = inverse_length
+            * (t49 * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
+        let t60 = t49 * t55;
+        let t61 = inverse_length * (-0.5 * t53);
+        let t62 = -0.5 * t51 * t55;
+        let t63 = -0.5 * t48 * t55;
+        let t64 = inverse_length * (0.5 * t53);
+        let t65 = 0.5 * t51 * t55;
+        let t66 = 0.5 * t48 * t55;
+        let t67 = inverse_length
+            * (t50 * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]));
+        let t68 = t50 * t55;
+        let t69 = unit_db_x * t56;
+        let t70 = unit_db_y * t56;
+        let t71 = unit_db_z * t56;
+        let t72 = a_x * t56;
+        let t73 = a_y * t56;
+        let t74 = a_z * t56;
+        let t75 = unit_dc_x * t58;
+        let t76 = unit_dc_y * t58;
+        let t77 = unit_dc_z * t58;
+        let t78 = a_x * t58;
+        let t79 = a_y * t58;
+        let t80 = a_z * t58;
+        let t81 = unit_db_x * t60;
+        let t82 = unit_db_y * t60;
+        let t83 = unit_db_z * t60;
+        let t84 = b_x * t60;
+        let t85 = b_y * t60;
+        let t86 = b_z * t60;
+        let t87 = unit_dc_x * t62;
+        let t88 = unit_dc_y * t62;
+        let t89 = unit_dc_z * t62;
+        let t90 = unit_db_x * t63;
+        let t91 = unit_db_y * t63;
+        let t92 = unit_db_z * t63;
+        let t93 = c_x * t63;
+        let t94 = c_y * t63;
+        let t95 = c_z * t63;
+        let t96 = b_x * t62;
+        let t97 = b_y * t62;
+        let t98 = b_z * t62;
+        let t99 = unit_dc_x * t65;
+        let t100 = unit_dc_y * t65;
+        let t101 = unit_dc_z * t65;
+        let t102 = unit_db_x * t66;
+        let t103 = unit_db_y * t66;
+        let t104 = unit_db_z * t66;
+        let t105 = c_x * t66;
+        let t106 = c_y * t66;
+        let t107 = c_z * t66;
+        let t108 = b_x * t65;
+        let t109 = b_y * t65;
+        let t110 = b_z * t65;
+        let t111 = unit_dc_x * t68;
+        let t112 = unit_dc_y * t68;
+        let t113 = unit_dc_z * t68;
+        let t114 = c_x * t68;
+        let t115 = c_y * t68;
+        let t116 = c_z * t68;
+        stiffness[0][0] = unit_db_x * t69 + unit_dc_x * t75;
+        stiffness[0][1] = unit_db_x * t70 + unit_dc_x * t76;
+        stiffness[0][2] = unit_db_x * t71 + unit_dc_x * t77;
+        stiffness[0][3] = unit_db_y * t69 + unit_dc_y * t75;
+        stiffness[0][4] = unit_db_y * t70 + unit_dc_y * t76;
+        stiffness[0][5] = unit_db_y * t71 + unit_dc_y * t77;
+        stiffness[0][6] = unit_db_z * t69 + unit_dc_z * t75;
+        stiffness[0][7] = unit_db_z * t70 + unit_dc_z * t76;
+        stiffness[0][8] = unit_db_z * t71 + unit_dc_z * t77;
+        stiffness[1][0] = t54 + unit_db_x * t72;
+        stiffness[1][1] = unit_db_x * t73;
+        stiffness[1][2] = unit_db_x * t74;
+        stiffness[1][3] = unit_db_y * t72;
+        stiffness[1][4] = t54 + unit_db_y * t73;
+        stiffness[1][5] = unit_db_y * t74;
+        stiffness[1][6] = unit_db_z * t72;
+        stiffness[1][7] = unit_db_z * t73;
+        stiffness[1][8] = t54 + unit_db_z * t74;
+        stiffness[2][0] = t57 + unit_dc_x * t78;
+        stiffness[2][1] = unit_dc_x * t79;
+        stiffness[2][2] = unit_dc_x * t80;
+        stiffness[2][3] = unit_dc_y * t78;
+        stiffness[2][4] = t57 + unit_dc_y * t79;
+        stiffness[2][5] = unit_dc_y * t80;
+        stiffness[2][6] = unit_dc_z * t78;
+        stiffness[2][7] = unit_dc_z * t79;
+        stiffness[2][8] = t57 + unit_dc_z * t80;
+        stiffness[3][0] = unit_db_x * t81 + unit_dc_x * t87;
+        stiffness[3][1] = unit_db_x * t82 + unit_dc_x * t88;
+        stiffness[3][2] = unit_db_x * t83 + unit_dc_x * t89;
+        stiffness[3][3] = unit_db_y * t81 + unit_dc_y * t87;
+        stiffness[3][4] = unit_db_y * t82 + unit_dc_y * t88;
+        stiffness[3][5] = unit_db_y * t83 + unit_dc_y * t89;
+        stiffness[3][6] = unit_db_z * t81 + unit_dc_z * t87;
+        stiffness[3][7] = unit_db_z * t82 + unit_dc_z * t88;
+        stiffness[3][8] = unit_db_z * t83 + unit_dc_z * t89;
+        stiffness[4][0] = t59 + (unit_db_x * t84 + unit_dc_x * t93);
+        stiffness[4][1] = unit_db_x * t85 + unit_dc_x * t94;
+        stiffness[4][2] = unit_db_x * t86 + unit_dc_x * t95;
+        stiffness[4][3] = unit_db_y * t84 + unit_dc_y * t93;
+        stiffness[4][4] = t59 + (unit_db_y * t85 + unit_dc_y * t94);
+        stiffness[4][5] = unit_db_y * t86 + unit_dc_y * t95;
+        stiffness[4][6] = unit_db_z * t84 + unit_dc_z * t93;
+        stiffness[4][7] = unit_db_z * t85 + unit_dc_z * t94;
+        stiffness[4][8] = t59 + (unit_db_z * t86 + unit_dc_z * t95);
+        stiffness[5][0] = t59 + (b_x * t81 + c_x * t99);
+        stiffness[5][1] = b_x * t82 + c_x * t100;
+        stiffness[5][2] = b_x * t83 + c_x * t101;
+        stiffness[5][3] = b_y * t81 + c_y * t99;
+        stiffness[5][4] = t59 + (b_y * t82 + c_y * t100);
+        stiffness[5][5] = b_y * t83 + c_y * t101;
+        stiffness[5][6] = b_z * t81 + c_z * t99;
+        stiffness[5][7] = b_z * t82 + c_z * t100;
+        stiffness[5][8] = t59 + (b_z * t83 + c_z * t101);
+        stiffness[6][0] = a_x * t72 + b_x * t84 + c_x * t105;
+        stiffness[6][1] = a_x * t73 + b_x * t85 + c_x * t106;
+        stiffness[6][2] = a_x * t74 + b_x * t86 + c_x * t107;
+        stiffness[6][3] = a_y * t72 + b_y * t84 + c_y * t105;
+        stiffness[6][4] = a_y * t73 + b_y * t85 + c_y * t106;
+        stiffness[6][5] = a_y * t74 + b_y * t86 + c_y * t107;
+        stiffness[6][6] = a_z * t72 + b_z * t84 + c_z * t105;
+        stiffness[6][7] = a_z * t73 + b_z * t85 + c_z * t106;
+        stiffness[6][8] = a_z * t74 + b_z * t86 + c_z * t107;
+        stiffness[7][0] = unit_dc_x * t90;
+        stiffness[7][1] = unit_dc_x * t91;
+        stiffness[7][2] = unit_dc_x * t92;
+        stiffness[7][3] = unit_dc_y * t90;
+        stiffness[7][4] = unit_dc_y * t91;
+        stiffness[7][5] = unit_dc_y * t92;
+        stiffness[7][6] = unit_dc_z * t90;
+        stiffness[7][7] = unit_dc_z * t91;
+        stiffness[7][8] = unit_dc_z * t92;
+        stiffness[8][0] = t61 + unit_dc_x * t96;
+        stiffness[8][1] = unit_dc_x * t97;
+        stiffness[8][2] = unit_dc_x * t98;
+        stiffness[8][3] = unit_dc_y * t96;
+        stiffness[8][4] = t61 + unit_dc_y * t97;
+        stiffness[8][5] = unit_dc_y * t98;
+        stiffness[8][6] = unit_dc_z * t96;
+        stiffness[8][7] = unit_dc_z * t97;
+        stiffness[8][8] = t61 + unit_dc_z * t98;
+        stiffness[9][0] = t64 + c_x * t102;
+        stiffness[9][1] = c_x * t103;
+        stiffness[9][2] = c_x * t104;
+        stiffness[9][3] = c_y * t102;
+        stiffness[9][4] = t64 + c_y * t103;
+        stiffness[9][5] = c_y * t104;
+        stiffness[9][6] = c_z * t102;
+        stiffness[9][7] = c_z * t103;
+        stiffness[9][8] = t64 + c_z * t104;
+        stiffness[10][0] = c_x * t108;
+        stiffness[10][1] = c_x * t109;
+        stiffness[10][2] = c_x * t110;
+        stiffness[10][3] = c_y * t108;
+        stiffness[10][4] = c_y * t109;
+        stiffness[10][5] = c_y * t110;
+        stiffness[10][6] = c_z * t108;
+        stiffness[10][7] = c_z * t109;
+        stiffness[10][8] = c_z * t110;
+        stiffness[11][0] = unit_db_x * t102 + unit_dc_x * t111;
+        stiffness[11][1] = unit_db_x * t103 + unit_dc_x * t112;
+        stiffness[11][2] = unit_db_x * t104 + unit_dc_x * t113;
+        stiffness[11][3] = unit_db_y * t102 + unit_dc_y * t111;
+        stiffness[11][4] = unit_db_y * t103 + unit_dc_y * t112;
+        stiffness[11][5] = unit_db_y * t104 + unit_dc_y * t113;
+        stiffness[11][6] = unit_db_z * t102 + unit_dc_z * t111;
+        stiffness[11][7] = unit_db_z * t103 + unit_dc_z * t112;
+        stiffness[11][8] = unit_db_z * t104 + unit_dc_z * t113;
+        stiffness[12][0] = t67 + (unit_db_x * t108 + unit_dc_x * t114);
+        stiffness[12][1] = unit_db_x * t109 + unit_dc_x * t115;
+        stiffness[12][2] = unit_db_x * t110 + unit_dc_x * t116;
+        stiffness[12][3] = unit_db_y * t108 + unit_dc_y * t114;
+        stiffness[12][4] = t67 + (unit_db_y * t109 + unit_dc_y * t115);
+        stiffness[12][5] = unit_db_y * t110 + unit_dc_y * t116;
+        stiffness[12][6] = unit_db_z * t108 + unit_dc_z * t114;
+        stiffness[12][7] = unit_db_z * t109 + unit_dc_z * t115;
+        stiffness[12][8] = t67 + (unit_db_z * t110 + unit_dc_z * t116);
+        stiffness[13][0] = t67 + (b_x * t90 + c_x * t111);
+        stiffness[13][1] = b_x * t91 + c_x * t112;
+        stiffness[13][2] = b_x * t92 + c_x * t113;
+        stiffness[13][3] = b_y * t90 + c_y * t111;
+        stiffness[13][4] = t67 + (b_y * t91 + c_y * t112);
+        stiffness[13][5] = b_y * t92 + c_y * t113;
+        stiffness[13][6] = b_z * t90 + c_z * t111;
+        stiffness[13][7] = b_z * t91 + c_z * t112;
+        stiffness[13][8] = t67 + (b_z * t92 + c_z * t113);
+        stiffness[14][0] = a_x * t78 + b_x * t96 + c_x * t114;
+        stiffness[14][1] = a_x * t79 + b_x * t97 + c_x * t115;
+        stiffness[14][2] = a_x * t80 + b_x * t98 + c_x * t116;
+        stiffness[14][3] = a_y * t78 + b_y * t96 + c_y * t114;
+        stiffness[14][4] = a_y * t79 + b_y * t97 + c_y * t115;
+        stiffness[14][5] = a_y * t80 + b_y * t98 + c_y * t116;
+        stiffness[14][6] = a_z * t78 + b_z * t96 + c_z * t114;
+        stiffness[14][7] = a_z * t79 + b_z * t97 + c_z * t115;
+        stiffness[14][8] = a_z * t80 + b_z * t98 + c_z * t116;
     }
     /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
@@ -817,19 +830,19 @@ pub mod curved_out_of_plane_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t48 = c_x * db_x + c_y * db_y + c_z * db_z
+        let t45 = c_x * db_x + c_y * db_y + c_z * db_z
             - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t49 = 0.5 * (length * EIz)
+        let t46 = 0.5 * (length * EIz)
             * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]).powi(2);
-        let t50 = 0.5 * (length * EIy)
+        let t47 = 0.5 * (length * EIy)
             * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]).powi(2);
-        let t51 = 0.5 * (length * GIz)
+        let t48 = 0.5 * (length * GIz)
             * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]).powi(2);
-        let t52 = t49 + t50 + 0.5 * (length * GJ) * (0.5 * t48 - reference[2]).powi(2)
-            + t51;
-        let t53 = 0.5 * (length * GIy)
+        let t49 = t46 + t47 + 0.5 * (length * GJ) * (0.5 * t45 - reference[2]).powi(2)
+            + t48;
+        let t50 = 0.5 * (length * GIy)
             * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]).powi(2);
-        *energy = t52 + t53;
+        *energy = t49 + t50;
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
@@ -878,7 +891,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 4566 additions, 5377 multiplications, 2 divisions.
+    /// Operations: 4566 additions, 5207 multiplications, 2 divisions.
     pub fn beam_spatial_curved_elastic_tangent(
         row: &BeamSpatialCurved,
         reference: &[f64; 28],
@@ -976,136 +989,136 @@ pub mod curved_out_of_plane_equations {
         let d_x = inverse_length * (r1_x - r0_x);
         let d_y = inverse_length * (r1_y - r0_y);
         let d_z = inverse_length * (r1_z - r0_z);
-        let t50 = d_x * 0.6;
-        let t51 = d_y * 0.6;
-        let t52 = d_z * 0.6;
-        let t53 = r0x_x * 0.5872983346207417 + t50 + r1x_x * (-0.18729833462074166);
-        let t54 = r0x_y * 0.5872983346207417 + t51 + r1x_y * (-0.18729833462074166);
-        let t55 = r0x_z * 0.5872983346207417 + t52 + r1x_z * (-0.18729833462074166);
-        let t56 = ry_half_x * 0.39999999999999997;
-        let t57 = ry_half_y * 0.39999999999999997;
-        let t58 = ry_half_z * 0.39999999999999997;
-        let t59 = r0y_x * 0.6872983346207417 + t56 + r1y_x * (-0.08729833462074169);
-        let t60 = r0y_y * 0.6872983346207417 + t57 + r1y_y * (-0.08729833462074169);
-        let t61 = r0y_z * 0.6872983346207417 + t58 + r1y_z * (-0.08729833462074169);
-        let t62 = rz_half_x * 0.39999999999999997;
-        let t63 = rz_half_y * 0.39999999999999997;
-        let t64 = rz_half_z * 0.39999999999999997;
-        let t65 = r0z_x * 0.6872983346207417 + t62 + r1z_x * (-0.08729833462074169);
-        let t66 = r0z_y * 0.6872983346207417 + t63 + r1z_y * (-0.08729833462074169);
-        let t67 = r0z_z * 0.6872983346207417 + t64 + r1z_z * (-0.08729833462074169);
-        let t68 = r0x_x * (-0.25) + d_x * 1.5 + r1x_x * (-0.25);
-        let t69 = r0x_y * (-0.25) + d_y * 1.5 + r1x_y * (-0.25);
-        let t70 = r0x_z * (-0.25) + d_z * 1.5 + r1x_z * (-0.25);
-        let t71 = t50 + r0x_x * (-0.18729833462074175) + r1x_x * 0.5872983346207418;
-        let t72 = t51 + r0x_y * (-0.18729833462074175) + r1x_y * 0.5872983346207418;
-        let t73 = t52 + r0x_z * (-0.18729833462074175) + r1x_z * 0.5872983346207418;
-        let t74 = t56 + r0y_x * (-0.08729833462074166) + r1y_x * 0.6872983346207417;
-        let t75 = t57 + r0y_y * (-0.08729833462074166) + r1y_y * 0.6872983346207417;
-        let t76 = t58 + r0y_z * (-0.08729833462074166) + r1y_z * 0.6872983346207417;
-        let t77 = t62 + r0z_x * (-0.08729833462074166) + r1z_x * 0.6872983346207417;
-        let t78 = t63 + r0z_y * (-0.08729833462074166) + r1z_y * 0.6872983346207417;
-        let t79 = t64 + r0z_z * (-0.08729833462074166) + r1z_z * 0.6872983346207417;
-        let t80 = d_x + r0x_x * 0.28867513459481287 + r1x_x * (-0.2886751345948129);
-        let t81 = d_y + r0x_y * 0.28867513459481287 + r1x_y * (-0.2886751345948129);
-        let t82 = d_z + r0x_z * 0.28867513459481287 + r1x_z * (-0.2886751345948129);
-        let t83 = ry_half_x * 0.6666666666666667;
-        let t84 = ry_half_y * 0.6666666666666667;
-        let t85 = ry_half_z * 0.6666666666666667;
-        let t86 = r0y_x * 0.4553418012614795 + t83 + r1y_x * (-0.12200846792814622);
-        let t87 = r0y_y * 0.4553418012614795 + t84 + r1y_y * (-0.12200846792814622);
-        let t88 = r0y_z * 0.4553418012614795 + t85 + r1y_z * (-0.12200846792814622);
-        let t89 = rz_half_x * 0.6666666666666667;
-        let t90 = rz_half_y * 0.6666666666666667;
-        let t91 = rz_half_z * 0.6666666666666667;
-        let t92 = r0z_x * 0.4553418012614795 + t89 + r1z_x * (-0.12200846792814622);
-        let t93 = r0z_y * 0.4553418012614795 + t90 + r1z_y * (-0.12200846792814622);
-        let t94 = r0z_z * 0.4553418012614795 + t91 + r1z_z * (-0.12200846792814622);
-        let t95 = inverse_length
+        let t47 = d_x * 0.6;
+        let t48 = d_y * 0.6;
+        let t49 = d_z * 0.6;
+        let t50 = r0x_x * 0.5872983346207417 + t47 + r1x_x * (-0.18729833462074166);
+        let t51 = r0x_y * 0.5872983346207417 + t48 + r1x_y * (-0.18729833462074166);
+        let t52 = r0x_z * 0.5872983346207417 + t49 + r1x_z * (-0.18729833462074166);
+        let t53 = ry_half_x * 0.39999999999999997;
+        let t54 = ry_half_y * 0.39999999999999997;
+        let t55 = ry_half_z * 0.39999999999999997;
+        let t56 = r0y_x * 0.6872983346207417 + t53 + r1y_x * (-0.08729833462074169);
+        let t57 = r0y_y * 0.6872983346207417 + t54 + r1y_y * (-0.08729833462074169);
+        let t58 = r0y_z * 0.6872983346207417 + t55 + r1y_z * (-0.08729833462074169);
+        let t59 = rz_half_x * 0.39999999999999997;
+        let t60 = rz_half_y * 0.39999999999999997;
+        let t61 = rz_half_z * 0.39999999999999997;
+        let t62 = r0z_x * 0.6872983346207417 + t59 + r1z_x * (-0.08729833462074169);
+        let t63 = r0z_y * 0.6872983346207417 + t60 + r1z_y * (-0.08729833462074169);
+        let t64 = r0z_z * 0.6872983346207417 + t61 + r1z_z * (-0.08729833462074169);
+        let t65 = r0x_x * (-0.25) + d_x * 1.5 + r1x_x * (-0.25);
+        let t66 = r0x_y * (-0.25) + d_y * 1.5 + r1x_y * (-0.25);
+        let t67 = r0x_z * (-0.25) + d_z * 1.5 + r1x_z * (-0.25);
+        let t68 = t47 + r0x_x * (-0.18729833462074175) + r1x_x * 0.5872983346207418;
+        let t69 = t48 + r0x_y * (-0.18729833462074175) + r1x_y * 0.5872983346207418;
+        let t70 = t49 + r0x_z * (-0.18729833462074175) + r1x_z * 0.5872983346207418;
+        let t71 = t53 + r0y_x * (-0.08729833462074166) + r1y_x * 0.6872983346207417;
+        let t72 = t54 + r0y_y * (-0.08729833462074166) + r1y_y * 0.6872983346207417;
+        let t73 = t55 + r0y_z * (-0.08729833462074166) + r1y_z * 0.6872983346207417;
+        let t74 = t59 + r0z_x * (-0.08729833462074166) + r1z_x * 0.6872983346207417;
+        let t75 = t60 + r0z_y * (-0.08729833462074166) + r1z_y * 0.6872983346207417;
+        let t76 = t61 + r0z_z * (-0.08729833462074166) + r1z_z * 0.6872983346207417;
+        let t77 = d_x + r0x_x * 0.28867513459481287 + r1x_x * (-0.2886751345948129);
+        let t78 = d_y + r0x_y * 0.28867513459481287 + r1x_y * (-0.2886751345948129);
+        let t79 = d_z + r0x_z * 0.28867513459481287 + r1x_z * (-0.2886751345948129);
+        let t80 = ry_half_x * 0.6666666666666667;
+        let t81 = ry_half_y * 0.6666666666666667;
+        let t82 = ry_half_z * 0.6666666666666667;
+        let t83 = r0y_x * 0.4553418012614795 + t80 + r1y_x * (-0.12200846792814622);
+        let t84 = r0y_y * 0.4553418012614795 + t81 + r1y_y * (-0.12200846792814622);
+        let t85 = r0y_z * 0.4553418012614795 + t82 + r1y_z * (-0.12200846792814622);
+        let t86 = rz_half_x * 0.6666666666666667;
+        let t87 = rz_half_y * 0.6666666666666667;
+        let t88 = rz_half_z * 0.6666666666666667;
+        let t89 = r0z_x * 0.4553418012614795 + t86 + r1z_x * (-0.12200846792814622);
+        let t90 = r0z_y * 0.4553418012614795 + t87 + r1z_y * (-0.12200846792814622);
+        let t91 = r0z_z * 0.4553418012614795 + t88 + r1z_z * (-0.12200846792814622);
+        let t92 = inverse_length
             * (r0y_x * (-2.1547005383792515) + ry_half_x * 2.309401076758503
                 + r1y_x * (-0.15470053837925146));
-        let t96 = inverse_length
+        let t93 = inverse_length
             * (r0y_y * (-2.1547005383792515) + ry_half_y * 2.309401076758503
                 + r1y_y * (-0.15470053837925146));
-        let t97 = inverse_length
+        let t94 = inverse_length
             * (r0y_z * (-2.1547005383792515) + ry_half_z * 2.309401076758503
                 + r1y_z * (-0.15470053837925146));
-        let t98 = inverse_length
+        let t95 = inverse_length
             * (r0z_x * (-2.1547005383792515) + rz_half_x * 2.309401076758503
                 + r1z_x * (-0.15470053837925146));
-        let t99 = inverse_length
+        let t96 = inverse_length
             * (r0z_y * (-2.1547005383792515) + rz_half_y * 2.309401076758503
                 + r1z_y * (-0.15470053837925146));
-        let t100 = inverse_length
+        let t97 = inverse_length
             * (r0z_z * (-2.1547005383792515) + rz_half_z * 2.309401076758503
                 + r1z_z * (-0.15470053837925146));
-        let t101 = t92 * t95 + t93 * t96 + t94 * t97
-            - (t86 * t98 + t87 * t99 + t88 * t100);
-        let t102 = r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
+        let t98 = t89 * t92 + t90 * t93 + t91 * t94
+            - (t83 * t95 + t84 * t96 + t85 * t97);
+        let t99 = r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
             + r1x_x * 0.28867513459481264;
-        let t103 = r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
+        let t100 = r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
             + r1x_y * 0.28867513459481264;
-        let t104 = r0x_z * (-0.2886751345948131) + d_z * 1.0000000000000004
+        let t101 = r0x_z * (-0.2886751345948131) + d_z * 1.0000000000000004
             + r1x_z * 0.28867513459481264;
-        let t105 = t83 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795;
-        let t106 = t84 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795;
-        let t107 = t85 + r0y_z * (-0.12200846792814612) + r1y_z * 0.4553418012614795;
-        let t108 = t89 + r0z_x * (-0.12200846792814612) + r1z_x * 0.4553418012614795;
-        let t109 = t90 + r0z_y * (-0.12200846792814612) + r1z_y * 0.4553418012614795;
-        let t110 = t91 + r0z_z * (-0.12200846792814612) + r1z_z * 0.4553418012614795;
-        let t111 = inverse_length
+        let t102 = t80 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795;
+        let t103 = t81 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795;
+        let t104 = t82 + r0y_z * (-0.12200846792814612) + r1y_z * 0.4553418012614795;
+        let t105 = t86 + r0z_x * (-0.12200846792814612) + r1z_x * 0.4553418012614795;
+        let t106 = t87 + r0z_y * (-0.12200846792814612) + r1z_y * 0.4553418012614795;
+        let t107 = t88 + r0z_z * (-0.12200846792814612) + r1z_z * 0.4553418012614795;
+        let t108 = inverse_length
             * (r0y_x * 0.15470053837925146 + ry_half_x * (-2.309401076758503)
                 + r1y_x * 2.1547005383792515);
-        let t112 = inverse_length
+        let t109 = inverse_length
             * (r0y_y * 0.15470053837925146 + ry_half_y * (-2.309401076758503)
                 + r1y_y * 2.1547005383792515);
-        let t113 = inverse_length
+        let t110 = inverse_length
             * (r0y_z * 0.15470053837925146 + ry_half_z * (-2.309401076758503)
                 + r1y_z * 2.1547005383792515);
-        let t114 = inverse_length
+        let t111 = inverse_length
             * (r0z_x * 0.15470053837925146 + rz_half_x * (-2.309401076758503)
                 + r1z_x * 2.1547005383792515);
-        let t115 = inverse_length
+        let t112 = inverse_length
             * (r0z_y * 0.15470053837925146 + rz_half_y * (-2.309401076758503)
                 + r1z_y * 2.1547005383792515);
-        let t116 = inverse_length
+        let t113 = inverse_length
             * (r0z_z * 0.15470053837925146 + rz_half_z * (-2.309401076758503)
                 + r1z_z * 2.1547005383792515);
-        let t117 = t108 * t111 + t109 * t112 + t110 * t113
-            - (t105 * t114 + t106 * t115 + t107 * t116);
-        reference[0] = 0.5 * (t53 * t53 + t54 * t54 + t55 * t55 - 1.0);
-        reference[1] = 0.5 * (t59 * t59 + t60 * t60 + t61 * t61 - 1.0);
-        reference[2] = 0.5 * (t65 * t65 + t66 * t66 + t67 * t67 - 1.0);
-        reference[3] = t53 * t59 + t54 * t60 + t55 * t61;
-        reference[4] = t53 * t65 + t54 * t66 + t55 * t67;
-        reference[5] = t59 * t65 + t60 * t66 + t61 * t67;
-        reference[6] = 0.5 * (t68 * t68 + t69 * t69 + t70 * t70 - 1.0);
+        let t114 = t105 * t108 + t106 * t109 + t107 * t110
+            - (t102 * t111 + t103 * t112 + t104 * t113);
+        reference[0] = 0.5 * (t50 * t50 + t51 * t51 + t52 * t52 - 1.0);
+        reference[1] = 0.5 * (t56 * t56 + t57 * t57 + t58 * t58 - 1.0);
+        reference[2] = 0.5 * (t62 * t62 + t63 * t63 + t64 * t64 - 1.0);
+        reference[3] = t50 * t56 + t51 * t57 + t52 * t58;
+        reference[4] = t50 * t62 + t51 * t63 + t52 * t64;
+        reference[5] = t56 * t62 + t57 * t63 + t58 * t64;
+        reference[6] = 0.5 * (t65 * t65 + t66 * t66 + t67 * t67 - 1.0);
         reference[7] = 0.5
             * (ry_half_x * ry_half_x + ry_half_y * ry_half_y + ry_half_z * ry_half_z
                 - 1.0);
         reference[8] = 0.5
             * (rz_half_x * rz_half_x + rz_half_y * rz_half_y + rz_half_z * rz_half_z
                 - 1.0);
-        reference[9] = ry_half_x * t68 + ry_half_y * t69 + ry_half_z * t70;
-        reference[10] = rz_half_x * t68 + rz_half_y * t69 + rz_half_z * t70;
+        reference[9] = ry_half_x * t65 + ry_half_y * t66 + ry_half_z * t67;
+        reference[10] = rz_half_x * t65 + rz_half_y * t66 + rz_half_z * t67;
         reference[11] = ry_half_x * rz_half_x + ry_half_y * rz_half_y
             + ry_half_z * rz_half_z;
-        reference[12] = 0.5 * (t71 * t71 + t72 * t72 + t73 * t73 - 1.0);
-        reference[13] = 0.5 * (t74 * t74 + t75 * t75 + t76 * t76 - 1.0);
-        reference[14] = 0.5 * (t77 * t77 + t78 * t78 + t79 * t79 - 1.0);
-        reference[15] = t71 * t74 + t72 * t75 + t73 * t76;
-        reference[16] = t71 * t77 + t72 * t78 + t73 * t79;
-        reference[17] = t74 * t77 + t75 * t78 + t76 * t79;
-        reference[18] = t80 * t95 + t81 * t96 + t82 * t97;
-        reference[19] = t80 * t98 + t81 * t99 + t82 * t100;
-        reference[20] = 0.5 * t101;
-        reference[21] = t86 * t95 + t87 * t96 + t88 * t97;
-        reference[22] = t92 * t98 + t93 * t99 + t94 * t100;
-        reference[23] = t102 * t111 + t103 * t112 + t104 * t113;
-        reference[24] = t102 * t114 + t103 * t115 + t104 * t116;
-        reference[25] = 0.5 * t117;
-        reference[26] = t105 * t111 + t106 * t112 + t107 * t113;
-        reference[27] = t108 * t114 + t109 * t115 + t110 * t116;
+        reference[12] = 0.5 * (t68 * t68 + t69 * t69 + t70 * t70 - 1.0);
+        reference[13] = 0.5 * (t71 * t71 + t72 * t72 + t73 * t73 - 1.0);
+        reference[14] = 0.5 * (t74 * t74 + t75 * t75 + t76 * t76 - 1.0);
+        reference[15] = t68 * t71 + t69 * t72 + t70 * t73;
+        reference[16] = t68 * t74 + t69 * t75 + t70 * t76;
+        reference[17] = t71 * t74 + t72 * t75 + t73 * t76;
+        reference[18] = t77 * t92 + t78 * t93 + t79 * t94;
+        reference[19] = t77 * t95 + t78 * t96 + t79 * t97;
+        reference[20] = 0.5 * t98;
+        reference[21] = t83 * t92 + t84 * t93 + t85 * t94;
+        reference[22] = t89 * t95 + t90 * t96 + t91 * t97;
+        reference[23] = t99 * t108 + t100 * t109 + t101 * t110;
+        reference[24] = t99 * t111 + t100 * t112 + t101 * t113;
+        reference[25] = 0.5 * t114;
+        reference[26] = t102 * t108 + t103 * t109 + t104 * t110;
+        reference[27] = t105 * t111 + t106 * t112 + t107 * t113;
     }
     /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
     ///
@@ -1118,14 +1131,14 @@ pub mod curved_out_of_plane_equations {
         let section_y_mass = length * rhoIz;
         let section_z_mass = length * rhoIy;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t23 = length * element_mass;
-        let mass_r0_r0x = t23 * 0.05238095238095238;
+        let t20 = length * element_mass;
+        let mass_r0_r0x = t20 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t23 * (-0.030952380952380953);
-        let t27 = element_mass * (length * length);
-        let mass_r0x_r0x = t27 * 0.009523809523809525;
-        let mass_r0x_r1 = t23 * 0.030952380952380953;
-        let mass_r0x_r1x = t27 * (-0.007142857142857143);
+        let mass_r0_r1x = t20 * (-0.030952380952380953);
+        let t24 = element_mass * (length * length);
+        let mass_r0x_r0x = t24 * 0.009523809523809525;
+        let mass_r0x_r1 = t20 * 0.030952380952380953;
+        let mass_r0x_r1x = t24 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
@@ -1134,7 +1147,7 @@ pub mod curved_out_of_plane_equations {
         let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
         let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
-        let mass_r1_r1x = t23 * (-0.05238095238095238);
+        let mass_r1_r1x = t20 * (-0.05238095238095238);
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_r0x;
         mass[2] = 0.0;
@@ -1266,150 +1279,150 @@ pub mod curved_out_of_plane_equations {
         let element_mass = length * rhoA;
         let section_y_mass = length * rhoIz;
         let section_z_mass = length * rhoIy;
-        let t121 = r0_z * w_y - r0_y * w_z;
-        let t122 = r0_x * w_z - r0_z * w_x;
-        let t123 = r0_y * w_x - r0_x * w_y;
-        let t124 = r0_z * dw_y - r0_y * dw_z
+        let t118 = r0_z * w_y - r0_y * w_z;
+        let t119 = r0_x * w_z - r0_z * w_x;
+        let t120 = r0_y * w_x - r0_x * w_y;
+        let t121 = r0_z * dw_y - r0_y * dw_z
             + (a_r0_x + (v_r0_z * w_y - v_r0_y * w_z) * 2.0);
-        let t125 = r0_x * dw_z - r0_z * dw_x
+        let t122 = r0_x * dw_z - r0_z * dw_x
             + (a_r0_y + (v_r0_x * w_z - v_r0_z * w_x) * 2.0);
-        let t126 = r0_y * dw_x - r0_x * dw_y
+        let t123 = r0_y * dw_x - r0_x * dw_y
             + (a_r0_z + (v_r0_y * w_x - v_r0_x * w_y) * 2.0);
-        let total_r0_x = e_x + (w_y * t123 - w_z * t122 + t124);
-        let total_r0_y = e_y + (w_z * t121 - w_x * t123 + t125);
-        let total_r0_z = e_z + (w_x * t122 - w_y * t121 + t126);
-        let t130 = r0x_z * w_y - r0x_y * w_z;
-        let t131 = r0x_x * w_z - r0x_z * w_x;
-        let t132 = r0x_y * w_x - r0x_x * w_y;
-        let t133 = r0x_z * dw_y - r0x_y * dw_z
+        let total_r0_x = e_x + (w_y * t120 - w_z * t119 + t121);
+        let total_r0_y = e_y + (w_z * t118 - w_x * t120 + t122);
+        let total_r0_z = e_z + (w_x * t119 - w_y * t118 + t123);
+        let t127 = r0x_z * w_y - r0x_y * w_z;
+        let t128 = r0x_x * w_z - r0x_z * w_x;
+        let t129 = r0x_y * w_x - r0x_x * w_y;
+        let t130 = r0x_z * dw_y - r0x_y * dw_z
             + (a_r0x_x + 2.0 * (v_r0x_z * w_y - v_r0x_y * w_z));
-        let t134 = r0x_x * dw_z - r0x_z * dw_x
+        let t131 = r0x_x * dw_z - r0x_z * dw_x
             + (a_r0x_y + 2.0 * (v_r0x_x * w_z - v_r0x_z * w_x));
-        let t135 = r0x_y * dw_x - r0x_x * dw_y
+        let t132 = r0x_y * dw_x - r0x_x * dw_y
             + (a_r0x_z + 2.0 * (v_r0x_y * w_x - v_r0x_x * w_y));
-        let total_r0x_x = w_y * t132 - w_z * t131 + t133;
-        let total_r0x_y = w_z * t130 - w_x * t132 + t134;
-        let total_r0x_z = w_x * t131 - w_y * t130 + t135;
-        let t139 = r0y_z * w_y - r0y_y * w_z;
-        let t140 = r0y_x * w_z - r0y_z * w_x;
-        let t141 = r0y_y * w_x - r0y_x * w_y;
-        let t142 = r0y_z * dw_y - r0y_y * dw_z
+        let total_r0x_x = w_y * t129 - w_z * t128 + t130;
+        let total_r0x_y = w_z * t127 - w_x * t129 + t131;
+        let total_r0x_z = w_x * t128 - w_y * t127 + t132;
+        let t136 = r0y_z * w_y - r0y_y * w_z;
+        let t137 = r0y_x * w_z - r0y_z * w_x;
+        let t138 = r0y_y * w_x - r0y_x * w_y;
+        let t139 = r0y_z * dw_y - r0y_y * dw_z
             + (a_r0y_x + 2.0 * (v_r0y_z * w_y - v_r0y_y * w_z));
-        let t143 = r0y_x * dw_z - r0y_z * dw_x
+        let t140 = r0y_x * dw_z - r0y_z * dw_x
             + (a_r0y_y + 2.0 * (v_r0y_x * w_z - v_r0y_z * w_x));
-        let t144 = r0y_y * dw_x - r0y_x * dw_y
+        let t141 = r0y_y * dw_x - r0y_x * dw_y
             + (a_r0y_z + 2.0 * (v_r0y_y * w_x - v_r0y_x * w_y));
-        let total_r0y_x = w_y * t141 - w_z * t140 + t142;
-        let total_r0y_y = w_z * t139 - w_x * t141 + t143;
-        let total_r0y_z = w_x * t140 - w_y * t139 + t144;
-        let t148 = r0z_z * w_y - r0z_y * w_z;
-        let t149 = r0z_x * w_z - r0z_z * w_x;
-        let t150 = r0z_y * w_x - r0z_x * w_y;
-        let t151 = r0z_z * dw_y - r0z_y * dw_z
+        let total_r0y_x = w_y * t138 - w_z * t137 + t139;
+        let total_r0y_y = w_z * t136 - w_x * t138 + t140;
+        let total_r0y_z = w_x * t137 - w_y * t136 + t141;
+        let t145 = r0z_z * w_y - r0z_y * w_z;
+        let t146 = r0z_x * w_z - r0z_z * w_x;
+        let t147 = r0z_y * w_x - r0z_x * w_y;
+        let t148 = r0z_z * dw_y - r0z_y * dw_z
             + (a_r0z_x + 2.0 * (v_r0z_z * w_y - v_r0z_y * w_z));
-        let t152 = r0z_x * dw_z - r0z_z * dw_x
+        let t149 = r0z_x * dw_z - r0z_z * dw_x
             + (a_r0z_y + 2.0 * (v_r0z_x * w_z - v_r0z_z * w_x));
-        let t153 = r0z_y * dw_x - r0z_x * dw_y
+        let t150 = r0z_y * dw_x - r0z_x * dw_y
             + (a_r0z_z + 2.0 * (v_r0z_y * w_x - v_r0z_x * w_y));
-        let total_r0z_x = w_y * t150 - w_z * t149 + t151;
-        let total_r0z_y = w_z * t148 - w_x * t150 + t152;
-        let total_r0z_z = w_x * t149 - w_y * t148 + t153;
-        let t157 = ry_half_z * w_y - ry_half_y * w_z;
-        let t158 = ry_half_x * w_z - ry_half_z * w_x;
-        let t159 = ry_half_y * w_x - ry_half_x * w_y;
-        let t160 = ry_half_z * dw_y - ry_half_y * dw_z
+        let total_r0z_x = w_y * t147 - w_z * t146 + t148;
+        let total_r0z_y = w_z * t145 - w_x * t147 + t149;
+        let total_r0z_z = w_x * t146 - w_y * t145 + t150;
+        let t154 = ry_half_z * w_y - ry_half_y * w_z;
+        let t155 = ry_half_x * w_z - ry_half_z * w_x;
+        let t156 = ry_half_y * w_x - ry_half_x * w_y;
+        let t157 = ry_half_z * dw_y - ry_half_y * dw_z
             + (a_ry_half_x + 2.0 * (v_ry_half_z * w_y - v_ry_half_y * w_z));
-        let t161 = ry_half_x * dw_z - ry_half_z * dw_x
+        let t158 = ry_half_x * dw_z - ry_half_z * dw_x
             + (a_ry_half_y + 2.0 * (v_ry_half_x * w_z - v_ry_half_z * w_x));
-        let t162 = ry_half_y * dw_x - ry_half_x * dw_y
+        let t159 = ry_half_y * dw_x - ry_half_x * dw_y
             + (a_ry_half_z + 2.0 * (v_ry_half_y * w_x - v_ry_half_x * w_y));
-        let total_ry_half_x = w_y * t159 - w_z * t158 + t160;
-        let total_ry_half_y = w_z * t157 - w_x * t159 + t161;
-        let total_ry_half_z = w_x * t158 - w_y * t157 + t162;
-        let t166 = rz_half_z * w_y - rz_half_y * w_z;
-        let t167 = rz_half_x * w_z - rz_half_z * w_x;
-        let t168 = rz_half_y * w_x - rz_half_x * w_y;
-        let t169 = rz_half_z * dw_y - rz_half_y * dw_z
+        let total_ry_half_x = w_y * t156 - w_z * t155 + t157;
+        let total_ry_half_y = w_z * t154 - w_x * t156 + t158;
+        let total_ry_half_z = w_x * t155 - w_y * t154 + t159;
+        let t163 = rz_half_z * w_y - rz_half_y * w_z;
+        let t164 = rz_half_x * w_z - rz_half_z * w_x;
+        let t165 = rz_half_y * w_x - rz_half_x * w_y;
+        let t166 = rz_half_z * dw_y - rz_half_y * dw_z
             + (a_rz_half_x + 2.0 * (v_rz_half_z * w_y - v_rz_half_y * w_z));
-        let t170 = rz_half_x * dw_z - rz_half_z * dw_x
+        let t167 = rz_half_x * dw_z - rz_half_z * dw_x
             + (a_rz_half_y + 2.0 * (v_rz_half_x * w_z - v_rz_half_z * w_x));
-        let t171 = rz_half_y * dw_x - rz_half_x * dw_y
+        let t168 = rz_half_y * dw_x - rz_half_x * dw_y
             + (a_rz_half_z + 2.0 * (v_rz_half_y * w_x - v_rz_half_x * w_y));
-        let total_rz_half_x = w_y * t168 - w_z * t167 + t169;
-        let total_rz_half_y = w_z * t166 - w_x * t168 + t170;
-        let total_rz_half_z = w_x * t167 - w_y * t166 + t171;
-        let t175 = r1_z * w_y - r1_y * w_z;
-        let t176 = r1_x * w_z - r1_z * w_x;
-        let t177 = r1_y * w_x - r1_x * w_y;
-        let t178 = r1_z * dw_y - r1_y * dw_z
+        let total_rz_half_x = w_y * t165 - w_z * t164 + t166;
+        let total_rz_half_y = w_z * t163 - w_x * t165 + t167;
+        let total_rz_half_z = w_x * t164 - w_y * t163 + t168;
+        let t172 = r1_z * w_y - r1_y * w_z;
+        let t173 = r1_x * w_z - r1_z * w_x;
+        let t174 = r1_y * w_x - r1_x * w_y;
+        let t175 = r1_z * dw_y - r1_y * dw_z
             + (a_r1_x + 2.0 * (v_r1_z * w_y - v_r1_y * w_z));
-        let t179 = r1_x * dw_z - r1_z * dw_x
+        let t176 = r1_x * dw_z - r1_z * dw_x
             + (a_r1_y + 2.0 * (v_r1_x * w_z - v_r1_z * w_x));
-        let t180 = r1_y * dw_x - r1_x * dw_y
+        let t177 = r1_y * dw_x - r1_x * dw_y
             + (a_r1_z + 2.0 * (v_r1_y * w_x - v_r1_x * w_y));
-        let total_r1_x = e_x + (w_y * t177 - w_z * t176 + t178);
-        let total_r1_y = e_y + (w_z * t175 - w_x * t177 + t179);
-        let total_r1_z = e_z + (w_x * t176 - w_y * t175 + t180);
-        let t184 = r1x_z * w_y - r1x_y * w_z;
-        let t185 = r1x_x * w_z - r1x_z * w_x;
-        let t186 = r1x_y * w_x - r1x_x * w_y;
-        let t187 = r1x_z * dw_y - r1x_y * dw_z
+        let total_r1_x = e_x + (w_y * t174 - w_z * t173 + t175);
+        let total_r1_y = e_y + (w_z * t172 - w_x * t174 + t176);
+        let total_r1_z = e_z + (w_x * t173 - w_y * t172 + t177);
+        let t181 = r1x_z * w_y - r1x_y * w_z;
+        let t182 = r1x_x * w_z - r1x_z * w_x;
+        let t183 = r1x_y * w_x - r1x_x * w_y;
+        let t184 = r1x_z * dw_y - r1x_y * dw_z
             + (a_r1x_x + 2.0 * (v_r1x_z * w_y - v_r1x_y * w_z));
-        let t188 = r1x_x * dw_z - r1x_z * dw_x
+        let t185 = r1x_x * dw_z - r1x_z * dw_x
             + (a_r1x_y + 2.0 * (v_r1x_x * w_z - v_r1x_z * w_x));
-        let t189 = r1x_y * dw_x - r1x_x * dw_y
+        let t186 = r1x_y * dw_x - r1x_x * dw_y
             + (a_r1x_z + 2.0 * (v_r1x_y * w_x - v_r1x_x * w_y));
-        let total_r1x_x = w_y * t186 - w_z * t185 + t187;
-        let total_r1x_y = w_z * t184 - w_x * t186 + t188;
-        let total_r1x_z = w_x * t185 - w_y * t184 + t189;
-        let t193 = r1y_z * w_y - r1y_y * w_z;
-        let t194 = r1y_x * w_z - r1y_z * w_x;
-        let t195 = r1y_y * w_x - r1y_x * w_y;
-        let t196 = r1y_z * dw_y - r1y_y * dw_z
+        let total_r1x_x = w_y * t183 - w_z * t182 + t184;
+        let total_r1x_y = w_z * t181 - w_x * t183 + t185;
+        let total_r1x_z = w_x * t182 - w_y * t181 + t186;
+        let t190 = r1y_z * w_y - r1y_y * w_z;
+        let t191 = r1y_x * w_z - r1y_z * w_x;
+        let t192 = r1y_y * w_x - r1y_x * w_y;
+        let t193 = r1y_z * dw_y - r1y_y * dw_z
             + (a_r1y_x + 2.0 * (v_r1y_z * w_y - v_r1y_y * w_z));
-        let t197 = r1y_x * dw_z - r1y_z * dw_x
+        let t194 = r1y_x * dw_z - r1y_z * dw_x
             + (a_r1y_y + 2.0 * (v_r1y_x * w_z - v_r1y_z * w_x));
-        let t198 = r1y_y * dw_x - r1y_x * dw_y
+        let t195 = r1y_y * dw_x - r1y_x * dw_y
             + (a_r1y_z + 2.0 * (v_r1y_y * w_x - v_r1y_x * w_y));
-        let total_r1y_x = w_y * t195 - w_z * t194 + t196;
-        let total_r1y_y = w_z * t193 - w_x * t195 + t197;
-        let total_r1y_z = w_x * t194 - w_y * t193 + t198;
-        let t202 = r1z_z * w_y - r1z_y * w_z;
-        let t203 = r1z_x * w_z - r1z_z * w_x;
-        let t204 = r1z_y * w_x - r1z_x * w_y;
-        let t205 = r1z_z * dw_y - r1z_y * dw_z
+        let total_r1y_x = w_y * t192 - w_z * t191 + t193;
+        let total_r1y_y = w_z * t190 - w_x * t192 + t194;
+        let total_r1y_z = w_x * t191 - w_y * t190 + t195;
+        let t199 = r1z_z * w_y - r1z_y * w_z;
+        let t200 = r1z_x * w_z - r1z_z * w_x;
+        let t201 = r1z_y * w_x - r1z_x * w_y;
+        let t202 = r1z_z * dw_y - r1z_y * dw_z
             + (a_r1z_x + 2.0 * (v_r1z_z * w_y - v_r1z_y * w_z));
-        let t206 = r1z_x * dw_z - r1z_z * dw_x
+        let t203 = r1z_x * dw_z - r1z_z * dw_x
             + (a_r1z_y + 2.0 * (v_r1z_x * w_z - v_r1z_z * w_x));
-        let t207 = r1z_y * dw_x - r1z_x * dw_y
+        let t204 = r1z_y * dw_x - r1z_x * dw_y
             + (a_r1z_z + 2.0 * (v_r1z_y * w_x - v_r1z_x * w_y));
-        let total_r1z_x = w_y * t204 - w_z * t203 + t205;
-        let total_r1z_y = w_z * t202 - w_x * t204 + t206;
-        let total_r1z_z = w_x * t203 - w_y * t202 + t207;
+        let total_r1z_x = w_y * t201 - w_z * t200 + t202;
+        let total_r1z_y = w_z * t199 - w_x * t201 + t203;
+        let total_r1z_z = w_x * t200 - w_y * t199 + t204;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t212 = length * element_mass;
-        let mass_r0_r0x = t212 * 0.05238095238095238;
+        let t209 = length * element_mass;
+        let mass_r0_r0x = t209 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t212 * (-0.030952380952380953);
-        let t216 = element_mass * (length * length);
-        let mass_r0x_r0x = t216 * 0.009523809523809525;
-        let mass_r0x_r1 = t212 * 0.030952380952380953;
-        let mass_r0x_r1x = t216 * (-0.007142857142857143);
+        let mass_r0_r1x = t209 * (-0.030952380952380953);
+        let t213 = element_mass * (length * length);
+        let mass_r0x_r0x = t213 * 0.009523809523809525;
+        let mass_r0x_r1 = t209 * 0.030952380952380953;
+        let mass_r0x_r1x = t213 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
-        let t223 = total_ry_half_x * mass_r0y_ry_half;
-        let t224 = total_ry_half_y * mass_r0y_ry_half;
-        let t225 = total_ry_half_z * mass_r0y_ry_half;
+        let t220 = total_ry_half_x * mass_r0y_ry_half;
+        let t221 = total_ry_half_y * mass_r0y_ry_half;
+        let t222 = total_ry_half_z * mass_r0y_ry_half;
         let mass_r0z_r0z = section_z_mass * 0.13333333333333333;
         let mass_r0z_rz_half = section_z_mass * 0.06666666666666667;
         let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
-        let t229 = total_rz_half_x * mass_r0z_rz_half;
-        let t230 = total_rz_half_y * mass_r0z_rz_half;
-        let t231 = total_rz_half_z * mass_r0z_rz_half;
+        let t226 = total_rz_half_x * mass_r0z_rz_half;
+        let t227 = total_rz_half_y * mass_r0z_rz_half;
+        let t228 = total_rz_half_z * mass_r0z_rz_half;
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
         let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
-        let mass_r1_r1x = t212 * (-0.05238095238095238);
+        let mass_r1_r1x = t209 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + total_r0x_x * mass_r0_r0x
                 + total_r1_x * mass_r0_r1 + total_r1x_x * mass_r0_r1x;
@@ -1428,12 +1441,12 @@ pub mod curved_out_of_plane_equations {
         force[5]
             += total_r0_z * mass_r0_r0x + total_r0x_z * mass_r0x_r0x
                 + total_r1_z * mass_r0x_r1 + total_r1x_z * mass_r0x_r1x;
-        force[6] += total_r0y_x * mass_r0y_r0y + t223 + total_r1y_x * mass_r0y_r1y;
-        force[7] += total_r0y_y * mass_r0y_r0y + t224 + total_r1y_y * mass_r0y_r1y;
-        force[8] += total_r0y_z * mass_r0y_r0y + t225 + total_r1y_z * mass_r0y_r1y;
-        force[9] += total_r0z_x * mass_r0z_r0z + t229 + total_r1z_x * mass_r0z_r1z;
-        force[10] += total_r0z_y * mass_r0z_r0z + t230 + total_r1z_y * mass_r0z_r1z;
-        force[11] += total_r0z_z * mass_r0z_r0z + t231 + total_r1z_z * mass_r0z_r1z;
+        force[6] += total_r0y_x * mass_r0y_r0y + t220 + total_r1y_x * mass_r0y_r1y;
+        force[7] += total_r0y_y * mass_r0y_r0y + t221 + total_r1y_y * mass_r0y_r1y;
+        force[8] += total_r0y_z * mass_r0y_r0y + t222 + total_r1y_z * mass_r0y_r1y;
+        force[9] += total_r0z_x * mass_r0z_r0z + t226 + total_r1z_x * mass_r0z_r1z;
+        force[10] += total_r0z_y * mass_r0z_r0z + t227 + total_r1z_y * mass_r0z_r1z;
+        force[11] += total_r0z_z * mass_r0z_r0z + t228 + total_r1z_z * mass_r0z_r1z;
         force[12]
             += total_r0y_x * mass_r0y_ry_half + total_ry_half_x * mass_ry_half_ry_half
                 + total_r1y_x * mass_r0y_ry_half;
@@ -1470,12 +1483,12 @@ pub mod curved_out_of_plane_equations {
         force[23]
             += total_r0_z * mass_r0_r1x + total_r0x_z * mass_r0x_r1x
                 + total_r1_z * mass_r1_r1x + total_r1x_z * mass_r0x_r0x;
-        force[24] += t223 + total_r0y_x * mass_r0y_r1y + total_r1y_x * mass_r0y_r0y;
-        force[25] += t224 + total_r0y_y * mass_r0y_r1y + total_r1y_y * mass_r0y_r0y;
-        force[26] += t225 + total_r0y_z * mass_r0y_r1y + total_r1y_z * mass_r0y_r0y;
-        force[27] += t229 + total_r0z_x * mass_r0z_r1z + total_r1z_x * mass_r0z_r0z;
-        force[28] += t230 + total_r0z_y * mass_r0z_r1z + total_r1z_y * mass_r0z_r0z;
-        force[29] += t231 + total_r0z_z * mass_r0z_r1z + total_r1z_z * mass_r0z_r0z;
+        force[24] += t220 + total_r0y_x * mass_r0y_r1y + total_r1y_x * mass_r0y_r0y;
+        force[25] += t221 + total_r0y_y * mass_r0y_r1y + total_r1y_y * mass_r0y_r0y;
+        force[26] += t222 + total_r0y_z * mass_r0y_r1y + total_r1y_z * mass_r0y_r0y;
+        force[27] += t226 + total_r0z_x * mass_r0z_r1z + total_r1z_x * mass_r0z_r0z;
+        force[28] += t227 + total_r0z_y * mass_r0z_r1z + total_r1z_y * mass_r0z_r0z;
+        force[29] += t228 + total_r0z_z * mass_r0z_r1z + total_r1z_z * mass_r0z_r0z;
     }
     /// Adds the derivatives of the inertia forces with respect to q (Euler and centrifugal) and q' (gyroscopic).
     ///
@@ -1494,14 +1507,14 @@ pub mod curved_out_of_plane_equations {
         let section_y_mass = length * rhoIz;
         let section_z_mass = length * rhoIy;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t29 = length * element_mass;
-        let mass_r0_r0x = t29 * 0.05238095238095238;
+        let t26 = length * element_mass;
+        let mass_r0_r0x = t26 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t29 * (-0.030952380952380953);
-        let t33 = element_mass * (length * length);
-        let mass_r0x_r0x = t33 * 0.009523809523809525;
-        let mass_r0x_r1 = t29 * 0.030952380952380953;
-        let mass_r0x_r1x = t33 * (-0.007142857142857143);
+        let mass_r0_r1x = t26 * (-0.030952380952380953);
+        let t30 = element_mass * (length * length);
+        let mass_r0x_r0x = t30 * 0.009523809523809525;
+        let mass_r0x_r1 = t26 * 0.030952380952380953;
+        let mass_r0x_r1x = t30 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
@@ -1510,709 +1523,709 @@ pub mod curved_out_of_plane_equations {
         let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
         let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
-        let mass_r1_r1x = t29 * (-0.05238095238095238);
-        let t46 = w_y * w_y;
-        let t47 = w_z * w_z;
-        let t48 = t46 + t47;
-        let t49 = -mass_r0_r0 * t48;
-        let t50 = w_x * w_y;
-        let t51 = t50 - dw_z;
+        let mass_r1_r1x = t26 * (-0.05238095238095238);
+        let t43 = w_y * w_y;
+        let t44 = w_z * w_z;
+        let t45 = t43 + t44;
+        let t46 = -mass_r0_r0 * t45;
+        let t47 = w_x * w_y;
+        let t48 = t47 - dw_z;
+        let t49 = mass_r0_r0 * t48;
+        let t50 = w_x * w_z;
+        let t51 = dw_y + t50;
         let t52 = mass_r0_r0 * t51;
-        let t53 = w_x * w_z;
-        let t54 = dw_y + t53;
-        let t55 = mass_r0_r0 * t54;
-        let t56 = -mass_r0_r0x * t48;
-        let t57 = mass_r0_r0x * t51;
-        let t58 = mass_r0_r0x * t54;
-        let t59 = -mass_r0_r1 * t48;
-        let t60 = mass_r0_r1 * t51;
-        let t61 = mass_r0_r1 * t54;
-        let t62 = -mass_r0_r1x * t48;
-        let t63 = mass_r0_r1x * t51;
-        let t64 = mass_r0_r1x * t54;
-        let t65 = dw_z + t50;
-        let t66 = mass_r0_r0 * t65;
-        let t67 = w_x * w_x;
-        let t68 = t47 + t67;
-        let t69 = -mass_r0_r0 * t68;
-        let t70 = w_y * w_z;
-        let t71 = t70 - dw_x;
-        let t72 = mass_r0_r0 * t71;
-        let t73 = mass_r0_r0x * t65;
-        let t74 = -mass_r0_r0x * t68;
-        let t75 = mass_r0_r0x * t71;
-        let t76 = mass_r0_r1 * t65;
-        let t77 = -mass_r0_r1 * t68;
-        let t78 = mass_r0_r1 * t71;
-        let t79 = mass_r0_r1x * t65;
-        let t80 = -mass_r0_r1x * t68;
-        let t81 = mass_r0_r1x * t71;
-        let t82 = t53 - dw_y;
-        let t83 = mass_r0_r0 * t82;
-        let t84 = dw_x + t70;
-        let t85 = mass_r0_r0 * t84;
-        let t86 = t46 + t67;
-        let t87 = -mass_r0_r0 * t86;
-        let t88 = mass_r0_r0x * t82;
-        let t89 = mass_r0_r0x * t84;
-        let t90 = -mass_r0_r0x * t86;
-        let t91 = mass_r0_r1 * t82;
-        let t92 = mass_r0_r1 * t84;
-        let t93 = -mass_r0_r1 * t86;
-        let t94 = mass_r0_r1x * t82;
-        let t95 = mass_r0_r1x * t84;
-        let t96 = -mass_r0_r1x * t86;
-        let t97 = -mass_r0x_r0x * t48;
-        let t98 = mass_r0x_r0x * t51;
-        let t99 = mass_r0x_r0x * t54;
-        let t100 = -mass_r0x_r1 * t48;
-        let t101 = mass_r0x_r1 * t51;
-        let t102 = mass_r0x_r1 * t54;
-        let t103 = -mass_r0x_r1x * t48;
-        let t104 = mass_r0x_r1x * t51;
-        let t105 = mass_r0x_r1x * t54;
-        let t106 = mass_r0x_r0x * t65;
-        let t107 = -mass_r0x_r0x * t68;
-        let t108 = mass_r0x_r0x * t71;
-        let t109 = mass_r0x_r1 * t65;
-        let t110 = -mass_r0x_r1 * t68;
-        let t111 = mass_r0x_r1 * t71;
-        let t112 = mass_r0x_r1x * t65;
-        let t113 = -mass_r0x_r1x * t68;
-        let t114 = mass_r0x_r1x * t71;
-        let t115 = mass_r0x_r0x * t82;
-        let t116 = mass_r0x_r0x * t84;
-        let t117 = -mass_r0x_r0x * t86;
-        let t118 = mass_r0x_r1 * t82;
-        let t119 = mass_r0x_r1 * t84;
-        let t120 = -mass_r0x_r1 * t86;
-        let t121 = mass_r0x_r1x * t82;
-        let t122 = mass_r0x_r1x * t84;
-        let t123 = -mass_r0x_r1x * t86;
-        let t124 = -mass_r0y_r0y * t48;
-        let t125 = mass_r0y_r0y * t51;
-        let t126 = mass_r0y_r0y * t54;
-        let t127 = -mass_r0y_ry_half * t48;
-        let t128 = mass_r0y_ry_half * t51;
-        let t129 = mass_r0y_ry_half * t54;
-        let t130 = -mass_r0y_r1y * t48;
-        let t131 = mass_r0y_r1y * t51;
-        let t132 = mass_r0y_r1y * t54;
-        let t133 = mass_r0y_r0y * t65;
-        let t134 = -mass_r0y_r0y * t68;
-        let t135 = mass_r0y_r0y * t71;
-        let t136 = mass_r0y_ry_half * t65;
-        let t137 = -mass_r0y_ry_half * t68;
-        let t138 = mass_r0y_ry_half * t71;
-        let t139 = mass_r0y_r1y * t65;
-        let t140 = -mass_r0y_r1y * t68;
-        let t141 = mass_r0y_r1y * t71;
-        let t142 = mass_r0y_r0y * t82;
-        let t143 = mass_r0y_r0y * t84;
-        let t144 = -mass_r0y_r0y * t86;
-        let t145 = mass_r0y_ry_half * t82;
-        let t146 = mass_r0y_ry_half * t84;
-        let t147 = -mass_r0y_ry_half * t86;
-        let t148 = mass_r0y_r1y * t82;
-        let t149 = mass_r0y_r1y * t84;
-        let t150 = -mass_r0y_r1y * t86;
-        let t151 = -mass_r0z_r0z * t48;
-        let t152 = mass_r0z_r0z * t51;
-        let t153 = mass_r0z_r0z * t54;
-        let t154 = -mass_r0z_rz_half * t48;
-        let t155 = mass_r0z_rz_half * t51;
-        let t156 = mass_r0z_rz_half * t54;
-        let t157 = -mass_r0z_r1z * t48;
-        let t158 = mass_r0z_r1z * t51;
-        let t159 = mass_r0z_r1z * t54;
-        let t160 = mass_r0z_r0z * t65;
-        let t161 = -mass_r0z_r0z * t68;
-        let t162 = mass_r0z_r0z * t71;
-        let t163 = mass_r0z_rz_half * t65;
-        let t164 = -mass_r0z_rz_half * t68;
-        let t165 = mass_r0z_rz_half * t71;
-        let t166 = mass_r0z_r1z * t65;
-        let t167 = -mass_r0z_r1z * t68;
-        let t168 = mass_r0z_r1z * t71;
-        let t169 = mass_r0z_r0z * t82;
-        let t170 = mass_r0z_r0z * t84;
-        let t171 = -mass_r0z_r0z * t86;
-        let t172 = mass_r0z_rz_half * t82;
-        let t173 = mass_r0z_rz_half * t84;
-        let t174 = -mass_r0z_rz_half * t86;
-        let t175 = mass_r0z_r1z * t82;
-        let t176 = mass_r0z_r1z * t84;
-        let t177 = -mass_r0z_r1z * t86;
-        let t178 = -mass_r1_r1x * t48;
-        let t179 = mass_r1_r1x * t51;
-        let t180 = mass_r1_r1x * t54;
-        let t181 = mass_r1_r1x * t65;
-        let t182 = -mass_r1_r1x * t68;
-        let t183 = mass_r1_r1x * t71;
-        let t184 = mass_r1_r1x * t82;
-        let t185 = mass_r1_r1x * t84;
-        let t186 = -mass_r1_r1x * t86;
-        let t187 = w_z * 2.0;
-        let t188 = mass_r0_r0 * t187;
-        let t189 = w_y * 2.0;
-        let t190 = mass_r0_r0 * t189;
-        let t191 = mass_r0_r0x * t187;
-        let t192 = mass_r0_r0x * t189;
-        let t193 = mass_r0_r1 * t187;
-        let t194 = mass_r0_r1 * t189;
-        let t195 = mass_r0_r1x * t187;
-        let t196 = mass_r0_r1x * t189;
-        let t197 = w_x * 2.0;
-        let t198 = mass_r0_r0 * t197;
-        let t199 = mass_r0_r0x * t197;
-        let t200 = mass_r0_r1 * t197;
-        let t201 = mass_r0_r1x * t197;
-        let t202 = mass_r0x_r0x * t187;
-        let t203 = mass_r0x_r0x * t189;
-        let t204 = mass_r0x_r1 * t187;
-        let t205 = mass_r0x_r1 * t189;
-        let t206 = mass_r0x_r1x * t187;
-        let t207 = mass_r0x_r1x * t189;
-        let t208 = mass_r0x_r0x * t197;
-        let t209 = mass_r0x_r1 * t197;
-        let t210 = mass_r0x_r1x * t197;
-        let t211 = mass_r0y_r0y * t187;
-        let t212 = mass_r0y_r0y * t189;
-        let t213 = mass_r0y_ry_half * t187;
-        let t214 = mass_r0y_ry_half * t189;
-        let t215 = mass_r0y_r1y * t187;
-        let t216 = mass_r0y_r1y * t189;
-        let t217 = mass_r0y_r0y * t197;
-        let t218 = mass_r0y_ry_half * t197;
-        let t219 = mass_r0y_r1y * t197;
-        let t220 = mass_r0z_r0z * t187;
-        let t221 = mass_r0z_r0z * t189;
-        let t222 = mass_r0z_rz_half * t187;
-        let t223 = mass_r0z_rz_half * t189;
-        let t224 = mass_r0z_r1z * t187;
-        let t225 = mass_r0z_r1z * t189;
-        let t226 = mass_r0z_r0z * t197;
-        let t227 = mass_r0z_rz_half * t197;
-        let t228 = mass_r0z_r1z * t197;
-        let t229 = mass_ry_half_ry_half * t187;
-        let t230 = mass_ry_half_ry_half * t189;
-        let t231 = mass_ry_half_ry_half * t197;
-        let t232 = mass_rz_half_rz_half * t187;
-        let t233 = mass_rz_half_rz_half * t189;
-        let t234 = mass_rz_half_rz_half * t197;
-        let t235 = mass_r1_r1x * t187;
-        let t236 = mass_r1_r1x * t189;
-        let t237 = mass_r1_r1x * t197;
-        stiffness[0] += t49;
-        stiffness[1] += t52;
-        stiffness[2] += t55;
-        stiffness[3] += t56;
-        stiffness[4] += t57;
-        stiffness[5] += t58;
-        stiffness[18] += t59;
-        stiffness[19] += t60;
-        stiffness[20] += t61;
-        stiffness[21] += t62;
-        stiffness[22] += t63;
-        stiffness[23] += t64;
-        stiffness[30] += t66;
-        stiffness[31] += t69;
-        stiffness[32] += t72;
-        stiffness[33] += t73;
-        stiffness[34] += t74;
-        stiffness[35] += t75;
-        stiffness[48] += t76;
-        stiffness[49] += t77;
-        stiffness[50] += t78;
-        stiffness[51] += t79;
-        stiffness[52] += t80;
-        stiffness[53] += t81;
-        stiffness[60] += t83;
-        stiffness[61] += t85;
-        stiffness[62] += t87;
-        stiffness[63] += t88;
-        stiffness[64] += t89;
-        stiffness[65] += t90;
-        stiffness[78] += t91;
-        stiffness[79] += t92;
-        stiffness[80] += t93;
-        stiffness[81] += t94;
-        stiffness[82] += t95;
-        stiffness[83] += t96;
-        stiffness[90] += t56;
-        stiffness[91] += t57;
-        stiffness[92] += t58;
-        stiffness[93] += t97;
-        stiffness[94] += t98;
-        stiffness[95] += t99;
-        stiffness[108] += t100;
-        stiffness[109] += t101;
-        stiffness[110] += t102;
-        stiffness[111] += t103;
-        stiffness[112] += t104;
-        stiffness[113] += t105;
-        stiffness[120] += t73;
-        stiffness[121] += t74;
-        stiffness[122] += t75;
-        stiffness[123] += t106;
-        stiffness[124] += t107;
-        stiffness[125] += t108;
-        stiffness[138] += t109;
-        stiffness[139] += t110;
-        stiffness[140] += t111;
-        stiffness[141] += t112;
-        stiffness[142] += t113;
-        stiffness[143] += t114;
-        stiffness[150] += t88;
-        stiffness[151] += t89;
-        stiffness[152] += t90;
-        stiffness[153] += t115;
-        stiffness[154] += t116;
-        stiffness[155] += t117;
-        stiffness[168] += t118;
-        stiffness[169] += t119;
-        stiffness[170] += t120;
-        stiffness[171] += t121;
-        stiffness[172] += t122;
-        stiffness[173] += t123;
-        stiffness[186] += t124;
-        stiffness[187] += t125;
-        stiffness[188] += t126;
-        stiffness[192] += t127;
-        stiffness[193] += t128;
-        stiffness[194] += t129;
-        stiffness[204] += t130;
-        stiffness[205] += t131;
-        stiffness[206] += t132;
-        stiffness[216] += t133;
-        stiffness[217] += t134;
-        stiffness[218] += t135;
-        stiffness[222] += t136;
-        stiffness[223] += t137;
-        stiffness[224] += t138;
-        stiffness[234] += t139;
-        stiffness[235] += t140;
-        stiffness[236] += t141;
-        stiffness[246] += t142;
-        stiffness[247] += t143;
-        stiffness[248] += t144;
-        stiffness[252] += t145;
-        stiffness[253] += t146;
-        stiffness[254] += t147;
-        stiffness[264] += t148;
-        stiffness[265] += t149;
-        stiffness[266] += t150;
-        stiffness[279] += t151;
-        stiffness[280] += t152;
-        stiffness[281] += t153;
-        stiffness[285] += t154;
-        stiffness[286] += t155;
-        stiffness[287] += t156;
-        stiffness[297] += t157;
-        stiffness[298] += t158;
-        stiffness[299] += t159;
-        stiffness[309] += t160;
-        stiffness[310] += t161;
-        stiffness[311] += t162;
-        stiffness[315] += t163;
-        stiffness[316] += t164;
-        stiffness[317] += t165;
-        stiffness[327] += t166;
-        stiffness[328] += t167;
-        stiffness[329] += t168;
-        stiffness[339] += t169;
-        stiffness[340] += t170;
-        stiffness[341] += t171;
-        stiffness[345] += t172;
-        stiffness[346] += t173;
-        stiffness[347] += t174;
-        stiffness[357] += t175;
-        stiffness[358] += t176;
-        stiffness[359] += t177;
-        stiffness[366] += t127;
-        stiffness[367] += t128;
-        stiffness[368] += t129;
-        stiffness[372] += -mass_ry_half_ry_half * t48;
-        stiffness[373] += mass_ry_half_ry_half * t51;
-        stiffness[374] += mass_ry_half_ry_half * t54;
-        stiffness[384] += t127;
-        stiffness[385] += t128;
-        stiffness[386] += t129;
-        stiffness[396] += t136;
-        stiffness[397] += t137;
-        stiffness[398] += t138;
-        stiffness[402] += mass_ry_half_ry_half * t65;
-        stiffness[403] += -mass_ry_half_ry_half * t68;
-        stiffness[404] += mass_ry_half_ry_half * t71;
-        stiffness[414] += t136;
-        stiffness[415] += t137;
-        stiffness[416] += t138;
-        stiffness[426] += t145;
-        stiffness[427] += t146;
-        stiffness[428] += t147;
-        stiffness[432] += mass_ry_half_ry_half * t82;
-        stiffness[433] += mass_ry_half_ry_half * t84;
-        stiffness[434] += -mass_ry_half_ry_half * t86;
-        stiffness[444] += t145;
-        stiffness[445] += t146;
-        stiffness[446] += t147;
-        stiffness[459] += t154;
-        stiffness[460] += t155;
-        stiffness[461] += t156;
-        stiffness[465] += -mass_rz_half_rz_half * t48;
-        stiffness[466] += mass_rz_half_rz_half * t51;
-        stiffness[467] += mass_rz_half_rz_half * t54;
-        stiffness[477] += t154;
-        stiffness[478] += t155;
-        stiffness[479] += t156;
-        stiffness[489] += t163;
-        stiffness[490] += t164;
-        stiffness[491] += t165;
-        stiffness[495] += mass_rz_half_rz_half * t65;
-        stiffness[496] += -mass_rz_half_rz_half * t68;
-        stiffness[497] += mass_rz_half_rz_half * t71;
-        stiffness[507] += t163;
-        stiffness[508] += t164;
-        stiffness[509] += t165;
-        stiffness[519] += t172;
-        stiffness[520] += t173;
-        stiffness[521] += t174;
-        stiffness[525] += mass_rz_half_rz_half * t82;
-        stiffness[526] += mass_rz_half_rz_half * t84;
-        stiffness[527] += -mass_rz_half_rz_half * t86;
-        stiffness[537] += t172;
-        stiffness[538] += t173;
-        stiffness[539] += t174;
-        stiffness[540] += t59;
-        stiffness[541] += t60;
-        stiffness[542] += t61;
-        stiffness[543] += t100;
-        stiffness[544] += t101;
-        stiffness[545] += t102;
-        stiffness[558] += t49;
-        stiffness[559] += t52;
-        stiffness[560] += t55;
-        stiffness[561] += t178;
-        stiffness[562] += t179;
-        stiffness[563] += t180;
-        stiffness[570] += t76;
-        stiffness[571] += t77;
-        stiffness[572] += t78;
-        stiffness[573] += t109;
-        stiffness[574] += t110;
-        stiffness[575] += t111;
-        stiffness[588] += t66;
-        stiffness[589] += t69;
-        stiffness[590] += t72;
-        stiffness[591] += t181;
-        stiffness[592] += t182;
-        stiffness[593] += t183;
-        stiffness[600] += t91;
-        stiffness[601] += t92;
-        stiffness[602] += t93;
-        stiffness[603] += t118;
-        stiffness[604] += t119;
-        stiffness[605] += t120;
-        stiffness[618] += t83;
-        stiffness[619] += t85;
-        stiffness[620] += t87;
-        stiffness[621] += t184;
-        stiffness[622] += t185;
-        stiffness[623] += t186;
-        stiffness[630] += t62;
-        stiffness[631] += t63;
-        stiffness[632] += t64;
-        stiffness[633] += t103;
-        stiffness[634] += t104;
-        stiffness[635] += t105;
-        stiffness[648] += t178;
-        stiffness[649] += t179;
-        stiffness[650] += t180;
-        stiffness[651] += t97;
-        stiffness[652] += t98;
-        stiffness[653] += t99;
-        stiffness[660] += t79;
-        stiffness[661] += t80;
-        stiffness[662] += t81;
-        stiffness[663] += t112;
-        stiffness[664] += t113;
-        stiffness[665] += t114;
-        stiffness[678] += t181;
-        stiffness[679] += t182;
-        stiffness[680] += t183;
-        stiffness[681] += t106;
-        stiffness[682] += t107;
-        stiffness[683] += t108;
-        stiffness[690] += t94;
-        stiffness[691] += t95;
-        stiffness[692] += t96;
-        stiffness[693] += t121;
-        stiffness[694] += t122;
-        stiffness[695] += t123;
-        stiffness[708] += t184;
-        stiffness[709] += t185;
-        stiffness[710] += t186;
-        stiffness[711] += t115;
-        stiffness[712] += t116;
-        stiffness[713] += t117;
-        stiffness[726] += t130;
-        stiffness[727] += t131;
-        stiffness[728] += t132;
-        stiffness[732] += t127;
-        stiffness[733] += t128;
-        stiffness[734] += t129;
-        stiffness[744] += t124;
-        stiffness[745] += t125;
-        stiffness[746] += t126;
-        stiffness[756] += t139;
-        stiffness[757] += t140;
-        stiffness[758] += t141;
-        stiffness[762] += t136;
-        stiffness[763] += t137;
-        stiffness[764] += t138;
-        stiffness[774] += t133;
-        stiffness[775] += t134;
-        stiffness[776] += t135;
-        stiffness[786] += t148;
-        stiffness[787] += t149;
-        stiffness[788] += t150;
-        stiffness[792] += t145;
-        stiffness[793] += t146;
-        stiffness[794] += t147;
-        stiffness[804] += t142;
-        stiffness[805] += t143;
-        stiffness[806] += t144;
-        stiffness[819] += t157;
-        stiffness[820] += t158;
-        stiffness[821] += t159;
-        stiffness[825] += t154;
-        stiffness[826] += t155;
-        stiffness[827] += t156;
-        stiffness[837] += t151;
-        stiffness[838] += t152;
-        stiffness[839] += t153;
-        stiffness[849] += t166;
-        stiffness[850] += t167;
-        stiffness[851] += t168;
-        stiffness[855] += t163;
-        stiffness[856] += t164;
-        stiffness[857] += t165;
-        stiffness[867] += t160;
-        stiffness[868] += t161;
-        stiffness[869] += t162;
-        stiffness[879] += t175;
-        stiffness[880] += t176;
-        stiffness[881] += t177;
-        stiffness[885] += t172;
-        stiffness[886] += t173;
-        stiffness[887] += t174;
-        stiffness[897] += t169;
-        stiffness[898] += t170;
-        stiffness[899] += t171;
-        damping_matrix[1] -= t188;
-        damping_matrix[2] += t190;
-        damping_matrix[4] -= t191;
-        damping_matrix[5] += t192;
-        damping_matrix[19] -= t193;
-        damping_matrix[20] += t194;
-        damping_matrix[22] -= t195;
-        damping_matrix[23] += t196;
-        damping_matrix[30] += t188;
-        damping_matrix[32] -= t198;
-        damping_matrix[33] += t191;
-        damping_matrix[35] -= t199;
-        damping_matrix[48] += t193;
-        damping_matrix[50] -= t200;
-        damping_matrix[51] += t195;
-        damping_matrix[53] -= t201;
-        damping_matrix[60] -= t190;
-        damping_matrix[61] += t198;
-        damping_matrix[63] -= t192;
-        damping_matrix[64] += t199;
-        damping_matrix[78] -= t194;
-        damping_matrix[79] += t200;
-        damping_matrix[81] -= t196;
-        damping_matrix[82] += t201;
-        damping_matrix[91] -= t191;
-        damping_matrix[92] += t192;
-        damping_matrix[94] -= t202;
-        damping_matrix[95] += t203;
-        damping_matrix[109] -= t204;
-        damping_matrix[110] += t205;
-        damping_matrix[112] -= t206;
-        damping_matrix[113] += t207;
-        damping_matrix[120] += t191;
-        damping_matrix[122] -= t199;
-        damping_matrix[123] += t202;
-        damping_matrix[125] -= t208;
-        damping_matrix[138] += t204;
-        damping_matrix[140] -= t209;
-        damping_matrix[141] += t206;
-        damping_matrix[143] -= t210;
-        damping_matrix[150] -= t192;
-        damping_matrix[151] += t199;
-        damping_matrix[153] -= t203;
-        damping_matrix[154] += t208;
-        damping_matrix[168] -= t205;
-        damping_matrix[169] += t209;
-        damping_matrix[171] -= t207;
-        damping_matrix[172] += t210;
-        damping_matrix[187] -= t211;
-        damping_matrix[188] += t212;
-        damping_matrix[193] -= t213;
-        damping_matrix[194] += t214;
-        damping_matrix[205] -= t215;
-        damping_matrix[206] += t216;
-        damping_matrix[216] += t211;
-        damping_matrix[218] -= t217;
-        damping_matrix[222] += t213;
-        damping_matrix[224] -= t218;
-        damping_matrix[234] += t215;
-        damping_matrix[236] -= t219;
-        damping_matrix[246] -= t212;
-        damping_matrix[247] += t217;
-        damping_matrix[252] -= t214;
-        damping_matrix[253] += t218;
-        damping_matrix[264] -= t216;
-        damping_matrix[265] += t219;
-        damping_matrix[280] -= t220;
-        damping_matrix[281] += t221;
-        damping_matrix[286] -= t222;
-        damping_matrix[287] += t223;
-        damping_matrix[298] -= t224;
-        damping_matrix[299] += t225;
-        damping_matrix[309] += t220;
-        damping_matrix[311] -= t226;
-        damping_matrix[315] += t222;
-        damping_matrix[317] -= t227;
-        damping_matrix[327] += t224;
-        damping_matrix[329] -= t228;
-        damping_matrix[339] -= t221;
-        damping_matrix[340] += t226;
-        damping_matrix[345] -= t223;
-        damping_matrix[346] += t227;
-        damping_matrix[357] -= t225;
-        damping_matrix[358] += t228;
-        damping_matrix[367] -= t213;
-        damping_matrix[368] += t214;
-        damping_matrix[373] -= t229;
-        damping_matrix[374] += t230;
-        damping_matrix[385] -= t213;
-        damping_matrix[386] += t214;
-        damping_matrix[396] += t213;
-        damping_matrix[398] -= t218;
-        damping_matrix[402] += t229;
-        damping_matrix[404] -= t231;
-        damping_matrix[414] += t213;
-        damping_matrix[416] -= t218;
-        damping_matrix[426] -= t214;
-        damping_matrix[427] += t218;
-        damping_matrix[432] -= t230;
-        damping_matrix[433] += t231;
-        damping_matrix[444] -= t214;
-        damping_matrix[445] += t218;
-        damping_matrix[460] -= t222;
-        damping_matrix[461] += t223;
-        damping_matrix[466] -= t232;
-        damping_matrix[467] += t233;
-        damping_matrix[478] -= t222;
-        damping_matrix[479] += t223;
-        damping_matrix[489] += t222;
-        damping_matrix[491] -= t227;
-        damping_matrix[495] += t232;
-        damping_matrix[497] -= t234;
-        damping_matrix[507] += t222;
-        damping_matrix[509] -= t227;
-        damping_matrix[519] -= t223;
-        damping_matrix[520] += t227;
-        damping_matrix[525] -= t233;
-        damping_matrix[526] += t234;
-        damping_matrix[537] -= t223;
-        damping_matrix[538] += t227;
-        damping_matrix[541] -= t193;
-        damping_matrix[542] += t194;
-        damping_matrix[544] -= t204;
-        damping_matrix[545] += t205;
-        damping_matrix[559] -= t188;
-        damping_matrix[560] += t190;
-        damping_matrix[562] -= t235;
-        damping_matrix[563] += t236;
-        damping_matrix[570] += t193;
-        damping_matrix[572] -= t200;
-        damping_matrix[573] += t204;
-        damping_matrix[575] -= t209;
-        damping_matrix[588] += t188;
-        damping_matrix[590] -= t198;
-        damping_matrix[591] += t235;
-        damping_matrix[593] -= t237;
-        damping_matrix[600] -= t194;
-        damping_matrix[601] += t200;
-        damping_matrix[603] -= t205;
-        damping_matrix[604] += t209;
-        damping_matrix[618] -= t190;
-        damping_matrix[619] += t198;
-        damping_matrix[621] -= t236;
-        damping_matrix[622] += t237;
-        damping_matrix[631] -= t195;
-        damping_matrix[632] += t196;
-        damping_matrix[634] -= t206;
-        damping_matrix[635] += t207;
-        damping_matrix[649] -= t235;
-        damping_matrix[650] += t236;
-        damping_matrix[652] -= t202;
-        damping_matrix[653] += t203;
-        damping_matrix[660] += t195;
-        damping_matrix[662] -= t201;
-        damping_matrix[663] += t206;
-        damping_matrix[665] -= t210;
-        damping_matrix[678] += t235;
-        damping_matrix[680] -= t237;
-        damping_matrix[681] += t202;
-        damping_matrix[683] -= t208;
-        damping_matrix[690] -= t196;
-        damping_matrix[691] += t201;
-        damping_matrix[693] -= t207;
-        damping_matrix[694] += t210;
-        damping_matrix[708] -= t236;
-        damping_matrix[709] += t237;
-        damping_matrix[711] -= t203;
-        damping_matrix[712] += t208;
-        damping_matrix[727] -= t215;
-        damping_matrix[728] += t216;
-        damping_matrix[733] -= t213;
-        damping_matrix[734] += t214;
-        damping_matrix[745] -= t211;
-        damping_matrix[746] += t212;
-        damping_matrix[756] += t215;
-        damping_matrix[758] -= t219;
-        damping_matrix[762] += t213;
-        damping_matrix[764] -= t218;
-        damping_matrix[774] += t211;
-        damping_matrix[776] -= t217;
-        damping_matrix[786] -= t216;
-        damping_matrix[787] += t219;
-        damping_matrix[792] -= t214;
-        damping_matrix[793] += t218;
-        damping_matrix[804] -= t212;
-        damping_matrix[805] += t217;
-        damping_matrix[820] -= t224;
-        damping_matrix[821] += t225;
-        damping_matrix[826] -= t222;
-        damping_matrix[827] += t223;
-        damping_matrix[838] -= t220;
-        damping_matrix[839] += t221;
-        damping_matrix[849] += t224;
-        damping_matrix[851] -= t228;
-        damping_matrix[855] += t222;
-        damping_matrix[857] -= t227;
-        damping_matrix[867] += t220;
-        damping_matrix[869] -= t226;
-        damping_matrix[879] -= t225;
-        damping_matrix[880] += t228;
-        damping_matrix[885] -= t223;
-        damping_matrix[886] += t227;
-        damping_matrix[897] -= t221;
-        damping_matrix[898] += t226;
+        let t53 = -mass_r0_r0x * t45;
+        let t54 = mass_r0_r0x * t48;
+        let t55 = mass_r0_r0x * t51;
+        let t56 = -mass_r0_r1 * t45;
+        let t57 = mass_r0_r1 * t48;
+        let t58 = mass_r0_r1 * t51;
+        let t59 = -mass_r0_r1x * t45;
+        let t60 = mass_r0_r1x * t48;
+        let t61 = mass_r0_r1x * t51;
+        let t62 = dw_z + t47;
+        let t63 = mass_r0_r0 * t62;
+        let t64 = w_x * w_x;
+        let t65 = t44 + t64;
+        let t66 = -mass_r0_r0 * t65;
+        let t67 = w_y * w_z;
+        let t68 = t67 - dw_x;
+        let t69 = mass_r0_r0 * t68;
+        let t70 = mass_r0_r0x * t62;
+        let t71 = -mass_r0_r0x * t65;
+        let t72 = mass_r0_r0x * t68;
+        let t73 = mass_r0_r1 * t62;
+        let t74 = -mass_r0_r1 * t65;
+        let t75 = mass_r0_r1 * t68;
+        let t76 = mass_r0_r1x * t62;
+        let t77 = -mass_r0_r1x * t65;
+        let t78 = mass_r0_r1x * t68;
+        let t79 = t50 - dw_y;
+        let t80 = mass_r0_r0 * t79;
+        let t81 = dw_x + t67;
+        let t82 = mass_r0_r0 * t81;
+        let t83 = t43 + t64;
+        let t84 = -mass_r0_r0 * t83;
+        let t85 = mass_r0_r0x * t79;
+        let t86 = mass_r0_r0x * t81;
+        let t87 = -mass_r0_r0x * t83;
+        let t88 = mass_r0_r1 * t79;
+        let t89 = mass_r0_r1 * t81;
+        let t90 = -mass_r0_r1 * t83;
+        let t91 = mass_r0_r1x * t79;
+        let t92 = mass_r0_r1x * t81;
+        let t93 = -mass_r0_r1x * t83;
+        let t94 = -mass_r0x_r0x * t45;
+        let t95 = mass_r0x_r0x * t48;
+        let t96 = mass_r0x_r0x * t51;
+        let t97 = -mass_r0x_r1 * t45;
+        let t98 = mass_r0x_r1 * t48;
+        let t99 = mass_r0x_r1 * t51;
+        let t100 = -mass_r0x_r1x * t45;
+        let t101 = mass_r0x_r1x * t48;
+        let t102 = mass_r0x_r1x * t51;
+        let t103 = mass_r0x_r0x * t62;
+        let t104 = -mass_r0x_r0x * t65;
+        let t105 = mass_r0x_r0x * t68;
+        let t106 = mass_r0x_r1 * t62;
+        let t107 = -mass_r0x_r1 * t65;
+        let t108 = mass_r0x_r1 * t68;
+        let t109 = mass_r0x_r1x * t62;
+        let t110 = -mass_r0x_r1x * t65;
+        let t111 = mass_r0x_r1x * t68;
+        let t112 = mass_r0x_r0x * t79;
+        let t113 = mass_r0x_r0x * t81;
+        let t114 = -mass_r0x_r0x * t83;
+        let t115 = mass_r0x_r1 * t79;
+        let t116 = mass_r0x_r1 * t81;
+        let t117 = -mass_r0x_r1 * t83;
+        let t118 = mass_r0x_r1x * t79;
+        let t119 = mass_r0x_r1x * t81;
+        let t120 = -mass_r0x_r1x * t83;
+        let t121 = -mass_r0y_r0y * t45;
+        let t122 = mass_r0y_r0y * t48;
+        let t123 = mass_r0y_r0y * t51;
+        let t124 = -mass_r0y_ry_half * t45;
+        let t125 = mass_r0y_ry_half * t48;
+        let t126 = mass_r0y_ry_half * t51;
+        let t127 = -mass_r0y_r1y * t45;
+        let t128 = mass_r0y_r1y * t48;
+        let t129 = mass_r0y_r1y * t51;
+        let t130 = mass_r0y_r0y * t62;
+        let t131 = -mass_r0y_r0y * t65;
+        let t132 = mass_r0y_r0y * t68;
+        let t133 = mass_r0y_ry_half * t62;
+        let t134 = -mass_r0y_ry_half * t65;
+        let t135 = mass_r0y_ry_half * t68;
+        let t136 = mass_r0y_r1y * t62;
+        let t137 = -mass_r0y_r1y * t65;
+        let t138 = mass_r0y_r1y * t68;
+        let t139 = mass_r0y_r0y * t79;
+        let t140 = mass_r0y_r0y * t81;
+        let t141 = -mass_r0y_r0y * t83;
+        let t142 = mass_r0y_ry_half * t79;
+        let t143 = mass_r0y_ry_half * t81;
+        let t144 = -mass_r0y_ry_half * t83;
+        let t145 = mass_r0y_r1y * t79;
+        let t146 = mass_r0y_r1y * t81;
+        let t147 = -mass_r0y_r1y * t83;
+        let t148 = -mass_r0z_r0z * t45;
+        let t149 = mass_r0z_r0z * t48;
+        let t150 = mass_r0z_r0z * t51;
+        let t151 = -mass_r0z_rz_half * t45;
+        let t152 = mass_r0z_rz_half * t48;
+        let t153 = mass_r0z_rz_half * t51;
+        let t154 = -mass_r0z_r1z * t45;
+        let t155 = mass_r0z_r1z * t48;
+        let t156 = mass_r0z_r1z * t51;
+        let t157 = mass_r0z_r0z * t62;
+        let t158 = -mass_r0z_r0z * t65;
+        let t159 = mass_r0z_r0z * t68;
+        let t160 = mass_r0z_rz_half * t62;
+        let t161 = -mass_r0z_rz_half * t65;
+        let t162 = mass_r0z_rz_half * t68;
+        let t163 = mass_r0z_r1z * t62;
+        let t164 = -mass_r0z_r1z * t65;
+        let t165 = mass_r0z_r1z * t68;
+        let t166 = mass_r0z_r0z * t79;
+        let t167 = mass_r0z_r0z * t81;
+        let t168 = -mass_r0z_r0z * t83;
+        let t169 = mass_r0z_rz_half * t79;
+        let t170 = mass_r0z_rz_half * t81;
+        let t171 = -mass_r0z_rz_half * t83;
+        let t172 = mass_r0z_r1z * t79;
+        let t173 = mass_r0z_r1z * t81;
+        let t174 = -mass_r0z_r1z * t83;
+        let t175 = -mass_r1_r1x * t45;
+        let t176 = mass_r1_r1x * t48;
+        let t177 = mass_r1_r1x * t51;
+        let t178 = mass_r1_r1x * t62;
+        let t179 = -mass_r1_r1x * t65;
+        let t180 = mass_r1_r1x * t68;
+        let t181 = mass_r1_r1x * t79;
+        let t182 = mass_r1_r1x * t81;
+        let t183 = -mass_r1_r1x * t83;
+        let t184 = w_z * 2.0;
+        let t185 = mass_r0_r0 * t184;
+        let t186 = w_y * 2.0;
+        let t187 = mass_r0_r0 * t186;
+        let t188 = mass_r0_r0x * t184;
+        let t189 = mass_r0_r0x * t186;
+        let t190 = mass_r0_r1 * t184;
+        let t191 = mass_r0_r1 * t186;
+        let t192 = mass_r0_r1x * t184;
+        let t193 = mass_r0_r1x * t186;
+        let t194 = w_x * 2.0;
+        let t195 = mass_r0_r0 * t194;
+        let t196 = mass_r0_r0x * t194;
+        let t197 = mass_r0_r1 * t194;
+        let t198 = mass_r0_r1x * t194;
+        let t199 = mass_r0x_r0x * t184;
+        let t200 = mass_r0x_r0x * t186;
+        let t201 = mass_r0x_r1 * t184;
+        let t202 = mass_r0x_r1 * t186;
+        let t203 = mass_r0x_r1x * t184;
+        let t204 = mass_r0x_r1x * t186;
+        let t205 = mass_r0x_r0x * t194;
+        let t206 = mass_r0x_r1 * t194;
+        let t207 = mass_r0x_r1x * t194;
+        let t208 = mass_r0y_r0y * t184;
+        let t209 = mass_r0y_r0y * t186;
+        let t210 = mass_r0y_ry_half * t184;
+        let t211 = mass_r0y_ry_half * t186;
+        let t212 = mass_r0y_r1y * t184;
+        let t213 = mass_r0y_r1y * t186;
+        let t214 = mass_r0y_r0y * t194;
+        let t215 = mass_r0y_ry_half * t194;
+        let t216 = mass_r0y_r1y * t194;
+        let t217 = mass_r0z_r0z * t184;
+        let t218 = mass_r0z_r0z * t186;
+        let t219 = mass_r0z_rz_half * t184;
+        let t220 = mass_r0z_rz_half * t186;
+        let t221 = mass_r0z_r1z * t184;
+        let t222 = mass_r0z_r1z * t186;
+        let t223 = mass_r0z_r0z * t194;
+        let t224 = mass_r0z_rz_half * t194;
+        let t225 = mass_r0z_r1z * t194;
+        let t226 = mass_ry_half_ry_half * t184;
+        let t227 = mass_ry_half_ry_half * t186;
+        let t228 = mass_ry_half_ry_half * t194;
+        let t229 = mass_rz_half_rz_half * t184;
+        let t230 = mass_rz_half_rz_half * t186;
+        let t231 = mass_rz_half_rz_half * t194;
+        let t232 = mass_r1_r1x * t184;
+        let t233 = mass_r1_r1x * t186;
+        let t234 = mass_r1_r1x * t194;
+        stiffness[0] += t46;
+        stiffness[1] += t49;
+        stiffness[2] += t52;
+        stiffness[3] += t53;
+        stiffness[4] += t54;
+        stiffness[5] += t55;
+        stiffness[18] += t56;
+        stiffness[19] += t57;
+        stiffness[20] += t58;
+        stiffness[21] += t59;
+        stiffness[22] += t60;
+        stiffness[23] += t61;
+        stiffness[30] += t63;
+        stiffness[31] += t66;
+        stiffness[32] += t69;
+        stiffness[33] += t70;
+        stiffness[34] += t71;
+        stiffness[35] += t72;
+        stiffness[48] += t73;
+        stiffness[49] += t74;
+        stiffness[50] += t75;
+        stiffness[51] += t76;
+        stiffness[52] += t77;
+        stiffness[53] += t78;
+        stiffness[60] += t80;
+        stiffness[61] += t82;
+        stiffness[62] += t84;
+        stiffness[63] += t85;
+        stiffness[64] += t86;
+        stiffness[65] += t87;
+        stiffness[78] += t88;
+        stiffness[79] += t89;
+        stiffness[80] += t90;
+        stiffness[81] += t91;
+        stiffness[82] += t92;
+        stiffness[83] += t93;
+        stiffness[90] += t53;
+        stiffness[91] += t54;
+        stiffness[92] += t55;
+        stiffness[93] += t94;
+        stiffness[94] += t95;
+        stiffness[95] += t96;
+        stiffness[108] += t97;
+        stiffness[109] += t98;
+        stiffness[110] += t99;
+        stiffness[111] += t100;
+        stiffness[112] += t101;
+        stiffness[113] += t102;
+        stiffness[120] += t70;
+        stiffness[121] += t71;
+        stiffness[122] += t72;
+        stiffness[123] += t103;
+        stiffness[124] += t104;
+        stiffness[125] += t105;
+        stiffness[138] += t106;
+        stiffness[139] += t107;
+        stiffness[140] += t108;
+        stiffness[141] += t109;
+        stiffness[142] += t110;
+        stiffness[143] += t111;
+        stiffness[150] += t85;
+        stiffness[151] += t86;
+        stiffness[152] += t87;
+        stiffness[153] += t112;
+        stiffness[154] += t113;
+        stiffness[155] += t114;
+        stiffness[168] += t115;
+        stiffness[169] += t116;
+        stiffness[170] += t117;
+        stiffness[171] += t118;
+        stiffness[172] += t119;
+        stiffness[173] += t120;
+        stiffness[186] += t121;
+        stiffness[187] += t122;
+        stiffness[188] += t123;
+        stiffness[192] += t124;
+        stiffness[193] += t125;
+        stiffness[194] += t126;
+        stiffness[204] += t127;
+        stiffness[205] += t128;
+        stiffness[206] += t129;
+        stiffness[216] += t130;
+        stiffness[217] += t131;
+        stiffness[218] += t132;
+        stiffness[222] += t133;
+        stiffness[223] += t134;
+        stiffness[224] += t135;
+        stiffness[234] += t136;
+        stiffness[235] += t137;
+        stiffness[236] += t138;
+        stiffness[246] += t139;
+        stiffness[247] += t140;
+        stiffness[248] += t141;
+        stiffness[252] += t142;
+        stiffness[253] += t143;
+        stiffness[254] += t144;
+        stiffness[264] += t145;
+        stiffness[265] += t146;
+        stiffness[266] += t147;
+        stiffness[279] += t148;
+        stiffness[280] += t149;
+        stiffness[281] += t150;
+        stiffness[285] += t151;
+        stiffness[286] += t152;
+        stiffness[287] += t153;
+        stiffness[297] += t154;
+        stiffness[298] += t155;
+        stiffness[299] += t156;
+        stiffness[309] += t157;
+        stiffness[310] += t158;
+        stiffness[311] += t159;
+        stiffness[315] += t160;
+        stiffness[316] += t161;
+        stiffness[317] += t162;
+        stiffness[327] += t163;
+        stiffness[328] += t164;
+        stiffness[329] += t165;
+        stiffness[339] += t166;
+        stiffness[340] += t167;
+        stiffness[341] += t168;
+        stiffness[345] += t169;
+        stiffness[346] += t170;
+        stiffness[347] += t171;
+        stiffness[357] += t172;
+        stiffness[358] += t173;
+        stiffness[359] += t174;
+        stiffness[366] += t124;
+        stiffness[367] += t125;
+        stiffness[368] += t126;
+        stiffness[372] += -mass_ry_half_ry_half * t45;
+        stiffness[373] += mass_ry_half_ry_half * t48;
+        stiffness[374] += mass_ry_half_ry_half * t51;
+        stiffness[384] += t124;
+        stiffness[385] += t125;
+        stiffness[386] += t126;
+        stiffness[396] += t133;
+        stiffness[397] += t134;
+        stiffness[398] += t135;
+        stiffness[402] += mass_ry_half_ry_half * t62;
+        stiffness[403] += -mass_ry_half_ry_half * t65;
+        stiffness[404] += mass_ry_half_ry_half * t68;
+        stiffness[414] += t133;
+        stiffness[415] += t134;
+        stiffness[416] += t135;
+        stiffness[426] += t142;
+        stiffness[427] += t143;
+        stiffness[428] += t144;
+        stiffness[432] += mass_ry_half_ry_half * t79;
+        stiffness[433] += mass_ry_half_ry_half * t81;
+        stiffness[434] += -mass_ry_half_ry_half * t83;
+        stiffness[444] += t142;
+        stiffness[445] += t143;
+        stiffness[446] += t144;
+        stiffness[459] += t151;
+        stiffness[460] += t152;
+        stiffness[461] += t153;
+        stiffness[465] += -mass_rz_half_rz_half * t45;
+        stiffness[466] += mass_rz_half_rz_half * t48;
+        stiffness[467] += mass_rz_half_rz_half * t51;
+        stiffness[477] += t151;
+        stiffness[478] += t152;
+        stiffness[479] += t153;
+        stiffness[489] += t160;
+        stiffness[490] += t161;
+        stiffness[491] += t162;
+        stiffness[495] += mass_rz_half_rz_half * t62;
+        stiffness[496] += -mass_rz_half_rz_half * t65;
+        stiffness[497] += mass_rz_half_rz_half * t68;
+        stiffness[507] += t160;
+        stiffness[508] += t161;
+        stiffness[509] += t162;
+        stiffness[519] += t169;
+        stiffness[520] += t170;
+        stiffness[521] += t171;
+        stiffness[525] += mass_rz_half_rz_half * t79;
+        stiffness[526] += mass_rz_half_rz_half * t81;
+        stiffness[527] += -mass_rz_half_rz_half * t83;
+        stiffness[537] += t169;
+        stiffness[538] += t170;
+        stiffness[539] += t171;
+        stiffness[540] += t56;
+        stiffness[541] += t57;
+        stiffness[542] += t58;
+        stiffness[543] += t97;
+        stiffness[544] += t98;
+        stiffness[545] += t99;
+        stiffness[558] += t46;
+        stiffness[559] += t49;
+        stiffness[560] += t52;
+        stiffness[561] += t175;
+        stiffness[562] += t176;
+        stiffness[563] += t177;
+        stiffness[570] += t73;
+        stiffness[571] += t74;
+        stiffness[572] += t75;
+        stiffness[573] += t106;
+        stiffness[574] += t107;
+        stiffness[575] += t108;
+        stiffness[588] += t63;
+        stiffness[589] += t66;
+        stiffness[590] += t69;
+        stiffness[591] += t178;
+        stiffness[592] += t179;
+        stiffness[593] += t180;
+        stiffness[600] += t88;
+        stiffness[601] += t89;
+        stiffness[602] += t90;
+        stiffness[603] += t115;
+        stiffness[604] += t116;
+        stiffness[605] += t117;
+        stiffness[618] += t80;
+        stiffness[619] += t82;
+        stiffness[620] += t84;
+        stiffness[621] += t181;
+        stiffness[622] += t182;
+        stiffness[623] += t183;
+        stiffness[630] += t59;
+        stiffness[631] += t60;
+        stiffness[632] += t61;
+        stiffness[633] += t100;
+        stiffness[634] += t101;
+        stiffness[635] += t102;
+        stiffness[648] += t175;
+        stiffness[649] += t176;
+        stiffness[650] += t177;
+        stiffness[651] += t94;
+        stiffness[652] += t95;
+        stiffness[653] += t96;
+        stiffness[660] += t76;
+        stiffness[661] += t77;
+        stiffness[662] += t78;
+        stiffness[663] += t109;
+        stiffness[664] += t110;
+        stiffness[665] += t111;
+        stiffness[678] += t178;
+        stiffness[679] += t179;
+        stiffness[680] += t180;
+        stiffness[681] += t103;
+        stiffness[682] += t104;
+        stiffness[683] += t105;
+        stiffness[690] += t91;
+        stiffness[691] += t92;
+        stiffness[692] += t93;
+        stiffness[693] += t118;
+        stiffness[694] += t119;
+        stiffness[695] += t120;
+        stiffness[708] += t181;
+        stiffness[709] += t182;
+        stiffness[710] += t183;
+        stiffness[711] += t112;
+        stiffness[712] += t113;
+        stiffness[713] += t114;
+        stiffness[726] += t127;
+        stiffness[727] += t128;
+        stiffness[728] += t129;
+        stiffness[732] += t124;
+        stiffness[733] += t125;
+        stiffness[734] += t126;
+        stiffness[744] += t121;
+        stiffness[745] += t122;
+        stiffness[746] += t123;
+        stiffness[756] += t136;
+        stiffness[757] += t137;
+        stiffness[758] += t138;
+        stiffness[762] += t133;
+        stiffness[763] += t134;
+        stiffness[764] += t135;
+        stiffness[774] += t130;
+        stiffness[775] += t131;
+        stiffness[776] += t132;
+        stiffness[786] += t145;
+        stiffness[787] += t146;
+        stiffness[788] += t147;
+        stiffness[792] += t142;
+        stiffness[793] += t143;
+        stiffness[794] += t144;
+        stiffness[804] += t139;
+        stiffness[805] += t140;
+        stiffness[806] += t141;
+        stiffness[819] += t154;
+        stiffness[820] += t155;
+        stiffness[821] += t156;
+        stiffness[825] += t151;
+        stiffness[826] += t152;
+        stiffness[827] += t153;
+        stiffness[837] += t148;
+        stiffness[838] += t149;
+        stiffness[839] += t150;
+        stiffness[849] += t163;
+        stiffness[850] += t164;
+        stiffness[851] += t165;
+        stiffness[855] += t160;
+        stiffness[856] += t161;
+        stiffness[857] += t162;
+        stiffness[867] += t157;
+        stiffness[868] += t158;
+        stiffness[869] += t159;
+        stiffness[879] += t172;
+        stiffness[880] += t173;
+        stiffness[881] += t174;
+        stiffness[885] += t169;
+        stiffness[886] += t170;
+        stiffness[887] += t171;
+        stiffness[897] += t166;
+        stiffness[898] += t167;
+        stiffness[899] += t168;
+        damping_matrix[1] -= t185;
+        damping_matrix[2] += t187;
+        damping_matrix[4] -= t188;
+        damping_matrix[5] += t189;
+        damping_matrix[19] -= t190;
+        damping_matrix[20] += t191;
+        damping_matrix[22] -= t192;
+        damping_matrix[23] += t193;
+        damping_matrix[30] += t185;
+        damping_matrix[32] -= t195;
+        damping_matrix[33] += t188;
+        damping_matrix[35] -= t196;
+        damping_matrix[48] += t190;
+        damping_matrix[50] -= t197;
+        damping_matrix[51] += t192;
+        damping_matrix[53] -= t198;
+        damping_matrix[60] -= t187;
+        damping_matrix[61] += t195;
+        damping_matrix[63] -= t189;
+        damping_matrix[64] += t196;
+        damping_matrix[78] -= t191;
+        damping_matrix[79] += t197;
+        damping_matrix[81] -= t193;
+        damping_matrix[82] += t198;
+        damping_matrix[91] -= t188;
+        damping_matrix[92] += t189;
+        damping_matrix[94] -= t199;
+        damping_matrix[95] += t200;
+        damping_matrix[109] -= t201;
+        damping_matrix[110] += t202;
+        damping_matrix[112] -= t203;
+        damping_matrix[113] += t204;
+        damping_matrix[120] += t188;
+        damping_matrix[122] -= t196;
+        damping_matrix[123] += t199;
+        damping_matrix[125] -= t205;
+        damping_matrix[138] += t201;
+        damping_matrix[140] -= t206;
+        damping_matrix[141] += t203;
+        damping_matrix[143] -= t207;
+        damping_matrix[150] -= t189;
+        damping_matrix[151] += t196;
+        damping_matrix[153] -= t200;
+        damping_matrix[154] += t205;
+        damping_matrix[168] -= t202;
+        damping_matrix[169] += t206;
+        damping_matrix[171] -= t204;
+        damping_matrix[172] += t207;
+        damping_matrix[187] -= t208;
+        damping_matrix[188] += t209;
+        damping_matrix[193] -= t210;
+        damping_matrix[194] += t211;
+        damping_matrix[205] -= t212;
+        damping_matrix[206] += t213;
+        damping_matrix[216] += t208;
+        damping_matrix[218] -= t214;
+        damping_matrix[222] += t210;
+        damping_matrix[224] -= t215;
+        damping_matrix[234] += t212;
+        damping_matrix[236] -= t216;
+        damping_matrix[246] -= t209;
+        damping_matrix[247] += t214;
+        damping_matrix[252] -= t211;
+        damping_matrix[253] += t215;
+        damping_matrix[264] -= t213;
+        damping_matrix[265] += t216;
+        damping_matrix[280] -= t217;
+        damping_matrix[281] += t218;
+        damping_matrix[286] -= t219;
+        damping_matrix[287] += t220;
+        damping_matrix[298] -= t221;
+        damping_matrix[299] += t222;
+        damping_matrix[309] += t217;
+        damping_matrix[311] -= t223;
+        damping_matrix[315] += t219;
+        damping_matrix[317] -= t224;
+        damping_matrix[327] += t221;
+        damping_matrix[329] -= t225;
+        damping_matrix[339] -= t218;
+        damping_matrix[340] += t223;
+        damping_matrix[345] -= t220;
+        damping_matrix[346] += t224;
+        damping_matrix[357] -= t222;
+        damping_matrix[358] += t225;
+        damping_matrix[367] -= t210;
+        damping_matrix[368] += t211;
+        damping_matrix[373] -= t226;
+        damping_matrix[374] += t227;
+        damping_matrix[385] -= t210;
+        damping_matrix[386] += t211;
+        damping_matrix[396] += t210;
+        damping_matrix[398] -= t215;
+        damping_matrix[402] += t226;
+        damping_matrix[404] -= t228;
+        damping_matrix[414] += t210;
+        damping_matrix[416] -= t215;
+        damping_matrix[426] -= t211;
+        damping_matrix[427] += t215;
+        damping_matrix[432] -= t227;
+        damping_matrix[433] += t228;
+        damping_matrix[444] -= t211;
+        damping_matrix[445] += t215;
+        damping_matrix[460] -= t219;
+        damping_matrix[461] += t220;
+        damping_matrix[466] -= t229;
+        damping_matrix[467] += t230;
+        damping_matrix[478] -= t219;
+        damping_matrix[479] += t220;
+        damping_matrix[489] += t219;
+        damping_matrix[491] -= t224;
+        damping_matrix[495] += t229;
+        damping_matrix[497] -= t231;
+        damping_matrix[507] += t219;
+        damping_matrix[509] -= t224;
+        damping_matrix[519] -= t220;
+        damping_matrix[520] += t224;
+        damping_matrix[525] -= t230;
+        damping_matrix[526] += t231;
+        damping_matrix[537] -= t220;
+        damping_matrix[538] += t224;
+        damping_matrix[541] -= t190;
+        damping_matrix[542] += t191;
+        damping_matrix[544] -= t201;
+        damping_matrix[545] += t202;
+        damping_matrix[559] -= t185;
+        damping_matrix[560] += t187;
+        damping_matrix[562] -= t232;
+        damping_matrix[563] += t233;
+        damping_matrix[570] += t190;
+        damping_matrix[572] -= t197;
+        damping_matrix[573] += t201;
+        damping_matrix[575] -= t206;
+        damping_matrix[588] += t185;
+        damping_matrix[590] -= t195;
+        damping_matrix[591] += t232;
+        damping_matrix[593] -= t234;
+        damping_matrix[600] -= t191;
+        damping_matrix[601] += t197;
+        damping_matrix[603] -= t202;
+        damping_matrix[604] += t206;
+        damping_matrix[618] -= t187;
+        damping_matrix[619] += t195;
+        damping_matrix[621] -= t233;
+        damping_matrix[622] += t234;
+        damping_matrix[631] -= t192;
+        damping_matrix[632] += t193;
+        damping_matrix[634] -= t203;
+        damping_matrix[635] += t204;
+        damping_matrix[649] -= t232;
+        damping_matrix[650] += t233;
+        damping_matrix[652] -= t199;
+        damping_matrix[653] += t200;
+        damping_matrix[660] += t192;
+        damping_matrix[662] -= t198;
+        damping_matrix[663] += t203;
+        damping_matrix[665] -= t207;
+        damping_matrix[678] += t232;
+        damping_matrix[680] -= t234;
+        damping_matrix[681] += t199;
+        damping_matrix[683] -= t205;
+        damping_matrix[690] -= t193;
+        damping_matrix[691] += t198;
+        damping_matrix[693] -= t204;
+        damping_matrix[694] += t207;
+        damping_matrix[708] -= t233;
+        damping_matrix[709] += t234;
+        damping_matrix[711] -= t200;
+        damping_matrix[712] += t205;
+        damping_matrix[727] -= t212;
+        damping_matrix[728] += t213;
+        damping_matrix[733] -= t210;
+        damping_matrix[734] += t211;
+        damping_matrix[745] -= t208;
+        damping_matrix[746] += t209;
+        damping_matrix[756] += t212;
+        damping_matrix[758] -= t216;
+        damping_matrix[762] += t210;
+        damping_matrix[764] -= t215;
+        damping_matrix[774] += t208;
+        damping_matrix[776] -= t214;
+        damping_matrix[786] -= t213;
+        damping_matrix[787] += t216;
+        damping_matrix[792] -= t211;
+        damping_matrix[793] += t215;
+        damping_matrix[804] -= t209;
+        damping_matrix[805] += t214;
+        damping_matrix[820] -= t221;
+        damping_matrix[821] += t222;
+        damping_matrix[826] -= t219;
+        damping_matrix[827] += t220;
+        damping_matrix[838] -= t217;
+        damping_matrix[839] += t218;
+        damping_matrix[849] += t221;
+        damping_matrix[851] -= t225;
+        damping_matrix[855] += t219;
+        damping_matrix[857] -= t224;
+        damping_matrix[867] += t217;
+        damping_matrix[869] -= t223;
+        damping_matrix[879] -= t222;
+        damping_matrix[880] += t225;
+        damping_matrix[885] -= t220;
+        damping_matrix[886] += t224;
+        damping_matrix[897] -= t218;
+        damping_matrix[898] += t223;
     }
     /// Adds the inertia forces of one element in the inertial frame; e is minus gravity.
     ///
@@ -2241,29 +2254,29 @@ pub mod curved_out_of_plane_equations {
         let total_r1_y = a_r1_y + e_y;
         let total_r1_z = a_r1_z + e_z;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t62 = length * element_mass;
-        let mass_r0_r0x = t62 * 0.05238095238095238;
+        let t59 = length * element_mass;
+        let mass_r0_r0x = t59 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t62 * (-0.030952380952380953);
-        let t66 = element_mass * (length * length);
-        let mass_r0x_r0x = t66 * 0.009523809523809525;
-        let mass_r0x_r1 = t62 * 0.030952380952380953;
-        let mass_r0x_r1x = t66 * (-0.007142857142857143);
+        let mass_r0_r1x = t59 * (-0.030952380952380953);
+        let t63 = element_mass * (length * length);
+        let mass_r0x_r0x = t63 * 0.009523809523809525;
+        let mass_r0x_r1 = t59 * 0.030952380952380953;
+        let mass_r0x_r1x = t63 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
-        let t73 = a_ry_half_x * mass_r0y_ry_half;
-        let t74 = a_ry_half_y * mass_r0y_ry_half;
-        let t75 = a_ry_half_z * mass_r0y_ry_half;
+        let t70 = a_ry_half_x * mass_r0y_ry_half;
+        let t71 = a_ry_half_y * mass_r0y_ry_half;
+        let t72 = a_ry_half_z * mass_r0y_ry_half;
         let mass_r0z_r0z = section_z_mass * 0.13333333333333333;
         let mass_r0z_rz_half = section_z_mass * 0.06666666666666667;
         let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
-        let t79 = a_rz_half_x * mass_r0z_rz_half;
-        let t80 = a_rz_half_y * mass_r0z_rz_half;
-        let t81 = a_rz_half_z * mass_r0z_rz_half;
+        let t76 = a_rz_half_x * mass_r0z_rz_half;
+        let t77 = a_rz_half_y * mass_r0z_rz_half;
+        let t78 = a_rz_half_z * mass_r0z_rz_half;
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
         let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
-        let mass_r1_r1x = t62 * (-0.05238095238095238);
+        let mass_r1_r1x = t59 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + a_r0x_x * mass_r0_r0x + total_r1_x * mass_r0_r1
                 + a_r1x_x * mass_r0_r1x;
@@ -2282,12 +2295,12 @@ pub mod curved_out_of_plane_equations {
         force[5]
             += total_r0_z * mass_r0_r0x + a_r0x_z * mass_r0x_r0x
                 + total_r1_z * mass_r0x_r1 + a_r1x_z * mass_r0x_r1x;
-        force[6] += a_r0y_x * mass_r0y_r0y + t73 + a_r1y_x * mass_r0y_r1y;
-        force[7] += a_r0y_y * mass_r0y_r0y + t74 + a_r1y_y * mass_r0y_r1y;
-        force[8] += a_r0y_z * mass_r0y_r0y + t75 + a_r1y_z * mass_r0y_r1y;
-        force[9] += a_r0z_x * mass_r0z_r0z + t79 + a_r1z_x * mass_r0z_r1z;
-        force[10] += a_r0z_y * mass_r0z_r0z + t80 + a_r1z_y * mass_r0z_r1z;
-        force[11] += a_r0z_z * mass_r0z_r0z + t81 + a_r1z_z * mass_r0z_r1z;
+        force[6] += a_r0y_x * mass_r0y_r0y + t70 + a_r1y_x * mass_r0y_r1y;
+        force[7] += a_r0y_y * mass_r0y_r0y + t71 + a_r1y_y * mass_r0y_r1y;
+        force[8] += a_r0y_z * mass_r0y_r0y + t72 + a_r1y_z * mass_r0y_r1y;
+        force[9] += a_r0z_x * mass_r0z_r0z + t76 + a_r1z_x * mass_r0z_r1z;
+        force[10] += a_r0z_y * mass_r0z_r0z + t77 + a_r1z_y * mass_r0z_r1z;
+        force[11] += a_r0z_z * mass_r0z_r0z + t78 + a_r1z_z * mass_r0z_r1z;
         force[12]
             += a_r0y_x * mass_r0y_ry_half + a_ry_half_x * mass_ry_half_ry_half
                 + a_r1y_x * mass_r0y_ry_half;
@@ -2324,12 +2337,12 @@ pub mod curved_out_of_plane_equations {
         force[23]
             += total_r0_z * mass_r0_r1x + a_r0x_z * mass_r0x_r1x
                 + total_r1_z * mass_r1_r1x + a_r1x_z * mass_r0x_r0x;
-        force[24] += t73 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
-        force[25] += t74 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
-        force[26] += t75 + a_r0y_z * mass_r0y_r1y + a_r1y_z * mass_r0y_r0y;
-        force[27] += t79 + a_r0z_x * mass_r0z_r1z + a_r1z_x * mass_r0z_r0z;
-        force[28] += t80 + a_r0z_y * mass_r0z_r1z + a_r1z_y * mass_r0z_r0z;
-        force[29] += t81 + a_r0z_z * mass_r0z_r1z + a_r1z_z * mass_r0z_r0z;
+        force[24] += t70 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
+        force[25] += t71 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
+        force[26] += t72 + a_r0y_z * mass_r0y_r1y + a_r1y_z * mass_r0y_r0y;
+        force[27] += t76 + a_r0z_x * mass_r0z_r1z + a_r1z_x * mass_r0z_r0z;
+        force[28] += t77 + a_r0z_y * mass_r0z_r1z + a_r1z_y * mass_r0z_r0z;
+        force[29] += t78 + a_r0z_z * mass_r0z_r1z + a_r1z_z * mass_r0z_r0z;
     }
     /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
     ///
@@ -2352,12 +2365,12 @@ pub mod curved_out_of_plane_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t17 = 1.0 / length;
-        let t18 = xi * 3.0;
-        weights[0] = xi * (-6.0 + xi * 6.0) * t17;
-        weights[1] = 1.0 + xi * (-4.0 + t18);
-        weights[6] = t17 * (xi * (6.0 + xi * (-6.0)));
-        weights[7] = xi * (t18 + (-2.0));
+        let t14 = 1.0 / length;
+        let t15 = xi * 3.0;
+        weights[0] = xi * (-6.0 + xi * 6.0) * t14;
+        weights[1] = 1.0 + xi * (-4.0 + t15);
+        weights[6] = t14 * (xi * (6.0 + xi * (-6.0)));
+        weights[7] = xi * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
     ///
@@ -2367,13 +2380,13 @@ pub mod curved_out_of_plane_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t17 = 1.0 / (length * length);
-        let t18 = xi * 6.0;
-        let t19 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t17;
-        weights[1] = (-4.0 + t18) * t19;
-        weights[6] = t17 * (6.0 + xi * (-12.0));
-        weights[7] = t19 * (t18 + (-2.0));
+        let t14 = 1.0 / (length * length);
+        let t15 = xi * 6.0;
+        let t16 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t14;
+        weights[1] = (-4.0 + t15) * t16;
+        weights[6] = t14 * (6.0 + xi * (-12.0));
+        weights[7] = t16 * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
     ///
@@ -2383,10 +2396,10 @@ pub mod curved_out_of_plane_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t16 = xi * 2.0;
-        weights[2] = 1.0 + xi * (-3.0 + t16);
+        let t13 = xi * 2.0;
+        weights[2] = 1.0 + xi * (-3.0 + t13);
         weights[4] = xi * (4.0 + xi * (-4.0));
-        weights[8] = xi * (t16 + (-1.0));
+        weights[8] = xi * (t13 + (-1.0));
     }
     /// Weights of the nodal vectors in d/dx of the section's y axis at xi in [0, 1]; the others are left alone.
     ///
@@ -2396,11 +2409,11 @@ pub mod curved_out_of_plane_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t17 = xi * 4.0;
-        let t18 = 1.0 / length;
-        weights[2] = (-3.0 + t17) * t18;
-        weights[4] = t18 * (4.0 + xi * (-8.0));
-        weights[8] = t18 * (t17 + (-1.0));
+        let t14 = xi * 4.0;
+        let t15 = 1.0 / length;
+        weights[2] = (-3.0 + t14) * t15;
+        weights[4] = t15 * (4.0 + xi * (-8.0));
+        weights[8] = t15 * (t14 + (-1.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
     ///
@@ -2410,11 +2423,11 @@ pub mod curved_out_of_plane_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t16 = 1.0 / (length * length);
-        let t17 = 4.0 * t16;
-        weights[2] = t17;
-        weights[4] = t16 * (-8.0);
-        weights[8] = t17;
+        let t13 = 1.0 / (length * length);
+        let t14 = 4.0 * t13;
+        weights[2] = t14;
+        weights[4] = t13 * (-8.0);
+        weights[8] = t14;
     }
     /// Weights of the nodal vectors in the section's z axis at xi in [0, 1]; the others are left alone.
     ///
@@ -2424,10 +2437,10 @@ pub mod curved_out_of_plane_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t16 = xi * 2.0;
-        weights[3] = 1.0 + xi * (-3.0 + t16);
+        let t13 = xi * 2.0;
+        weights[3] = 1.0 + xi * (-3.0 + t13);
         weights[5] = xi * (4.0 + xi * (-4.0));
-        weights[9] = xi * (t16 + (-1.0));
+        weights[9] = xi * (t13 + (-1.0));
     }
     /// Weights of the nodal vectors in d/dx of the section's z axis at xi in [0, 1]; the others are left alone.
     ///
@@ -2437,11 +2450,11 @@ pub mod curved_out_of_plane_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t17 = xi * 4.0;
-        let t18 = 1.0 / length;
-        weights[3] = (-3.0 + t17) * t18;
-        weights[5] = t18 * (4.0 + xi * (-8.0));
-        weights[9] = t18 * (t17 + (-1.0));
+        let t14 = xi * 4.0;
+        let t15 = 1.0 / length;
+        weights[3] = (-3.0 + t14) * t15;
+        weights[5] = t15 * (4.0 + xi * (-8.0));
+        weights[9] = t15 * (t14 + (-1.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the section's z axis at xi in [0, 1]; the others are left alone.
     ///
@@ -2451,11 +2464,11 @@ pub mod curved_out_of_plane_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t16 = 1.0 / (length * length);
-        let t17 = 4.0 * t16;
-        weights[3] = t17;
-        weights[5] = t16 * (-8.0);
-        weights[9] = t17;
+        let t13 = 1.0 / (length * length);
+        let t14 = 4.0 * t13;
+        weights[3] = t14;
+        weights[5] = t13 * (-8.0);
+        weights[9] = t14;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -2479,97 +2492,97 @@ pub mod curved_out_of_plane_equations {
             GIy,
             ..
         } = *row;
-        let t54 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
+        let t51 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
             - (fields[3] * fields[12] + fields[4] * fields[13] + fields[5] * fields[14]);
-        let t55 = 0.5
+        let t52 = 0.5
             * (fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2]
                 - 1.0)
             - 0.5
                 * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
                     + stress_free[2] * stress_free[2] - 1.0);
-        let t56 = EA * t55;
-        let t57 = 0.5
+        let t53 = EA * t52;
+        let t54 = 0.5
             * (fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5]
                 - 1.0)
             - 0.5
                 * (stress_free[3] * stress_free[3] + stress_free[4] * stress_free[4]
                     + stress_free[5] * stress_free[5] - 1.0);
-        let t58 = EA * t57;
-        let t59 = 0.5
+        let t55 = EA * t54;
+        let t56 = 0.5
             * (fields[6] * fields[6] + fields[7] * fields[7] + fields[8] * fields[8]
                 - 1.0)
             - 0.5
                 * (stress_free[6] * stress_free[6] + stress_free[7] * stress_free[7]
                     + stress_free[8] * stress_free[8] - 1.0);
-        let t60 = EA * t59;
-        let t61 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
+        let t57 = EA * t56;
+        let t58 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
             - (stress_free[0] * stress_free[3] + stress_free[1] * stress_free[4]
                 + stress_free[2] * stress_free[5]);
-        let t62 = kyGA * t61;
-        let t63 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
+        let t59 = kyGA * t58;
+        let t60 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
             - (stress_free[0] * stress_free[6] + stress_free[1] * stress_free[7]
                 + stress_free[2] * stress_free[8]);
-        let t64 = kzGA * t63;
-        let t65 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
+        let t61 = kzGA * t60;
+        let t62 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
             - (stress_free[3] * stress_free[6] + stress_free[4] * stress_free[7]
                 + stress_free[5] * stress_free[8]);
-        let t66 = GA * t65;
-        let t67 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
+        let t63 = GA * t62;
+        let t64 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
             - (stress_free[0] * stress_free[9] + stress_free[1] * stress_free[10]
                 + stress_free[2] * stress_free[11]);
-        let t68 = EIz * t67;
-        let t69 = t56 * (0.5 * (fields[0] * 2.0)) + fields[3] * t62 + fields[6] * t64
-            + fields[9] * t68;
-        let t70 = t56 * (0.5 * (fields[1] * 2.0)) + fields[4] * t62 + fields[7] * t64
-            + fields[10] * t68;
-        let t71 = t56 * (0.5 * (fields[2] * 2.0)) + fields[5] * t62 + fields[8] * t64
-            + fields[11] * t68;
-        let t72 = fields[0] * fields[12] + fields[1] * fields[13]
+        let t65 = EIz * t64;
+        let t66 = t53 * (0.5 * (fields[0] * 2.0)) + fields[3] * t59 + fields[6] * t61
+            + fields[9] * t65;
+        let t67 = t53 * (0.5 * (fields[1] * 2.0)) + fields[4] * t59 + fields[7] * t61
+            + fields[10] * t65;
+        let t68 = t53 * (0.5 * (fields[2] * 2.0)) + fields[5] * t59 + fields[8] * t61
+            + fields[11] * t65;
+        let t69 = fields[0] * fields[12] + fields[1] * fields[13]
             + fields[2] * fields[14]
             - (stress_free[0] * stress_free[12] + stress_free[1] * stress_free[13]
                 + stress_free[2] * stress_free[14]);
-        let t73 = EIy * t72;
-        let t74 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
+        let t70 = EIy * t69;
+        let t71 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
             + stress_free[8] * stress_free[11]
             - (stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
                 + stress_free[5] * stress_free[14]);
-        let t75 = GJ * (0.5 * t54 - 0.5 * t74);
-        let t76 = t58 * (0.5 * (fields[3] * 2.0)) + fields[0] * t62 + fields[6] * t66
-            - t75 * (fields[12] * 0.5);
-        let t77 = t58 * (0.5 * (fields[4] * 2.0)) + fields[1] * t62 + fields[7] * t66
-            - t75 * (fields[13] * 0.5);
-        let t78 = t58 * (0.5 * (fields[5] * 2.0)) + fields[2] * t62 + fields[8] * t66
-            - t75 * (fields[14] * 0.5);
-        let t79 = t60 * (0.5 * (fields[6] * 2.0)) + fields[0] * t64 + fields[3] * t66
-            + t75 * (fields[9] * 0.5);
-        let t80 = t60 * (0.5 * (fields[7] * 2.0)) + fields[1] * t64 + fields[4] * t66
-            + t75 * (fields[10] * 0.5);
-        let t81 = t60 * (0.5 * (fields[8] * 2.0)) + fields[2] * t64 + fields[5] * t66
-            + t75 * (fields[11] * 0.5);
-        let t82 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
+        let t72 = GJ * (0.5 * t51 - 0.5 * t71);
+        let t73 = t55 * (0.5 * (fields[3] * 2.0)) + fields[0] * t59 + fields[6] * t63
+            - t72 * (fields[12] * 0.5);
+        let t74 = t55 * (0.5 * (fields[4] * 2.0)) + fields[1] * t59 + fields[7] * t63
+            - t72 * (fields[13] * 0.5);
+        let t75 = t55 * (0.5 * (fields[5] * 2.0)) + fields[2] * t59 + fields[8] * t63
+            - t72 * (fields[14] * 0.5);
+        let t76 = t57 * (0.5 * (fields[6] * 2.0)) + fields[0] * t61 + fields[3] * t63
+            + t72 * (fields[9] * 0.5);
+        let t77 = t57 * (0.5 * (fields[7] * 2.0)) + fields[1] * t61 + fields[4] * t63
+            + t72 * (fields[10] * 0.5);
+        let t78 = t57 * (0.5 * (fields[8] * 2.0)) + fields[2] * t61 + fields[5] * t63
+            + t72 * (fields[11] * 0.5);
+        let t79 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
             - (stress_free[3] * stress_free[9] + stress_free[4] * stress_free[10]
                 + stress_free[5] * stress_free[11]);
-        let t83 = GIz * t82;
-        let t84 = fields[6] * fields[12] + fields[7] * fields[13]
+        let t80 = GIz * t79;
+        let t81 = fields[6] * fields[12] + fields[7] * fields[13]
             + fields[8] * fields[14]
             - (stress_free[6] * stress_free[12] + stress_free[7] * stress_free[13]
                 + stress_free[8] * stress_free[14]);
-        let t85 = GIy * t84;
-        forces[0] = t69 + fields[12] * t73;
-        forces[1] = t70 + fields[13] * t73;
-        forces[2] = t71 + fields[14] * t73;
-        forces[3] = t76 + fields[9] * t83;
-        forces[4] = t77 + fields[10] * t83;
-        forces[5] = t78 + fields[11] * t83;
-        forces[6] = t79 + fields[12] * t85;
-        forces[7] = t80 + fields[13] * t85;
-        forces[8] = t81 + fields[14] * t85;
-        forces[9] = fields[0] * t68 + t75 * (fields[6] * 0.5) + fields[3] * t83;
-        forces[10] = fields[1] * t68 + t75 * (fields[7] * 0.5) + fields[4] * t83;
-        forces[11] = fields[2] * t68 + t75 * (fields[8] * 0.5) + fields[5] * t83;
-        forces[12] = fields[0] * t73 - t75 * (fields[3] * 0.5) + fields[6] * t85;
-        forces[13] = fields[1] * t73 - t75 * (fields[4] * 0.5) + fields[7] * t85;
-        forces[14] = fields[2] * t73 - t75 * (fields[5] * 0.5) + fields[8] * t85;
+        let t82 = GIy * t81;
+        forces[0] = t66 + fields[12] * t70;
+        forces[1] = t67 + fields[13] * t70;
+        forces[2] = t68 + fields[14] * t70;
+        forces[3] = t73 + fields[9] * t80;
+        forces[4] = t74 + fields[10] * t80;
+        forces[5] = t75 + fields[11] * t80;
+        forces[6] = t76 + fields[12] * t82;
+        forces[7] = t77 + fields[13] * t82;
+        forces[8] = t78 + fields[14] * t82;
+        forces[9] = fields[0] * t65 + t72 * (fields[6] * 0.5) + fields[3] * t80;
+        forces[10] = fields[1] * t65 + t72 * (fields[7] * 0.5) + fields[4] * t80;
+        forces[11] = fields[2] * t65 + t72 * (fields[8] * 0.5) + fields[5] * t80;
+        forces[12] = fields[0] * t70 - t72 * (fields[3] * 0.5) + fields[6] * t82;
+        forces[13] = fields[1] * t70 - t72 * (fields[4] * 0.5) + fields[7] * t82;
+        forces[14] = fields[2] * t70 - t72 * (fields[5] * 0.5) + fields[8] * t82;
     }
     /// Motion of frame `hub` and its first three derivatives.
     ///
@@ -2580,41 +2593,41 @@ pub mod curved_out_of_plane_equations {
         motion: &mut ::rncf::mesh::FrameMotion,
     ) {
         *motion = ::rncf::mesh::FrameMotion::INERTIAL;
-        let t18 = model.omega_s / model.T_s;
-        let t19 = (model.T_s / 6.283185307179586).powi(2);
-        let t20 = t * 6.283185307179586 / model.T_s;
-        let t21 = t20.cos();
+        let t15 = model.omega_s / model.T_s;
+        let t16 = (model.T_s / 6.283185307179586).powi(2);
+        let t17 = t * 6.283185307179586 / model.T_s;
+        let t18 = t17.cos();
         let theta = (if t <= model.T_s {
-            t18 * (t * t / 2.0 + t19 * (t21 - 1.0))
+            t15 * (t * t / 2.0 + t16 * (t18 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t23 = theta.cos();
-        let t24 = theta.sin();
-        let t25 = 6.283185307179586 / model.T_s;
-        let t26 = t25 * t20.sin();
+        let t20 = theta.cos();
+        let t21 = theta.sin();
+        let t22 = 6.283185307179586 / model.T_s;
+        let t23 = t22 * t17.sin();
         let theta_t = (if t <= model.T_s {
-            t18 * (t - t19 * t26)
+            t15 * (t - t16 * t23)
         } else {
             model.omega_s
         });
         let theta_t_t = (if t <= model.T_s {
-            t18 * (1.0 - t19 * (t25 * (t21 * t25)))
+            t15 * (1.0 - t16 * (t22 * (t18 * t22)))
         } else {
             0.0
         });
         let theta_t_t_t = (if t <= model.T_s {
-            t18 * (t19 * (t25 * (t25 * t26)))
+            t15 * (t16 * (t22 * (t22 * t23)))
         } else {
             0.0
         });
         motion.spin[2] = theta_t;
         motion.spin_rate[2] = theta_t_t;
         motion.spin_jerk[2] = theta_t_t_t;
-        motion.rotation[0][0] = t23;
-        motion.rotation[0][1] = -t24;
-        motion.rotation[1][0] = t24;
-        motion.rotation[1][1] = t23;
+        motion.rotation[0][0] = t20;
+        motion.rotation[0][1] = -t21;
+        motion.rotation[1][0] = t21;
+        motion.rotation[1][1] = t20;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -2831,31 +2844,31 @@ pub mod curved_out_of_plane_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t42 = t * t / 2.0
+        let t39 = t * t / 2.0
             + (model.T_s / 6.283185307179586).powi(2)
                 * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
         let theta = (if t <= model.T_s {
-            model.omega_s / model.T_s * t42
+            model.omega_s / model.T_s * t39
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t44 = theta.cos();
-        let t45 = theta.sin();
-        let t46 = q[3] * (t44 * data.normals[0][0] - t45 * data.normals[0][1])
-            + q[4] * (t45 * data.normals[0][0] + t44 * data.normals[0][1]);
-        let t47 = q[3] * (t44 * data.normals[1][0] - t45 * data.normals[1][1])
-            + q[4] * (t45 * data.normals[1][0] + t44 * data.normals[1][1]);
-        let t48 = q[6] * (t44 * data.second[1][0] - t45 * data.second[1][1])
-            + q[7] * (t45 * data.second[1][0] + t44 * data.second[1][1]);
-        let t49 = q[6] * (t44 * data.second[2][0] - t45 * data.second[2][1])
-            + q[7] * (t45 * data.second[2][0] + t44 * data.second[2][1]);
-        rows[0] = q[0] - (t44 * data.point[0] - t45 * data.point[1]);
-        rows[1] = q[1] - (t45 * data.point[0] + t44 * data.point[1]);
+        let t41 = theta.cos();
+        let t42 = theta.sin();
+        let t43 = q[3] * (t41 * data.normals[0][0] - t42 * data.normals[0][1])
+            + q[4] * (t42 * data.normals[0][0] + t41 * data.normals[0][1]);
+        let t44 = q[3] * (t41 * data.normals[1][0] - t42 * data.normals[1][1])
+            + q[4] * (t42 * data.normals[1][0] + t41 * data.normals[1][1]);
+        let t45 = q[6] * (t41 * data.second[1][0] - t42 * data.second[1][1])
+            + q[7] * (t42 * data.second[1][0] + t41 * data.second[1][1]);
+        let t46 = q[6] * (t41 * data.second[2][0] - t42 * data.second[2][1])
+            + q[7] * (t42 * data.second[2][0] + t41 * data.second[2][1]);
+        rows[0] = q[0] - (t41 * data.point[0] - t42 * data.point[1]);
+        rows[1] = q[1] - (t42 * data.point[0] + t41 * data.point[1]);
         rows[2] = q[2] - data.point[2];
-        rows[3] = t46 + data.normals[0][2] * q[5];
-        rows[4] = t47 + data.normals[1][2] * q[5];
-        rows[5] = t48 + data.second[1][2] * q[8];
-        rows[6] = t49 + data.second[2][2] * q[8];
+        rows[3] = t43 + data.normals[0][2] * q[5];
+        rows[4] = t44 + data.normals[1][2] * q[5];
+        rows[5] = t45 + data.second[1][2] * q[8];
+        rows[6] = t46 + data.second[2][2] * q[8];
     }
     /// Joint `root`: conditions, velocity level.
     ///
@@ -2869,36 +2882,36 @@ pub mod curved_out_of_plane_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t32 = model.omega_s / model.T_s;
-        let t33 = (model.T_s / 6.283185307179586).powi(2);
-        let t34 = t * 6.283185307179586 / model.T_s;
+        let t29 = model.omega_s / model.T_s;
+        let t30 = (model.T_s / 6.283185307179586).powi(2);
+        let t31 = t * 6.283185307179586 / model.T_s;
         let theta = (if t <= model.T_s {
-            t32 * (t * t / 2.0 + t33 * (t34.cos() - 1.0))
+            t29 * (t * t / 2.0 + t30 * (t31.cos() - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t36 = (if t <= model.T_s {
-            t32 * (t - t33 * (6.283185307179586 / model.T_s * t34.sin()))
+        let t33 = (if t <= model.T_s {
+            t29 * (t - t30 * (6.283185307179586 / model.T_s * t31.sin()))
         } else {
             model.omega_s
         });
-        let t37 = theta.sin() * t36;
-        let t38 = theta.cos() * t36;
-        let t39 = q[4] * (data.normals[0][0] * t38 - data.normals[0][1] * t37)
-            - q[3] * (data.normals[0][0] * t37 + data.normals[0][1] * t38);
-        let t40 = q[4] * (data.normals[1][0] * t38 - data.normals[1][1] * t37)
-            - q[3] * (data.normals[1][0] * t37 + data.normals[1][1] * t38);
-        let t41 = q[7] * (data.second[1][0] * t38 - data.second[1][1] * t37)
-            - q[6] * (data.second[1][0] * t37 + data.second[1][1] * t38);
-        let t42 = q[7] * (data.second[2][0] * t38 - data.second[2][1] * t37)
-            - q[6] * (data.second[2][0] * t37 + data.second[2][1] * t38);
-        rows[0] = data.point[0] * t37 + data.point[1] * t38;
-        rows[1] = data.point[1] * t37 - data.point[0] * t38;
+        let t34 = theta.sin() * t33;
+        let t35 = theta.cos() * t33;
+        let t36 = q[4] * (data.normals[0][0] * t35 - data.normals[0][1] * t34)
+            - q[3] * (data.normals[0][0] * t34 + data.normals[0][1] * t35);
+        let t37 = q[4] * (data.normals[1][0] * t35 - data.normals[1][1] * t34)
+            - q[3] * (data.normals[1][0] * t34 + data.normals[1][1] * t35);
+        let t38 = q[7] * (data.second[1][0] * t35 - data.second[1][1] * t34)
+            - q[6] * (data.second[1][0] * t34 + data.second[1][1] * t35);
+        let t39 = q[7] * (data.second[2][0] * t35 - data.second[2][1] * t34)
+            - q[6] * (data.second[2][0] * t34 + data.second[2][1] * t35);
+        rows[0] = data.point[0] * t34 + data.point[1] * t35;
+        rows[1] = data.point[1] * t34 - data.point[0] * t35;
         rows[2] = 0.0;
-        rows[3] = t39;
-        rows[4] = t40;
-        rows[5] = t41;
-        rows[6] = t42;
+        rows[3] = t36;
+        rows[4] = t37;
+        rows[5] = t38;
+        rows[6] = t39;
     }
     /// Joint `root`: conditions, acceleration level.
     ///
@@ -2912,61 +2925,61 @@ pub mod curved_out_of_plane_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t36 = model.omega_s / model.T_s;
-        let t37 = (model.T_s / 6.283185307179586).powi(2);
-        let t38 = t * 6.283185307179586 / model.T_s;
-        let t39 = t38.cos();
+        let t33 = model.omega_s / model.T_s;
+        let t34 = (model.T_s / 6.283185307179586).powi(2);
+        let t35 = t * 6.283185307179586 / model.T_s;
+        let t36 = t35.cos();
         let theta = (if t <= model.T_s {
-            t36 * (t * t / 2.0 + t37 * (t39 - 1.0))
+            t33 * (t * t / 2.0 + t34 * (t36 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t41 = theta.cos();
-        let t42 = theta.sin();
-        let t43 = 6.283185307179586 / model.T_s;
-        let t44 = (if t <= model.T_s {
-            t36 * (t - t37 * (t43 * t38.sin()))
+        let t38 = theta.cos();
+        let t39 = theta.sin();
+        let t40 = 6.283185307179586 / model.T_s;
+        let t41 = (if t <= model.T_s {
+            t33 * (t - t34 * (t40 * t35.sin()))
         } else {
             model.omega_s
         });
-        let t45 = t42 * t44;
-        let t46 = t41 * t44;
-        let t47 = (if t <= model.T_s {
-            t36 * (1.0 - t37 * (t43 * (t39 * t43)))
+        let t42 = t39 * t41;
+        let t43 = t38 * t41;
+        let t44 = (if t <= model.T_s {
+            t33 * (1.0 - t34 * (t40 * (t36 * t40)))
         } else {
             0.0
         });
-        let t48 = t44 * t46 + t42 * t47;
-        let t49 = t41 * t47 - t44 * t45;
-        let t50 = v[3] * (data.normals[0][0] * t45 + data.normals[0][1] * t46);
-        let t51 = v[4] * (data.normals[0][0] * t46 - data.normals[0][1] * t45);
-        let t52 = v[3] * (data.normals[1][0] * t45 + data.normals[1][1] * t46);
-        let t53 = v[4] * (data.normals[1][0] * t46 - data.normals[1][1] * t45);
-        let t54 = v[6] * (data.second[1][0] * t45 + data.second[1][1] * t46);
-        let t55 = v[7] * (data.second[1][0] * t46 - data.second[1][1] * t45);
-        let t56 = v[6] * (data.second[2][0] * t45 + data.second[2][1] * t46);
-        let t57 = v[7] * (data.second[2][0] * t46 - data.second[2][1] * t45);
-        let t58 = t51
-            + (t51 + q[4] * (data.normals[0][0] * t49 - data.normals[0][1] * t48))
-            - (t50
-                + (t50 + q[3] * (data.normals[0][0] * t48 + data.normals[0][1] * t49)));
-        let t59 = t53
-            + (t53 + q[4] * (data.normals[1][0] * t49 - data.normals[1][1] * t48))
-            - (t52
-                + (t52 + q[3] * (data.normals[1][0] * t48 + data.normals[1][1] * t49)));
-        let t60 = t55
-            + (t55 + q[7] * (data.second[1][0] * t49 - data.second[1][1] * t48))
-            - (t54 + (t54 + q[6] * (data.second[1][0] * t48 + data.second[1][1] * t49)));
-        let t61 = t57
-            + (t57 + q[7] * (data.second[2][0] * t49 - data.second[2][1] * t48))
-            - (t56 + (t56 + q[6] * (data.second[2][0] * t48 + data.second[2][1] * t49)));
-        rows[0] = data.point[0] * t48 + data.point[1] * t49;
-        rows[1] = data.point[1] * t48 - data.point[0] * t49;
+        let t45 = t41 * t43 + t39 * t44;
+        let t46 = t38 * t44 - t41 * t42;
+        let t47 = v[3] * (data.normals[0][0] * t42 + data.normals[0][1] * t43);
+        let t48 = v[4] * (data.normals[0][0] * t43 - data.normals[0][1] * t42);
+        let t49 = v[3] * (data.normals[1][0] * t42 + data.normals[1][1] * t43);
+        let t50 = v[4] * (data.normals[1][0] * t43 - data.normals[1][1] * t42);
+        let t51 = v[6] * (data.second[1][0] * t42 + data.second[1][1] * t43);
+        let t52 = v[7] * (data.second[1][0] * t43 - data.second[1][1] * t42);
+        let t53 = v[6] * (data.second[2][0] * t42 + data.second[2][1] * t43);
+        let t54 = v[7] * (data.second[2][0] * t43 - data.second[2][1] * t42);
+        let t55 = t48
+            + (t48 + q[4] * (data.normals[0][0] * t46 - data.normals[0][1] * t45))
+            - (t47
+                + (t47 + q[3] * (data.normals[0][0] * t45 + data.normals[0][1] * t46)));
+        let t56 = t50
+            + (t50 + q[4] * (data.normals[1][0] * t46 - data.normals[1][1] * t45))
+            - (t49
+                + (t49 + q[3] * (data.normals[1][0] * t45 + data.normals[1][1] * t46)));
+        let t57 = t52
+            + (t52 + q[7] * (data.second[1][0] * t46 - data.second[1][1] * t45))
+            - (t51 + (t51 + q[6] * (data.second[1][0] * t45 + data.second[1][1] * t46)));
+        let t58 = t54
+            + (t54 + q[7] * (data.second[2][0] * t46 - data.second[2][1] * t45))
+            - (t53 + (t53 + q[6] * (data.second[2][0] * t45 + data.second[2][1] * t46)));
+        rows[0] = data.point[0] * t45 + data.point[1] * t46;
+        rows[1] = data.point[1] * t45 - data.point[0] * t46;
         rows[2] = 0.0;
-        rows[3] = t58;
-        rows[4] = t59;
-        rows[5] = t60;
-        rows[6] = t61;
+        rows[3] = t55;
+        rows[4] = t56;
+        rows[5] = t57;
+        rows[6] = t58;
     }
     /// Joint `root`: conditions, jerk level.
     ///
@@ -2980,93 +2993,93 @@ pub mod curved_out_of_plane_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t40 = model.omega_s / model.T_s;
-        let t41 = (model.T_s / 6.283185307179586).powi(2);
-        let t42 = t * 6.283185307179586 / model.T_s;
-        let t43 = t42.cos();
+        let t37 = model.omega_s / model.T_s;
+        let t38 = (model.T_s / 6.283185307179586).powi(2);
+        let t39 = t * 6.283185307179586 / model.T_s;
+        let t40 = t39.cos();
         let theta = (if t <= model.T_s {
-            t40 * (t * t / 2.0 + t41 * (t43 - 1.0))
+            t37 * (t * t / 2.0 + t38 * (t40 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t45 = theta.cos();
-        let t46 = theta.sin();
-        let t47 = 6.283185307179586 / model.T_s;
-        let t48 = t47 * t42.sin();
-        let t49 = (if t <= model.T_s { t40 * (t - t41 * t48) } else { model.omega_s });
-        let t50 = t46 * t49;
-        let t51 = t45 * t49;
-        let t52 = (if t <= model.T_s {
-            t40 * (1.0 - t41 * (t47 * (t43 * t47)))
+        let t42 = theta.cos();
+        let t43 = theta.sin();
+        let t44 = 6.283185307179586 / model.T_s;
+        let t45 = t44 * t39.sin();
+        let t46 = (if t <= model.T_s { t37 * (t - t38 * t45) } else { model.omega_s });
+        let t47 = t43 * t46;
+        let t48 = t42 * t46;
+        let t49 = (if t <= model.T_s {
+            t37 * (1.0 - t38 * (t44 * (t40 * t44)))
         } else {
             0.0
         });
-        let t53 = t49 * t51 + t46 * t52;
-        let t54 = t45 * t52 - t49 * t50;
-        let t55 = (if t <= model.T_s { t40 * (t41 * (t47 * (t47 * t48))) } else { 0.0 });
-        let t56 = t51 * t52;
-        let t57 = t56 + t49 * t54 + (t56 + t46 * t55);
-        let t58 = t50 * t52;
-        let t59 = t45 * t55 - t58 - (t58 + t49 * t53);
-        let t60 = a[3] * (data.normals[0][0] * t50 + data.normals[0][1] * t51);
-        let t61 = v[3] * (data.normals[0][0] * t53 + data.normals[0][1] * t54);
+        let t50 = t46 * t48 + t43 * t49;
+        let t51 = t42 * t49 - t46 * t47;
+        let t52 = (if t <= model.T_s { t37 * (t38 * (t44 * (t44 * t45))) } else { 0.0 });
+        let t53 = t48 * t49;
+        let t54 = t53 + t46 * t51 + (t53 + t43 * t52);
+        let t55 = t47 * t49;
+        let t56 = t42 * t52 - t55 - (t55 + t46 * t50);
+        let t57 = a[3] * (data.normals[0][0] * t47 + data.normals[0][1] * t48);
+        let t58 = v[3] * (data.normals[0][0] * t50 + data.normals[0][1] * t51);
+        let t59 = t57 + t58;
+        let t60 = a[4] * (data.normals[0][0] * t48 - data.normals[0][1] * t47);
+        let t61 = v[4] * (data.normals[0][0] * t51 - data.normals[0][1] * t50);
         let t62 = t60 + t61;
-        let t63 = a[4] * (data.normals[0][0] * t51 - data.normals[0][1] * t50);
-        let t64 = v[4] * (data.normals[0][0] * t54 - data.normals[0][1] * t53);
-        let t65 = t63 + t64;
-        let t66 = t63 + t65
-            + (t65
-                + (t64 + q[4] * (data.normals[0][0] * t59 - data.normals[0][1] * t57)))
-            - (t60 + t62
-                + (t62
-                    + (t61
+        let t63 = t60 + t62
+            + (t62
+                + (t61 + q[4] * (data.normals[0][0] * t56 - data.normals[0][1] * t54)))
+            - (t57 + t59
+                + (t59
+                    + (t58
                         + q[3]
-                            * (data.normals[0][0] * t57 + data.normals[0][1] * t59))));
-        let t67 = a[3] * (data.normals[1][0] * t50 + data.normals[1][1] * t51);
-        let t68 = v[3] * (data.normals[1][0] * t53 + data.normals[1][1] * t54);
+                            * (data.normals[0][0] * t54 + data.normals[0][1] * t56))));
+        let t64 = a[3] * (data.normals[1][0] * t47 + data.normals[1][1] * t48);
+        let t65 = v[3] * (data.normals[1][0] * t50 + data.normals[1][1] * t51);
+        let t66 = t64 + t65;
+        let t67 = a[4] * (data.normals[1][0] * t48 - data.normals[1][1] * t47);
+        let t68 = v[4] * (data.normals[1][0] * t51 - data.normals[1][1] * t50);
         let t69 = t67 + t68;
-        let t70 = a[4] * (data.normals[1][0] * t51 - data.normals[1][1] * t50);
-        let t71 = v[4] * (data.normals[1][0] * t54 - data.normals[1][1] * t53);
-        let t72 = t70 + t71;
-        let t73 = t70 + t72
-            + (t72
-                + (t71 + q[4] * (data.normals[1][0] * t59 - data.normals[1][1] * t57)))
-            - (t67 + t69
-                + (t69
-                    + (t68
+        let t70 = t67 + t69
+            + (t69
+                + (t68 + q[4] * (data.normals[1][0] * t56 - data.normals[1][1] * t54)))
+            - (t64 + t66
+                + (t66
+                    + (t65
                         + q[3]
-                            * (data.normals[1][0] * t57 + data.normals[1][1] * t59))));
-        let t74 = a[6] * (data.second[1][0] * t50 + data.second[1][1] * t51);
-        let t75 = v[6] * (data.second[1][0] * t53 + data.second[1][1] * t54);
+                            * (data.normals[1][0] * t54 + data.normals[1][1] * t56))));
+        let t71 = a[6] * (data.second[1][0] * t47 + data.second[1][1] * t48);
+        let t72 = v[6] * (data.second[1][0] * t50 + data.second[1][1] * t51);
+        let t73 = t71 + t72;
+        let t74 = a[7] * (data.second[1][0] * t48 - data.second[1][1] * t47);
+        let t75 = v[7] * (data.second[1][0] * t51 - data.second[1][1] * t50);
         let t76 = t74 + t75;
-        let t77 = a[7] * (data.second[1][0] * t51 - data.second[1][1] * t50);
-        let t78 = v[7] * (data.second[1][0] * t54 - data.second[1][1] * t53);
-        let t79 = t77 + t78;
-        let t80 = t77 + t79
-            + (t79 + (t78 + q[7] * (data.second[1][0] * t59 - data.second[1][1] * t57)))
-            - (t74 + t76
-                + (t76
-                    + (t75
-                        + q[6] * (data.second[1][0] * t57 + data.second[1][1] * t59))));
-        let t81 = a[6] * (data.second[2][0] * t50 + data.second[2][1] * t51);
-        let t82 = v[6] * (data.second[2][0] * t53 + data.second[2][1] * t54);
+        let t77 = t74 + t76
+            + (t76 + (t75 + q[7] * (data.second[1][0] * t56 - data.second[1][1] * t54)))
+            - (t71 + t73
+                + (t73
+                    + (t72
+                        + q[6] * (data.second[1][0] * t54 + data.second[1][1] * t56))));
+        let t78 = a[6] * (data.second[2][0] * t47 + data.second[2][1] * t48);
+        let t79 = v[6] * (data.second[2][0] * t50 + data.second[2][1] * t51);
+        let t80 = t78 + t79;
+        let t81 = a[7] * (data.second[2][0] * t48 - data.second[2][1] * t47);
+        let t82 = v[7] * (data.second[2][0] * t51 - data.second[2][1] * t50);
         let t83 = t81 + t82;
-        let t84 = a[7] * (data.second[2][0] * t51 - data.second[2][1] * t50);
-        let t85 = v[7] * (data.second[2][0] * t54 - data.second[2][1] * t53);
-        let t86 = t84 + t85;
-        let t87 = t84 + t86
-            + (t86 + (t85 + q[7] * (data.second[2][0] * t59 - data.second[2][1] * t57)))
-            - (t81 + t83
-                + (t83
-                    + (t82
-                        + q[6] * (data.second[2][0] * t57 + data.second[2][1] * t59))));
-        rows[0] = data.point[0] * t57 + data.point[1] * t59;
-        rows[1] = data.point[1] * t57 - data.point[0] * t59;
+        let t84 = t81 + t83
+            + (t83 + (t82 + q[7] * (data.second[2][0] * t56 - data.second[2][1] * t54)))
+            - (t78 + t80
+                + (t80
+                    + (t79
+                        + q[6] * (data.second[2][0] * t54 + data.second[2][1] * t56))));
+        rows[0] = data.point[0] * t54 + data.point[1] * t56;
+        rows[1] = data.point[1] * t54 - data.point[0] * t56;
         rows[2] = 0.0;
-        rows[3] = t66;
-        rows[4] = t73;
-        rows[5] = t80;
-        rows[6] = t87;
+        rows[3] = t63;
+        rows[4] = t70;
+        rows[5] = t77;
+        rows[6] = t84;
     }
     /// Joint `root`: derivatives of the conditions.
     ///
@@ -3077,16 +3090,16 @@ pub mod curved_out_of_plane_equations {
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
     ) {
-        let t30 = t * t / 2.0
+        let t27 = t * t / 2.0
             + (model.T_s / 6.283185307179586).powi(2)
                 * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
         let theta = (if t <= model.T_s {
-            model.omega_s / model.T_s * t30
+            model.omega_s / model.T_s * t27
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t32 = theta.cos();
-        let t33 = theta.sin();
+        let t29 = theta.cos();
+        let t30 = theta.sin();
         jacobian[0] = 1.0;
         jacobian[1] = 0.0;
         jacobian[2] = 0.0;
@@ -3117,8 +3130,8 @@ pub mod curved_out_of_plane_equations {
         jacobian[27] = 0.0;
         jacobian[28] = 0.0;
         jacobian[29] = 0.0;
-        jacobian[30] = t32 * data.normals[0][0] - t33 * data.normals[0][1];
-        jacobian[31] = t33 * data.normals[0][0] + t32 * data.normals[0][1];
+        jacobian[30] = t29 * data.normals[0][0] - t30 * data.normals[0][1];
+        jacobian[31] = t30 * data.normals[0][0] + t29 * data.normals[0][1];
         jacobian[32] = data.normals[0][2];
         jacobian[33] = 0.0;
         jacobian[34] = 0.0;
@@ -3126,8 +3139,8 @@ pub mod curved_out_of_plane_equations {
         jacobian[36] = 0.0;
         jacobian[37] = 0.0;
         jacobian[38] = 0.0;
-        jacobian[39] = t32 * data.normals[1][0] - t33 * data.normals[1][1];
-        jacobian[40] = t33 * data.normals[1][0] + t32 * data.normals[1][1];
+        jacobian[39] = t29 * data.normals[1][0] - t30 * data.normals[1][1];
+        jacobian[40] = t30 * data.normals[1][0] + t29 * data.normals[1][1];
         jacobian[41] = data.normals[1][2];
         jacobian[42] = 0.0;
         jacobian[43] = 0.0;
@@ -3138,8 +3151,8 @@ pub mod curved_out_of_plane_equations {
         jacobian[48] = 0.0;
         jacobian[49] = 0.0;
         jacobian[50] = 0.0;
-        jacobian[51] = t32 * data.second[1][0] - t33 * data.second[1][1];
-        jacobian[52] = t33 * data.second[1][0] + t32 * data.second[1][1];
+        jacobian[51] = t29 * data.second[1][0] - t30 * data.second[1][1];
+        jacobian[52] = t30 * data.second[1][0] + t29 * data.second[1][1];
         jacobian[53] = data.second[1][2];
         jacobian[54] = 0.0;
         jacobian[55] = 0.0;
@@ -3147,8 +3160,8 @@ pub mod curved_out_of_plane_equations {
         jacobian[57] = 0.0;
         jacobian[58] = 0.0;
         jacobian[59] = 0.0;
-        jacobian[60] = t32 * data.second[2][0] - t33 * data.second[2][1];
-        jacobian[61] = t33 * data.second[2][0] + t32 * data.second[2][1];
+        jacobian[60] = t29 * data.second[2][0] - t30 * data.second[2][1];
+        jacobian[61] = t30 * data.second[2][0] + t29 * data.second[2][1];
         jacobian[62] = data.second[2][2];
     }
     /// Joint `root`: what it prescribes, with three derivatives.
@@ -3160,69 +3173,69 @@ pub mod curved_out_of_plane_equations {
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
     ) {
-        let t27 = model.omega_s / model.T_s;
-        let t28 = (model.T_s / 6.283185307179586).powi(2);
-        let t29 = t * 6.283185307179586 / model.T_s;
-        let t30 = t29.cos();
+        let t24 = model.omega_s / model.T_s;
+        let t25 = (model.T_s / 6.283185307179586).powi(2);
+        let t26 = t * 6.283185307179586 / model.T_s;
+        let t27 = t26.cos();
         let theta = (if t <= model.T_s {
-            t27 * (t * t / 2.0 + t28 * (t30 - 1.0))
+            t24 * (t * t / 2.0 + t25 * (t27 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t32 = theta.cos();
-        let t33 = theta.sin();
-        let t34 = 6.283185307179586 / model.T_s;
-        let t35 = t34 * t29.sin();
-        let t36 = (if t <= model.T_s { t27 * (t - t28 * t35) } else { model.omega_s });
-        let t37 = t33 * t36;
-        let t38 = t32 * t36;
-        let t39 = (if t <= model.T_s {
-            t27 * (1.0 - t28 * (t34 * (t30 * t34)))
+        let t29 = theta.cos();
+        let t30 = theta.sin();
+        let t31 = 6.283185307179586 / model.T_s;
+        let t32 = t31 * t26.sin();
+        let t33 = (if t <= model.T_s { t24 * (t - t25 * t32) } else { model.omega_s });
+        let t34 = t30 * t33;
+        let t35 = t29 * t33;
+        let t36 = (if t <= model.T_s {
+            t24 * (1.0 - t25 * (t31 * (t27 * t31)))
         } else {
             0.0
         });
-        let t40 = t36 * t38 + t33 * t39;
-        let t41 = t32 * t39 - t36 * t37;
-        let t42 = (if t <= model.T_s { t27 * (t28 * (t34 * (t34 * t35))) } else { 0.0 });
-        let t43 = t38 * t39;
-        let t44 = t43 + t36 * t41 + (t43 + t33 * t42);
-        let t45 = t37 * t39;
-        let t46 = t32 * t42 - t45 - (t45 + t36 * t40);
-        prescribed.position[0][0] = t32 * data.point[0] - t33 * data.point[1];
-        prescribed.position[0][1] = t33 * data.point[0] + t32 * data.point[1];
+        let t37 = t33 * t35 + t30 * t36;
+        let t38 = t29 * t36 - t33 * t34;
+        let t39 = (if t <= model.T_s { t24 * (t25 * (t31 * (t31 * t32))) } else { 0.0 });
+        let t40 = t35 * t36;
+        let t41 = t40 + t33 * t38 + (t40 + t30 * t39);
+        let t42 = t34 * t36;
+        let t43 = t29 * t39 - t42 - (t42 + t33 * t37);
+        prescribed.position[0][0] = t29 * data.point[0] - t30 * data.point[1];
+        prescribed.position[0][1] = t30 * data.point[0] + t29 * data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = -(data.point[0] * t37 + data.point[1] * t38);
-        prescribed.position[1][1] = data.point[0] * t38 - data.point[1] * t37;
+        prescribed.position[1][0] = -(data.point[0] * t34 + data.point[1] * t35);
+        prescribed.position[1][1] = data.point[0] * t35 - data.point[1] * t34;
         prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = -(data.point[0] * t40 + data.point[1] * t41);
-        prescribed.position[2][1] = data.point[0] * t41 - data.point[1] * t40;
+        prescribed.position[2][0] = -(data.point[0] * t37 + data.point[1] * t38);
+        prescribed.position[2][1] = data.point[0] * t38 - data.point[1] * t37;
         prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = -(data.point[0] * t44 + data.point[1] * t46);
-        prescribed.position[3][1] = data.point[0] * t46 - data.point[1] * t44;
+        prescribed.position[3][0] = -(data.point[0] * t41 + data.point[1] * t43);
+        prescribed.position[3][1] = data.point[0] * t43 - data.point[1] * t41;
         prescribed.position[3][2] = 0.0;
-        prescribed.slope[0][0] = t32 * data.tangent[0] - t33 * data.tangent[1];
-        prescribed.slope[0][1] = t33 * data.tangent[0] + t32 * data.tangent[1];
+        prescribed.slope[0][0] = t29 * data.tangent[0] - t30 * data.tangent[1];
+        prescribed.slope[0][1] = t30 * data.tangent[0] + t29 * data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = -(data.tangent[0] * t37 + data.tangent[1] * t38);
-        prescribed.slope[1][1] = data.tangent[0] * t38 - data.tangent[1] * t37;
+        prescribed.slope[1][0] = -(data.tangent[0] * t34 + data.tangent[1] * t35);
+        prescribed.slope[1][1] = data.tangent[0] * t35 - data.tangent[1] * t34;
         prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = -(data.tangent[0] * t40 + data.tangent[1] * t41);
-        prescribed.slope[2][1] = data.tangent[0] * t41 - data.tangent[1] * t40;
+        prescribed.slope[2][0] = -(data.tangent[0] * t37 + data.tangent[1] * t38);
+        prescribed.slope[2][1] = data.tangent[0] * t38 - data.tangent[1] * t37;
         prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = -(data.tangent[0] * t44 + data.tangent[1] * t46);
-        prescribed.slope[3][1] = data.tangent[0] * t46 - data.tangent[1] * t44;
+        prescribed.slope[3][0] = -(data.tangent[0] * t41 + data.tangent[1] * t43);
+        prescribed.slope[3][1] = data.tangent[0] * t43 - data.tangent[1] * t41;
         prescribed.slope[3][2] = 0.0;
-        prescribed.second[0][0] = t32 * data.second[0][0] - t33 * data.second[0][1];
-        prescribed.second[0][1] = t33 * data.second[0][0] + t32 * data.second[0][1];
+        prescribed.second[0][0] = t29 * data.second[0][0] - t30 * data.second[0][1];
+        prescribed.second[0][1] = t30 * data.second[0][0] + t29 * data.second[0][1];
         prescribed.second[0][2] = data.second[0][2];
-        prescribed.second[1][0] = -(data.second[0][0] * t37 + data.second[0][1] * t38);
-        prescribed.second[1][1] = data.second[0][0] * t38 - data.second[0][1] * t37;
+        prescribed.second[1][0] = -(data.second[0][0] * t34 + data.second[0][1] * t35);
+        prescribed.second[1][1] = data.second[0][0] * t35 - data.second[0][1] * t34;
         prescribed.second[1][2] = 0.0;
-        prescribed.second[2][0] = -(data.second[0][0] * t40 + data.second[0][1] * t41);
-        prescribed.second[2][1] = data.second[0][0] * t41 - data.second[0][1] * t40;
+        prescribed.second[2][0] = -(data.second[0][0] * t37 + data.second[0][1] * t38);
+        prescribed.second[2][1] = data.second[0][0] * t38 - data.second[0][1] * t37;
         prescribed.second[2][2] = 0.0;
-        prescribed.second[3][0] = -(data.second[0][0] * t44 + data.second[0][1] * t46);
-        prescribed.second[3][1] = data.second[0][0] * t46 - data.second[0][1] * t44;
+        prescribed.second[3][0] = -(data.second[0][0] * t41 + data.second[0][1] * t43);
+        prescribed.second[3][1] = data.second[0][0] * t43 - data.second[0][1] * t41;
         prescribed.second[3][2] = 0.0;
     }
     /// Times at which a derivative of a motion or load may jump (s).

@@ -17,7 +17,7 @@ impl Default for Elastica {
         Self {
             alpha: 1.0,
             slenderness: 0.001,
-            elements: 8,
+            elements: 32,
         }
     }
 }
@@ -31,7 +31,7 @@ impl ::rncf::Model for Elastica {
     /// Radius of the section over the length.
     param slenderness = 0.001;
     /// Number of elements.
-    param elements: count = 8;
+    param elements: count = 32;
 
     const length = 1 m;
     const young = 210 [GPa];
@@ -59,8 +59,9 @@ impl ::rncf::Model for Elastica {
     run { t_end = 1 s; every = 0.01 s; }
 }"#;
     const NOTES: &'static [&'static str] = &[
-        "Body `beam` uses `beam_planar`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1968).",
+        "Body `beam` uses `beam_planar`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1954).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",
+        "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear, twist and have rotary inertia.",
         "Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -89,7 +90,7 @@ impl ::rncf::Model for Elastica {
                 unit: "1",
                 unit_si: 1.0,
                 dimension: [0, 0, 0, 0, 0, 0],
-                default: 8.0,
+                default: 32.0,
                 doc: "Number of elements.",
             },
         ]
@@ -161,7 +162,7 @@ pub mod elastica_equations {
     ///
     /// Nodal vectors: r0, r0x, r0y, ry_half, r1, r1x, r1y, 2 components each.
     ///
-    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1968).
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1954).
     ///
     /// The energy is integrated with 3 Gauss points.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -241,14 +242,14 @@ pub mod elastica_equations {
     ) {
         let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
         let [[a_x, a_y], [b_x, b_y]] = *fields;
-        let t22 = length * EA;
-        let t23 = 0.5 * (t22 * (0.5 * (a_x * a_x + a_y * a_y - 1.0)));
-        let t24 = (a_x * b_x + a_y * b_y) * (length * kyGA);
-        let t25 = 0.5 * (t22 * (0.5 * (b_x * b_x + b_y * b_y - 1.0)));
-        forces[0][0] = t23 * (a_x * 2.0) + b_x * t24;
-        forces[0][1] = t23 * (a_y * 2.0) + b_y * t24;
-        forces[1][0] = a_x * t24 + t25 * (b_x * 2.0);
-        forces[1][1] = a_y * t24 + t25 * (b_y * 2.0);
+        let t19 = length * EA;
+        let t20 = 0.5 * (t19 * (0.5 * (a_x * a_x + a_y * a_y - 1.0)));
+        let t21 = (a_x * b_x + a_y * b_y) * (length * kyGA);
+        let t22 = 0.5 * (t19 * (0.5 * (b_x * b_x + b_y * b_y - 1.0)));
+        forces[0][0] = t20 * (a_x * 2.0) + b_x * t21;
+        forces[0][1] = t20 * (a_y * 2.0) + b_y * t21;
+        forces[1][0] = a_x * t21 + t22 * (b_x * 2.0);
+        forces[1][1] = a_y * t21 + t22 * (b_y * 2.0);
     }
     /// Writes the blocks of the tangent on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -260,35 +261,35 @@ pub mod elastica_equations {
     ) {
         let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
         let [[a_x, a_y], [b_x, b_y]] = *fields;
-        let t22 = length * EA;
-        let t23 = length * kyGA;
-        let t24 = 0.5 * (0.5 * t22);
-        let t25 = (a_x * b_x + a_y * b_y) * t23;
-        let t26 = a_x * 2.0;
-        let t27 = a_y * 2.0;
-        let t28 = b_x * 2.0;
-        let t29 = b_y * 2.0;
-        let t30 = t24 * t27;
-        let t31 = b_y * t23;
-        let t32 = a_x * t23;
-        let t33 = a_y * t23;
-        let t34 = t24 * t29;
-        let t35 = t26 * t30 + b_x * t31;
-        let t36 = a_x * t33 + t28 * t34;
-        let t37 = 0.5 * (t22 * (0.5 * (a_x * a_x + a_y * a_y - 1.0))) * 2.0;
-        let t38 = 0.5 * (t22 * (0.5 * (b_x * b_x + b_y * b_y - 1.0))) * 2.0;
-        stiffness[0][0] = t26 * (t24 * t26) + b_x * (b_x * t23) + t37;
-        stiffness[0][1] = t35;
-        stiffness[0][2] = t35;
-        stiffness[0][3] = t27 * t30 + b_y * t31 + t37;
-        stiffness[1][0] = t25 + b_x * t32;
-        stiffness[1][1] = b_x * t33;
-        stiffness[1][2] = b_y * t32;
-        stiffness[1][3] = t25 + b_y * t33;
-        stiffness[2][0] = a_x * t32 + t28 * (t24 * t28) + t38;
-        stiffness[2][1] = t36;
-        stiffness[2][2] = t36;
-        stiffness[2][3] = a_y * t33 + t29 * t34 + t38;
+        let t19 = length * EA;
+        let t20 = length * kyGA;
+        let t21 = 0.5 * (0.5 * t19);
+        let t22 = (a_x * b_x + a_y * b_y) * t20;
+        let t23 = a_x * 2.0;
+        let t24 = a_y * 2.0;
+        let t25 = b_x * 2.0;
+        let t26 = b_y * 2.0;
+        let t27 = t21 * t24;
+        let t28 = b_y * t20;
+        let t29 = a_x * t20;
+        let t30 = a_y * t20;
+        let t31 = t21 * t26;
+        let t32 = t23 * t27 + b_x * t28;
+        let t33 = a_x * t30 + t25 * t31;
+        let t34 = 0.5 * (t19 * (0.5 * (a_x * a_x + a_y * a_y - 1.0))) * 2.0;
+        let t35 = 0.5 * (t19 * (0.5 * (b_x * b_x + b_y * b_y - 1.0))) * 2.0;
+        stiffness[0][0] = t23 * (t21 * t23) + b_x * (b_x * t20) + t34;
+        stiffness[0][1] = t32;
+        stiffness[0][2] = t32;
+        stiffness[0][3] = t24 * t27 + b_y * t28 + t34;
+        stiffness[1][0] = t22 + b_x * t29;
+        stiffness[1][1] = b_x * t30;
+        stiffness[1][2] = b_y * t29;
+        stiffness[1][3] = t22 + b_y * t30;
+        stiffness[2][0] = a_x * t29 + t25 * (t21 * t25) + t35;
+        stiffness[2][1] = t33;
+        stiffness[2][2] = t33;
+        stiffness[2][3] = a_y * t30 + t26 * t31 + t35;
     }
     /// Writes the strain energy a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -300,10 +301,10 @@ pub mod elastica_equations {
     ) {
         let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
         let [[a_x, a_y], [b_x, b_y]] = *fields;
-        let t22 = 0.5 * (length * EA);
-        let t23 = t22 * (0.5 * (a_x * a_x + a_y * a_y - 1.0)).powi(2)
-            + t22 * (0.5 * (b_x * b_x + b_y * b_y - 1.0)).powi(2);
-        *energy = t23 + 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y).powi(2);
+        let t19 = 0.5 * (length * EA);
+        let t20 = t19 * (0.5 * (a_x * a_x + a_y * a_y - 1.0)).powi(2)
+            + t19 * (0.5 * (b_x * b_x + b_y * b_y - 1.0)).powi(2);
+        *energy = t20 + 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y).powi(2);
     }
     /// Writes the forces on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
@@ -318,18 +319,18 @@ pub mod elastica_equations {
         let inverse_length = 1.0 / length;
         let db_x = inverse_length * unit_db_x;
         let db_y = inverse_length * unit_db_y;
-        let t27 = (a_x * db_x + a_y * db_y) * (length * EIz);
-        let t28 = (b_x * db_x + b_y * db_y) * (length * GIz);
-        forces[0][0] = db_x * t27;
-        forces[0][1] = db_y * t27;
-        forces[1][0] = db_x * t28;
-        forces[1][1] = db_y * t28;
-        forces[2][0] = inverse_length * (a_x * t27 + b_x * t28);
-        forces[2][1] = inverse_length * (a_y * t27 + b_y * t28);
+        let t24 = inverse_length * ((a_x * db_x + a_y * db_y) * (length * EIz));
+        let t25 = inverse_length * ((b_x * db_x + b_y * db_y) * (length * GIz));
+        forces[0][0] = unit_db_x * t24;
+        forces[0][1] = unit_db_y * t24;
+        forces[1][0] = unit_db_x * t25;
+        forces[1][1] = unit_db_y * t25;
+        forces[2][0] = a_x * t24 + b_x * t25;
+        forces[2][1] = a_y * t24 + b_y * t25;
     }
     /// Writes the blocks of the tangent on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 9 additions, 50 multiplications, 1 divisions.
+    /// Operations: 9 additions, 43 multiplications, 1 divisions.
     pub fn beam_planar_points2_tangent(
         row: &BeamPlanar,
         fields: &[[f64; 2]; 3],
@@ -340,48 +341,50 @@ pub mod elastica_equations {
         let inverse_length = 1.0 / length;
         let db_x = inverse_length * unit_db_x;
         let db_y = inverse_length * unit_db_y;
-        let t27 = length * EIz;
-        let t28 = length * GIz;
-        let t29 = (a_x * db_x + a_y * db_y) * t27;
-        let t30 = (b_x * db_x + b_y * db_y) * t28;
-        let t31 = db_y * t27;
-        let t32 = a_x * t27;
-        let t33 = a_y * t27;
-        let t34 = db_y * t28;
-        let t35 = b_x * t28;
-        let t36 = b_y * t28;
-        let t37 = db_x * t31;
-        let t38 = db_x * t34;
-        let t39 = inverse_length * (t30 + db_x * t35);
-        let t40 = inverse_length * (db_x * t36);
-        let t41 = inverse_length * (db_y * t35);
-        let t42 = inverse_length * (t30 + db_y * t36);
-        let t43 = inverse_length * inverse_length;
-        let t44 = (a_x * t33 + b_x * t36) * t43;
-        stiffness[0][0] = db_x * (db_x * t27);
+        let t24 = length * EIz;
+        let t25 = length * GIz;
+        let t26 = inverse_length * ((a_x * db_x + a_y * db_y) * t24);
+        let t27 = inverse_length * inverse_length;
+        let t28 = t24 * t27;
+        let t29 = inverse_length * ((b_x * db_x + b_y * db_y) * t25);
+        let t30 = t25 * t27;
+        let t31 = unit_db_y * t28;
+        let t32 = a_x * t28;
+        let t33 = a_y * t28;
+        let t34 = unit_db_y * t30;
+        let t35 = b_x * t30;
+        let t36 = b_y * t30;
+        let t37 = unit_db_x * t31;
+        let t38 = unit_db_x * t34;
+        let t39 = unit_db_x * t36;
+        let t40 = unit_db_y * t35;
+        let t41 = a_x * t33 + b_x * t36;
+        let t42 = t29 + unit_db_x * t35;
+        let t43 = t29 + unit_db_y * t36;
+        stiffness[0][0] = unit_db_x * (unit_db_x * t28);
         stiffness[0][1] = t37;
         stiffness[0][2] = t37;
-        stiffness[0][3] = db_y * t31;
-        stiffness[1][0] = inverse_length * (t29 + db_x * t32);
-        stiffness[1][1] = inverse_length * (db_x * t33);
-        stiffness[1][2] = inverse_length * (db_y * t32);
-        stiffness[1][3] = inverse_length * (t29 + db_y * t33);
-        stiffness[2][0] = db_x * (db_x * t28);
+        stiffness[0][3] = unit_db_y * t31;
+        stiffness[1][0] = t26 + unit_db_x * t32;
+        stiffness[1][1] = unit_db_x * t33;
+        stiffness[1][2] = unit_db_y * t32;
+        stiffness[1][3] = t26 + unit_db_y * t33;
+        stiffness[2][0] = unit_db_x * (unit_db_x * t30);
         stiffness[2][1] = t38;
         stiffness[2][2] = t38;
-        stiffness[2][3] = db_y * t34;
-        stiffness[3][0] = t39;
-        stiffness[3][1] = t40;
-        stiffness[3][2] = t41;
-        stiffness[3][3] = t42;
-        stiffness[4][0] = t39;
-        stiffness[4][1] = t41;
-        stiffness[4][2] = t40;
-        stiffness[4][3] = t42;
-        stiffness[5][0] = (a_x * t32 + b_x * t35) * t43;
-        stiffness[5][1] = t44;
-        stiffness[5][2] = t44;
-        stiffness[5][3] = (a_y * t33 + b_y * t36) * t43;
+        stiffness[2][3] = unit_db_y * t34;
+        stiffness[3][0] = t42;
+        stiffness[3][1] = t39;
+        stiffness[3][2] = t40;
+        stiffness[3][3] = t43;
+        stiffness[4][0] = t42;
+        stiffness[4][1] = t40;
+        stiffness[4][2] = t39;
+        stiffness[4][3] = t43;
+        stiffness[5][0] = a_x * t32 + b_x * t35;
+        stiffness[5][1] = t41;
+        stiffness[5][2] = t41;
+        stiffness[5][3] = a_y * t33 + b_y * t36;
     }
     /// Writes the strain energy a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
@@ -396,9 +399,9 @@ pub mod elastica_equations {
         let inverse_length = 1.0 / length;
         let db_x = inverse_length * unit_db_x;
         let db_y = inverse_length * unit_db_y;
-        let t27 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y).powi(2)
+        let t24 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y).powi(2)
             + 0.5 * (length * GIz) * (b_x * db_x + b_y * db_y).powi(2);
-        *energy = t27;
+        *energy = t24;
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
@@ -444,7 +447,7 @@ pub mod elastica_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 897 additions, 1069 multiplications, 2 divisions.
+    /// Operations: 897 additions, 1055 multiplications, 2 divisions.
     pub fn beam_planar_elastic_tangent(
         row: &BeamPlanar,
         q: &[f64; 14],
@@ -514,19 +517,19 @@ pub mod elastica_equations {
         let element_mass = length * rhoA;
         let section_y_mass = length * rhoIz;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t21 = length * element_mass;
-        let mass_r0_r0x = t21 * 0.05238095238095238;
+        let t18 = length * element_mass;
+        let mass_r0_r0x = t18 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t21 * (-0.030952380952380953);
-        let t25 = element_mass * (length * length);
-        let mass_r0x_r0x = t25 * 0.009523809523809525;
-        let mass_r0x_r1 = t21 * 0.030952380952380953;
-        let mass_r0x_r1x = t25 * (-0.007142857142857143);
+        let mass_r0_r1x = t18 * (-0.030952380952380953);
+        let t22 = element_mass * (length * length);
+        let mass_r0x_r0x = t22 * 0.009523809523809525;
+        let mass_r0x_r1 = t18 * 0.030952380952380953;
+        let mass_r0x_r1x = t22 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
-        let mass_r1_r1x = t21 * (-0.05238095238095238);
+        let mass_r1_r1x = t18 * (-0.05238095238095238);
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_r0x;
         mass[2] = 0.0;
@@ -599,21 +602,21 @@ pub mod elastica_equations {
         let total_r1_x = a_r1_x + e_x;
         let total_r1_y = a_r1_y + e_y;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t41 = length * element_mass;
-        let mass_r0_r0x = t41 * 0.05238095238095238;
+        let t38 = length * element_mass;
+        let mass_r0_r0x = t38 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t41 * (-0.030952380952380953);
-        let t45 = element_mass * (length * length);
-        let mass_r0x_r0x = t45 * 0.009523809523809525;
-        let mass_r0x_r1 = t41 * 0.030952380952380953;
-        let mass_r0x_r1x = t45 * (-0.007142857142857143);
+        let mass_r0_r1x = t38 * (-0.030952380952380953);
+        let t42 = element_mass * (length * length);
+        let mass_r0x_r0x = t42 * 0.009523809523809525;
+        let mass_r0x_r1 = t38 * 0.030952380952380953;
+        let mass_r0x_r1x = t42 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
-        let t52 = a_ry_half_x * mass_r0y_ry_half;
-        let t53 = a_ry_half_y * mass_r0y_ry_half;
+        let t49 = a_ry_half_x * mass_r0y_ry_half;
+        let t50 = a_ry_half_y * mass_r0y_ry_half;
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
-        let mass_r1_r1x = t41 * (-0.05238095238095238);
+        let mass_r1_r1x = t38 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + a_r0x_x * mass_r0_r0x + total_r1_x * mass_r0_r1
                 + a_r1x_x * mass_r0_r1x;
@@ -626,8 +629,8 @@ pub mod elastica_equations {
         force[3]
             += total_r0_y * mass_r0_r0x + a_r0x_y * mass_r0x_r0x
                 + total_r1_y * mass_r0x_r1 + a_r1x_y * mass_r0x_r1x;
-        force[4] += a_r0y_x * mass_r0y_r0y + t52 + a_r1y_x * mass_r0y_r1y;
-        force[5] += a_r0y_y * mass_r0y_r0y + t53 + a_r1y_y * mass_r0y_r1y;
+        force[4] += a_r0y_x * mass_r0y_r0y + t49 + a_r1y_x * mass_r0y_r1y;
+        force[5] += a_r0y_y * mass_r0y_r0y + t50 + a_r1y_y * mass_r0y_r1y;
         force[6]
             += a_r0y_x * mass_r0y_ry_half + a_ry_half_x * mass_ry_half_ry_half
                 + a_r1y_x * mass_r0y_ry_half;
@@ -646,8 +649,8 @@ pub mod elastica_equations {
         force[11]
             += total_r0_y * mass_r0_r1x + a_r0x_y * mass_r0x_r1x
                 + total_r1_y * mass_r1_r1x + a_r1x_y * mass_r0x_r0x;
-        force[12] += t52 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
-        force[13] += t53 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
+        force[12] += t49 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
+        force[13] += t50 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
     }
     /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
     ///
@@ -662,53 +665,53 @@ pub mod elastica_equations {
     ///
     /// Operations: 5 additions, 9 multiplications, 1 divisions.
     pub fn beam_planar_shapes_position_1(length: f64, xi: f64, weights: &mut [f64; 7]) {
-        let t17 = 1.0 / length;
-        let t18 = xi * 3.0;
-        weights[0] = xi * (-6.0 + xi * 6.0) * t17;
-        weights[1] = 1.0 + xi * (-4.0 + t18);
-        weights[4] = t17 * (xi * (6.0 + xi * (-6.0)));
-        weights[5] = xi * (t18 + (-2.0));
+        let t14 = 1.0 / length;
+        let t15 = xi * 3.0;
+        weights[0] = xi * (-6.0 + xi * 6.0) * t14;
+        weights[1] = 1.0 + xi * (-4.0 + t15);
+        weights[4] = t14 * (xi * (6.0 + xi * (-6.0)));
+        weights[5] = xi * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 8 multiplications, 2 divisions.
     pub fn beam_planar_shapes_position_2(length: f64, xi: f64, weights: &mut [f64; 7]) {
-        let t17 = 1.0 / (length * length);
-        let t18 = xi * 6.0;
-        let t19 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t17;
-        weights[1] = (-4.0 + t18) * t19;
-        weights[4] = t17 * (6.0 + xi * (-12.0));
-        weights[5] = t19 * (t18 + (-2.0));
+        let t14 = 1.0 / (length * length);
+        let t15 = xi * 6.0;
+        let t16 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t14;
+        weights[1] = (-4.0 + t15) * t16;
+        weights[4] = t14 * (6.0 + xi * (-12.0));
+        weights[5] = t16 * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 5 multiplications.
     pub fn beam_planar_shapes_section_y_0(length: f64, xi: f64, weights: &mut [f64; 7]) {
-        let t16 = xi * 2.0;
-        weights[2] = 1.0 + xi * (-3.0 + t16);
+        let t13 = xi * 2.0;
+        weights[2] = 1.0 + xi * (-3.0 + t13);
         weights[3] = xi * (4.0 + xi * (-4.0));
-        weights[6] = xi * (t16 + (-1.0));
+        weights[6] = xi * (t13 + (-1.0));
     }
     /// Weights of the nodal vectors in d/dx of the section's y axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 3 additions, 5 multiplications, 1 divisions.
     pub fn beam_planar_shapes_section_y_1(length: f64, xi: f64, weights: &mut [f64; 7]) {
-        let t17 = xi * 4.0;
-        let t18 = 1.0 / length;
-        weights[2] = (-3.0 + t17) * t18;
-        weights[3] = t18 * (4.0 + xi * (-8.0));
-        weights[6] = t18 * (t17 + (-1.0));
+        let t14 = xi * 4.0;
+        let t15 = 1.0 / length;
+        weights[2] = (-3.0 + t14) * t15;
+        weights[3] = t15 * (4.0 + xi * (-8.0));
+        weights[6] = t15 * (t14 + (-1.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 0 additions, 3 multiplications, 1 divisions.
     pub fn beam_planar_shapes_section_y_2(length: f64, xi: f64, weights: &mut [f64; 7]) {
-        let t16 = 1.0 / (length * length);
-        let t17 = 4.0 * t16;
-        weights[2] = t17;
-        weights[3] = t16 * (-8.0);
-        weights[6] = t17;
+        let t13 = 1.0 / (length * length);
+        let t14 = 4.0 * t13;
+        weights[2] = t14;
+        weights[3] = t13 * (-8.0);
+        weights[6] = t14;
     }
     /// Writes the forces on the fields a, b, db at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -720,31 +723,31 @@ pub mod elastica_equations {
         forces: &mut [f64; 6],
     ) {
         let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
-        let t31 = 0.5 * (fields[0] * fields[0] + fields[1] * fields[1] - 1.0)
+        let t28 = 0.5 * (fields[0] * fields[0] + fields[1] * fields[1] - 1.0)
             - 0.5
                 * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
                     - 1.0);
-        let t32 = EA * t31;
-        let t33 = 0.5 * (fields[2] * fields[2] + fields[3] * fields[3] - 1.0)
+        let t29 = EA * t28;
+        let t30 = 0.5 * (fields[2] * fields[2] + fields[3] * fields[3] - 1.0)
             - 0.5
                 * (stress_free[2] * stress_free[2] + stress_free[3] * stress_free[3]
                     - 1.0);
-        let t34 = EA * t33;
-        let t35 = kyGA
+        let t31 = EA * t30;
+        let t32 = kyGA
             * (fields[0] * fields[2] + fields[1] * fields[3]
                 - (stress_free[0] * stress_free[2] + stress_free[1] * stress_free[3]));
-        let t36 = EIz
+        let t33 = EIz
             * (fields[0] * fields[4] + fields[1] * fields[5]
                 - (stress_free[0] * stress_free[4] + stress_free[1] * stress_free[5]));
-        let t37 = GIz
+        let t34 = GIz
             * (fields[2] * fields[4] + fields[3] * fields[5]
                 - (stress_free[2] * stress_free[4] + stress_free[3] * stress_free[5]));
-        forces[0] = t32 * (0.5 * (fields[0] * 2.0)) + fields[2] * t35 + fields[4] * t36;
-        forces[1] = t32 * (0.5 * (fields[1] * 2.0)) + fields[3] * t35 + fields[5] * t36;
-        forces[2] = t34 * (0.5 * (fields[2] * 2.0)) + fields[0] * t35 + fields[4] * t37;
-        forces[3] = t34 * (0.5 * (fields[3] * 2.0)) + fields[1] * t35 + fields[5] * t37;
-        forces[4] = fields[0] * t36 + fields[2] * t37;
-        forces[5] = fields[1] * t36 + fields[3] * t37;
+        forces[0] = t29 * (0.5 * (fields[0] * 2.0)) + fields[2] * t32 + fields[4] * t33;
+        forces[1] = t29 * (0.5 * (fields[1] * 2.0)) + fields[3] * t32 + fields[5] * t33;
+        forces[2] = t31 * (0.5 * (fields[2] * 2.0)) + fields[0] * t32 + fields[4] * t34;
+        forces[3] = t31 * (0.5 * (fields[3] * 2.0)) + fields[1] * t32 + fields[5] * t34;
+        forces[4] = fields[0] * t33 + fields[2] * t34;
+        forces[5] = fields[1] * t33 + fields[3] * t34;
     }
     /// Load `pull` in its frame's axes.
     ///

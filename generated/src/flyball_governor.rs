@@ -188,36 +188,36 @@ pub mod flyball_governor_equations {
     ) {
         let [e_x, e_y, e_z] = frame.acceleration;
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
-        let t37 = w_y * rigid.moment[2] - w_z * rigid.moment[1];
-        let t38 = w_z * rigid.moment[0] - w_x * rigid.moment[2];
-        let t39 = w_x * rigid.moment[1] - w_y * rigid.moment[0];
-        let t40 = w_y * t39 - w_z * t38
+        let t34 = w_y * rigid.moment[2] - w_z * rigid.moment[1];
+        let t35 = w_z * rigid.moment[0] - w_x * rigid.moment[2];
+        let t36 = w_x * rigid.moment[1] - w_y * rigid.moment[0];
+        let t37 = w_y * t36 - w_z * t35
             + (e_x * rigid.mass + (dw_y * rigid.moment[2] - dw_z * rigid.moment[1]));
-        let t41 = w_z * t37 - w_x * t39
+        let t38 = w_z * t34 - w_x * t36
             + (e_y * rigid.mass + (dw_z * rigid.moment[0] - dw_x * rigid.moment[2]));
-        let t42 = w_x * t38 - w_y * t37
+        let t39 = w_x * t35 - w_y * t34
             + (e_z * rigid.mass + (dw_x * rigid.moment[1] - dw_y * rigid.moment[0]));
-        let t43 = w_x * rigid.inertia[0][0] + w_y * rigid.inertia[0][1]
+        let t40 = w_x * rigid.inertia[0][0] + w_y * rigid.inertia[0][1]
             + w_z * rigid.inertia[0][2];
-        let t44 = w_x * rigid.inertia[1][0] + w_y * rigid.inertia[1][1]
+        let t41 = w_x * rigid.inertia[1][0] + w_y * rigid.inertia[1][1]
             + w_z * rigid.inertia[1][2];
-        let t45 = w_x * rigid.inertia[2][0] + w_y * rigid.inertia[2][1]
+        let t42 = w_x * rigid.inertia[2][0] + w_y * rigid.inertia[2][1]
             + w_z * rigid.inertia[2][2];
-        let t46 = e_z * rigid.moment[1] - e_y * rigid.moment[2]
+        let t43 = e_z * rigid.moment[1] - e_y * rigid.moment[2]
             + (dw_x * rigid.inertia[0][0] + dw_y * rigid.inertia[0][1]
                 + dw_z * rigid.inertia[0][2]);
-        let t47 = e_x * rigid.moment[2] - e_z * rigid.moment[0]
+        let t44 = e_x * rigid.moment[2] - e_z * rigid.moment[0]
             + (dw_x * rigid.inertia[1][0] + dw_y * rigid.inertia[1][1]
                 + dw_z * rigid.inertia[1][2]);
-        let t48 = e_y * rigid.moment[0] - e_x * rigid.moment[1]
+        let t45 = e_y * rigid.moment[0] - e_x * rigid.moment[1]
             + (dw_x * rigid.inertia[2][0] + dw_y * rigid.inertia[2][1]
                 + dw_z * rigid.inertia[2][2]);
-        out[0] += t40;
-        out[1] += t41;
-        out[2] += t42;
-        out[3] += w_y * t45 - w_z * t44 + t46;
-        out[4] += w_z * t43 - w_x * t45 + t47;
-        out[5] += w_x * t44 - w_y * t43 + t48;
+        out[0] += t37;
+        out[1] += t38;
+        out[2] += t39;
+        out[3] += w_y * t42 - w_z * t41 + t43;
+        out[4] += w_z * t40 - w_x * t42 + t44;
+        out[5] += w_x * t41 - w_y * t40 + t45;
     }
     /// Writes the derivatives of force and moment, rows first: `mass` with respect to e and w', `damping` to w. Entries that are always zero are left alone.
     ///
@@ -230,27 +230,27 @@ pub mod flyball_governor_equations {
     ) {
         let [e_x, e_y, e_z] = frame.acceleration;
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
-        let t31 = w_y * rigid.moment[2];
-        let t32 = w_z * rigid.moment[1];
+        let t28 = w_y * rigid.moment[2];
+        let t29 = w_z * rigid.moment[1];
+        let t30 = t28 - t29;
+        let t31 = w_z * rigid.moment[0];
+        let t32 = w_x * rigid.moment[2];
         let t33 = t31 - t32;
-        let t34 = w_z * rigid.moment[0];
-        let t35 = w_x * rigid.moment[2];
+        let t34 = w_x * rigid.moment[1];
+        let t35 = w_y * rigid.moment[0];
         let t36 = t34 - t35;
-        let t37 = w_x * rigid.moment[1];
-        let t38 = w_y * rigid.moment[0];
-        let t39 = t37 - t38;
-        let t40 = w_y * rigid.inertia[0][1];
-        let t41 = w_z * rigid.inertia[0][2];
-        let t42 = w_x * rigid.inertia[0][0] + t40 + t41;
-        let t43 = w_x * rigid.inertia[1][0];
-        let t44 = w_z * rigid.inertia[1][2];
-        let t45 = t43 + w_y * rigid.inertia[1][1] + t44;
-        let t46 = w_x * rigid.inertia[2][0];
-        let t47 = w_y * rigid.inertia[2][1];
-        let t48 = t46 + t47 + w_z * rigid.inertia[2][2];
-        let t49 = w_y * rigid.moment[1];
-        let t50 = w_z * rigid.moment[2];
-        let t51 = w_x * rigid.moment[0];
+        let t37 = w_y * rigid.inertia[0][1];
+        let t38 = w_z * rigid.inertia[0][2];
+        let t39 = w_x * rigid.inertia[0][0] + t37 + t38;
+        let t40 = w_x * rigid.inertia[1][0];
+        let t41 = w_z * rigid.inertia[1][2];
+        let t42 = t40 + w_y * rigid.inertia[1][1] + t41;
+        let t43 = w_x * rigid.inertia[2][0];
+        let t44 = w_y * rigid.inertia[2][1];
+        let t45 = t43 + t44 + w_z * rigid.inertia[2][2];
+        let t46 = w_y * rigid.moment[1];
+        let t47 = w_z * rigid.moment[2];
+        let t48 = w_x * rigid.moment[0];
         mass[0] = rigid.mass;
         mass[4] = rigid.moment[2];
         mass[5] = -rigid.moment[1];
@@ -275,23 +275,23 @@ pub mod flyball_governor_equations {
         mass[33] = rigid.inertia[2][0];
         mass[34] = rigid.inertia[2][1];
         mass[35] = rigid.inertia[2][2];
-        damping[0] = t49 + t50;
-        damping[1] = t39 - t38;
-        damping[2] = -(t34 + t36);
-        damping[3] = -(t37 + t39);
-        damping[4] = t50 + t51;
-        damping[5] = t33 - t32;
-        damping[6] = t36 - t35;
-        damping[7] = -(t31 + t33);
-        damping[8] = t49 + t51;
+        damping[0] = t46 + t47;
+        damping[1] = t36 - t35;
+        damping[2] = -(t31 + t33);
+        damping[3] = -(t34 + t36);
+        damping[4] = t47 + t48;
+        damping[5] = t30 - t29;
+        damping[6] = t33 - t32;
+        damping[7] = -(t28 + t30);
+        damping[8] = t46 + t48;
         damping[9] = w_y * rigid.inertia[2][0] - w_z * rigid.inertia[1][0];
-        damping[10] = t47 + t48 - w_z * rigid.inertia[1][1];
-        damping[11] = w_y * rigid.inertia[2][2] - (t44 + t45);
-        damping[12] = w_z * rigid.inertia[0][0] - (t46 + t48);
+        damping[10] = t44 + t45 - w_z * rigid.inertia[1][1];
+        damping[11] = w_y * rigid.inertia[2][2] - (t41 + t42);
+        damping[12] = w_z * rigid.inertia[0][0] - (t43 + t45);
         damping[13] = w_z * rigid.inertia[0][1] - w_x * rigid.inertia[2][1];
-        damping[14] = t41 + t42 - w_x * rigid.inertia[2][2];
-        damping[15] = t43 + t45 - w_y * rigid.inertia[0][0];
-        damping[16] = w_x * rigid.inertia[1][1] - (t40 + t42);
+        damping[14] = t38 + t39 - w_x * rigid.inertia[2][2];
+        damping[15] = t40 + t42 - w_y * rigid.inertia[0][0];
+        damping[16] = w_x * rigid.inertia[1][1] - (t37 + t39);
         damping[17] = w_x * rigid.inertia[1][2] - w_y * rigid.inertia[0][2];
     }
     /// Rigid body `shaft`: its start relative to its parent, and its rigid parts.
@@ -417,17 +417,17 @@ pub mod flyball_governor_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..5];
-        let t39 = z[3][0][0] * z[1][1][0] + z[1][0][0] * z[3][1][0]
+        let t36 = z[3][0][0] * z[1][1][0] + z[1][0][0] * z[3][1][0]
             + (z[3][0][1] * z[1][1][1] + z[1][0][1] * z[3][1][1])
             + (z[3][0][2] * z[1][1][2] + z[1][0][2] * z[3][1][2]);
-        let t40 = z[4][0][0] * z[1][1][0] + z[1][0][0] * z[4][1][0]
+        let t37 = z[4][0][0] * z[1][1][0] + z[1][0][0] * z[4][1][0]
             + (z[4][0][1] * z[1][1][1] + z[1][0][1] * z[4][1][1])
             + (z[4][0][2] * z[1][1][2] + z[1][0][2] * z[4][1][2]);
         rows[0] = z[0][1][0] - z[2][1][0];
         rows[1] = z[0][1][1] - z[2][1][1];
         rows[2] = z[0][1][2] - z[2][1][2];
-        rows[3] = t39;
-        rows[4] = t40;
+        rows[3] = t36;
+        rows[4] = t37;
     }
     /// Constraint `foot` (revolute), `right_pin` (revolute), `left_pin` (revolute): their second time derivative.
     ///
@@ -439,23 +439,23 @@ pub mod flyball_governor_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..5];
-        let t48 = z[1][1][0] * z[3][1][0];
-        let t49 = z[1][1][1] * z[3][1][1];
-        let t50 = t48 + z[3][0][0] * z[1][2][0] + (t48 + z[1][0][0] * z[3][2][0])
-            + (t49 + z[3][0][1] * z[1][2][1] + (t49 + z[1][0][1] * z[3][2][1]));
-        let t51 = z[1][1][2] * z[3][1][2];
-        let t52 = z[1][1][0] * z[4][1][0];
-        let t53 = z[1][1][1] * z[4][1][1];
-        let t54 = t52 + z[4][0][0] * z[1][2][0] + (t52 + z[1][0][0] * z[4][2][0])
-            + (t53 + z[4][0][1] * z[1][2][1] + (t53 + z[1][0][1] * z[4][2][1]));
-        let t55 = z[1][1][2] * z[4][1][2];
+        let t45 = z[1][1][0] * z[3][1][0];
+        let t46 = z[1][1][1] * z[3][1][1];
+        let t47 = t45 + z[3][0][0] * z[1][2][0] + (t45 + z[1][0][0] * z[3][2][0])
+            + (t46 + z[3][0][1] * z[1][2][1] + (t46 + z[1][0][1] * z[3][2][1]));
+        let t48 = z[1][1][2] * z[3][1][2];
+        let t49 = z[1][1][0] * z[4][1][0];
+        let t50 = z[1][1][1] * z[4][1][1];
+        let t51 = t49 + z[4][0][0] * z[1][2][0] + (t49 + z[1][0][0] * z[4][2][0])
+            + (t50 + z[4][0][1] * z[1][2][1] + (t50 + z[1][0][1] * z[4][2][1]));
+        let t52 = z[1][1][2] * z[4][1][2];
         rows[0] = z[0][2][0] - z[2][2][0];
         rows[1] = z[0][2][1] - z[2][2][1];
         rows[2] = z[0][2][2] - z[2][2][2];
-        rows[3] = t50
-            + (t51 + z[3][0][2] * z[1][2][2] + (t51 + z[1][0][2] * z[3][2][2]));
-        rows[4] = t54
-            + (t55 + z[4][0][2] * z[1][2][2] + (t55 + z[1][0][2] * z[4][2][2]));
+        rows[3] = t47
+            + (t48 + z[3][0][2] * z[1][2][2] + (t48 + z[1][0][2] * z[3][2][2]));
+        rows[4] = t51
+            + (t52 + z[4][0][2] * z[1][2][2] + (t52 + z[1][0][2] * z[4][2][2]));
     }
     /// Constraint `foot` (revolute), `right_pin` (revolute), `left_pin` (revolute): their third time derivative.
     ///
@@ -467,41 +467,41 @@ pub mod flyball_governor_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..5];
-        let t57 = z[3][1][0] * z[1][2][0];
-        let t58 = z[1][1][0] * z[3][2][0];
+        let t54 = z[3][1][0] * z[1][2][0];
+        let t55 = z[1][1][0] * z[3][2][0];
+        let t56 = t54 + t55;
+        let t57 = z[3][1][1] * z[1][2][1];
+        let t58 = z[1][1][1] * z[3][2][1];
         let t59 = t57 + t58;
-        let t60 = z[3][1][1] * z[1][2][1];
-        let t61 = z[1][1][1] * z[3][2][1];
-        let t62 = t60 + t61;
-        let t63 = t59 + (t57 + z[3][0][0] * z[1][3][0])
-            + (t59 + (t58 + z[1][0][0] * z[3][3][0]))
-            + (t62 + (t60 + z[3][0][1] * z[1][3][1])
-                + (t62 + (t61 + z[1][0][1] * z[3][3][1])));
-        let t64 = z[3][1][2] * z[1][2][2];
-        let t65 = z[1][1][2] * z[3][2][2];
+        let t60 = t56 + (t54 + z[3][0][0] * z[1][3][0])
+            + (t56 + (t55 + z[1][0][0] * z[3][3][0]))
+            + (t59 + (t57 + z[3][0][1] * z[1][3][1])
+                + (t59 + (t58 + z[1][0][1] * z[3][3][1])));
+        let t61 = z[3][1][2] * z[1][2][2];
+        let t62 = z[1][1][2] * z[3][2][2];
+        let t63 = t61 + t62;
+        let t64 = z[4][1][0] * z[1][2][0];
+        let t65 = z[1][1][0] * z[4][2][0];
         let t66 = t64 + t65;
-        let t67 = z[4][1][0] * z[1][2][0];
-        let t68 = z[1][1][0] * z[4][2][0];
+        let t67 = z[4][1][1] * z[1][2][1];
+        let t68 = z[1][1][1] * z[4][2][1];
         let t69 = t67 + t68;
-        let t70 = z[4][1][1] * z[1][2][1];
-        let t71 = z[1][1][1] * z[4][2][1];
-        let t72 = t70 + t71;
-        let t73 = t69 + (t67 + z[4][0][0] * z[1][3][0])
-            + (t69 + (t68 + z[1][0][0] * z[4][3][0]))
-            + (t72 + (t70 + z[4][0][1] * z[1][3][1])
-                + (t72 + (t71 + z[1][0][1] * z[4][3][1])));
-        let t74 = z[4][1][2] * z[1][2][2];
-        let t75 = z[1][1][2] * z[4][2][2];
-        let t76 = t74 + t75;
+        let t70 = t66 + (t64 + z[4][0][0] * z[1][3][0])
+            + (t66 + (t65 + z[1][0][0] * z[4][3][0]))
+            + (t69 + (t67 + z[4][0][1] * z[1][3][1])
+                + (t69 + (t68 + z[1][0][1] * z[4][3][1])));
+        let t71 = z[4][1][2] * z[1][2][2];
+        let t72 = z[1][1][2] * z[4][2][2];
+        let t73 = t71 + t72;
         rows[0] = z[0][3][0] - z[2][3][0];
         rows[1] = z[0][3][1] - z[2][3][1];
         rows[2] = z[0][3][2] - z[2][3][2];
-        rows[3] = t63
-            + (t66 + (t64 + z[3][0][2] * z[1][3][2])
-                + (t66 + (t65 + z[1][0][2] * z[3][3][2])));
-        rows[4] = t73
-            + (t76 + (t74 + z[4][0][2] * z[1][3][2])
-                + (t76 + (t75 + z[1][0][2] * z[4][3][2])));
+        rows[3] = t60
+            + (t63 + (t61 + z[3][0][2] * z[1][3][2])
+                + (t63 + (t62 + z[1][0][2] * z[3][3][2])));
+        rows[4] = t70
+            + (t73 + (t71 + z[4][0][2] * z[1][3][2])
+                + (t73 + (t72 + z[1][0][2] * z[4][3][2])));
     }
     /// Constraint `foot` (revolute), `right_pin` (revolute), `left_pin` (revolute): writes dC/dz, rows first; entries that are always zero are left alone.
     ///
@@ -600,17 +600,17 @@ pub mod flyball_governor_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..6];
-        let t33 = z[5][0][0] - z[2][0][0];
-        let t34 = z[5][0][1] - z[2][0][1];
-        let t35 = z[5][0][2] - z[2][0][2];
+        let t30 = z[5][0][0] - z[2][0][0];
+        let t31 = z[5][0][1] - z[2][0][1];
+        let t32 = z[5][0][2] - z[2][0][2];
         rows[0] = z[0][0][0] * z[3][0][0] + z[0][0][1] * z[3][0][1]
             + z[0][0][2] * z[3][0][2];
         rows[1] = z[0][0][0] * z[4][0][0] + z[0][0][1] * z[4][0][1]
             + z[0][0][2] * z[4][0][2];
         rows[2] = z[1][0][0] * z[4][0][0] + z[1][0][1] * z[4][0][1]
             + z[1][0][2] * z[4][0][2];
-        rows[3] = z[3][0][0] * t33 + z[3][0][1] * t34 + z[3][0][2] * t35;
-        rows[4] = z[4][0][0] * t33 + z[4][0][1] * t34 + z[4][0][2] * t35;
+        rows[3] = z[3][0][0] * t30 + z[3][0][1] * t31 + z[3][0][2] * t32;
+        rows[4] = z[4][0][0] * t30 + z[4][0][1] * t31 + z[4][0][2] * t32;
     }
     /// Constraint `guide` (prismatic): their rate dC/dt.
     ///
@@ -622,32 +622,32 @@ pub mod flyball_governor_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..6];
-        let t51 = z[5][0][0] - z[2][0][0];
-        let t52 = z[5][0][1] - z[2][0][1];
-        let t53 = z[5][0][2] - z[2][0][2];
-        let t54 = z[3][0][0] * z[0][1][0] + z[0][0][0] * z[3][1][0]
+        let t48 = z[5][0][0] - z[2][0][0];
+        let t49 = z[5][0][1] - z[2][0][1];
+        let t50 = z[5][0][2] - z[2][0][2];
+        let t51 = z[3][0][0] * z[0][1][0] + z[0][0][0] * z[3][1][0]
             + (z[3][0][1] * z[0][1][1] + z[0][0][1] * z[3][1][1])
             + (z[3][0][2] * z[0][1][2] + z[0][0][2] * z[3][1][2]);
-        let t55 = z[4][0][0] * z[0][1][0] + z[0][0][0] * z[4][1][0]
+        let t52 = z[4][0][0] * z[0][1][0] + z[0][0][0] * z[4][1][0]
             + (z[4][0][1] * z[0][1][1] + z[0][0][1] * z[4][1][1])
             + (z[4][0][2] * z[0][1][2] + z[0][0][2] * z[4][1][2]);
-        let t56 = z[4][0][0] * z[1][1][0] + z[1][0][0] * z[4][1][0]
+        let t53 = z[4][0][0] * z[1][1][0] + z[1][0][0] * z[4][1][0]
             + (z[4][0][1] * z[1][1][1] + z[1][0][1] * z[4][1][1])
             + (z[4][0][2] * z[1][1][2] + z[1][0][2] * z[4][1][2]);
-        let t57 = z[5][1][0] - z[2][1][0];
-        let t58 = z[5][1][1] - z[2][1][1];
-        let t59 = z[5][1][2] - z[2][1][2];
-        let t60 = z[3][1][0] * t51 + z[3][0][0] * t57
-            + (z[3][1][1] * t52 + z[3][0][1] * t58)
-            + (z[3][1][2] * t53 + z[3][0][2] * t59);
-        let t61 = z[4][1][0] * t51 + z[4][0][0] * t57
-            + (z[4][1][1] * t52 + z[4][0][1] * t58)
-            + (z[4][1][2] * t53 + z[4][0][2] * t59);
-        rows[0] = t54;
-        rows[1] = t55;
-        rows[2] = t56;
-        rows[3] = t60;
-        rows[4] = t61;
+        let t54 = z[5][1][0] - z[2][1][0];
+        let t55 = z[5][1][1] - z[2][1][1];
+        let t56 = z[5][1][2] - z[2][1][2];
+        let t57 = z[3][1][0] * t48 + z[3][0][0] * t54
+            + (z[3][1][1] * t49 + z[3][0][1] * t55)
+            + (z[3][1][2] * t50 + z[3][0][2] * t56);
+        let t58 = z[4][1][0] * t48 + z[4][0][0] * t54
+            + (z[4][1][1] * t49 + z[4][0][1] * t55)
+            + (z[4][1][2] * t50 + z[4][0][2] * t56);
+        rows[0] = t51;
+        rows[1] = t52;
+        rows[2] = t53;
+        rows[3] = t57;
+        rows[4] = t58;
     }
     /// Constraint `guide` (prismatic): their second time derivative.
     ///
@@ -659,48 +659,48 @@ pub mod flyball_governor_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..6];
-        let t69 = z[5][0][0] - z[2][0][0];
-        let t70 = z[5][0][1] - z[2][0][1];
-        let t71 = z[5][0][2] - z[2][0][2];
-        let t72 = z[5][1][0] - z[2][1][0];
-        let t73 = z[5][1][1] - z[2][1][1];
-        let t74 = z[5][1][2] - z[2][1][2];
-        let t75 = z[0][1][0] * z[3][1][0];
-        let t76 = z[0][1][1] * z[3][1][1];
-        let t77 = t75 + z[3][0][0] * z[0][2][0] + (t75 + z[0][0][0] * z[3][2][0])
-            + (t76 + z[3][0][1] * z[0][2][1] + (t76 + z[0][0][1] * z[3][2][1]));
-        let t78 = z[0][1][2] * z[3][1][2];
-        let t79 = z[0][1][0] * z[4][1][0];
-        let t80 = z[0][1][1] * z[4][1][1];
-        let t81 = t79 + z[4][0][0] * z[0][2][0] + (t79 + z[0][0][0] * z[4][2][0])
-            + (t80 + z[4][0][1] * z[0][2][1] + (t80 + z[0][0][1] * z[4][2][1]));
-        let t82 = z[0][1][2] * z[4][1][2];
-        let t83 = z[1][1][0] * z[4][1][0];
-        let t84 = z[1][1][1] * z[4][1][1];
-        let t85 = t83 + z[4][0][0] * z[1][2][0] + (t83 + z[1][0][0] * z[4][2][0])
-            + (t84 + z[4][0][1] * z[1][2][1] + (t84 + z[1][0][1] * z[4][2][1]));
-        let t86 = z[1][1][2] * z[4][1][2];
-        let t87 = z[5][2][0] - z[2][2][0];
-        let t88 = z[3][1][0] * t72;
-        let t89 = z[5][2][1] - z[2][2][1];
-        let t90 = z[3][1][1] * t73;
-        let t91 = z[3][2][0] * t69 + t88 + (t88 + z[3][0][0] * t87)
-            + (z[3][2][1] * t70 + t90 + (t90 + z[3][0][1] * t89));
-        let t92 = z[5][2][2] - z[2][2][2];
-        let t93 = z[3][1][2] * t74;
-        let t94 = z[4][1][0] * t72;
-        let t95 = z[4][1][1] * t73;
-        let t96 = z[4][2][0] * t69 + t94 + (t94 + z[4][0][0] * t87)
-            + (z[4][2][1] * t70 + t95 + (t95 + z[4][0][1] * t89));
-        let t97 = z[4][1][2] * t74;
-        rows[0] = t77
-            + (t78 + z[3][0][2] * z[0][2][2] + (t78 + z[0][0][2] * z[3][2][2]));
-        rows[1] = t81
-            + (t82 + z[4][0][2] * z[0][2][2] + (t82 + z[0][0][2] * z[4][2][2]));
-        rows[2] = t85
-            + (t86 + z[4][0][2] * z[1][2][2] + (t86 + z[1][0][2] * z[4][2][2]));
-        rows[3] = t91 + (z[3][2][2] * t71 + t93 + (t93 + z[3][0][2] * t92));
-        rows[4] = t96 + (z[4][2][2] * t71 + t97 + (t97 + z[4][0][2] * t92));
+        let t66 = z[5][0][0] - z[2][0][0];
+        let t67 = z[5][0][1] - z[2][0][1];
+        let t68 = z[5][0][2] - z[2][0][2];
+        let t69 = z[5][1][0] - z[2][1][0];
+        let t70 = z[5][1][1] - z[2][1][1];
+        let t71 = z[5][1][2] - z[2][1][2];
+        let t72 = z[0][1][0] * z[3][1][0];
+        let t73 = z[0][1][1] * z[3][1][1];
+        let t74 = t72 + z[3][0][0] * z[0][2][0] + (t72 + z[0][0][0] * z[3][2][0])
+            + (t73 + z[3][0][1] * z[0][2][1] + (t73 + z[0][0][1] * z[3][2][1]));
+        let t75 = z[0][1][2] * z[3][1][2];
+        let t76 = z[0][1][0] * z[4][1][0];
+        let t77 = z[0][1][1] * z[4][1][1];
+        let t78 = t76 + z[4][0][0] * z[0][2][0] + (t76 + z[0][0][0] * z[4][2][0])
+            + (t77 + z[4][0][1] * z[0][2][1] + (t77 + z[0][0][1] * z[4][2][1]));
+        let t79 = z[0][1][2] * z[4][1][2];
+        let t80 = z[1][1][0] * z[4][1][0];
+        let t81 = z[1][1][1] * z[4][1][1];
+        let t82 = t80 + z[4][0][0] * z[1][2][0] + (t80 + z[1][0][0] * z[4][2][0])
+            + (t81 + z[4][0][1] * z[1][2][1] + (t81 + z[1][0][1] * z[4][2][1]));
+        let t83 = z[1][1][2] * z[4][1][2];
+        let t84 = z[5][2][0] - z[2][2][0];
+        let t85 = z[3][1][0] * t69;
+        let t86 = z[5][2][1] - z[2][2][1];
+        let t87 = z[3][1][1] * t70;
+        let t88 = z[3][2][0] * t66 + t85 + (t85 + z[3][0][0] * t84)
+            + (z[3][2][1] * t67 + t87 + (t87 + z[3][0][1] * t86));
+        let t89 = z[5][2][2] - z[2][2][2];
+        let t90 = z[3][1][2] * t71;
+        let t91 = z[4][1][0] * t69;
+        let t92 = z[4][1][1] * t70;
+        let t93 = z[4][2][0] * t66 + t91 + (t91 + z[4][0][0] * t84)
+            + (z[4][2][1] * t67 + t92 + (t92 + z[4][0][1] * t86));
+        let t94 = z[4][1][2] * t71;
+        rows[0] = t74
+            + (t75 + z[3][0][2] * z[0][2][2] + (t75 + z[0][0][2] * z[3][2][2]));
+        rows[1] = t78
+            + (t79 + z[4][0][2] * z[0][2][2] + (t79 + z[0][0][2] * z[4][2][2]));
+        rows[2] = t82
+            + (t83 + z[4][0][2] * z[1][2][2] + (t83 + z[1][0][2] * z[4][2][2]));
+        rows[3] = t88 + (z[3][2][2] * t68 + t90 + (t90 + z[3][0][2] * t89));
+        rows[4] = t93 + (z[4][2][2] * t68 + t94 + (t94 + z[4][0][2] * t89));
     }
     /// Constraint `guide` (prismatic): their third time derivative.
     ///
@@ -712,92 +712,92 @@ pub mod flyball_governor_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..6];
-        let t87 = z[5][0][0] - z[2][0][0];
-        let t88 = z[5][0][1] - z[2][0][1];
-        let t89 = z[5][0][2] - z[2][0][2];
-        let t90 = z[5][1][0] - z[2][1][0];
-        let t91 = z[5][1][1] - z[2][1][1];
-        let t92 = z[5][1][2] - z[2][1][2];
-        let t93 = z[5][2][0] - z[2][2][0];
-        let t94 = z[5][2][1] - z[2][2][1];
-        let t95 = z[5][2][2] - z[2][2][2];
-        let t96 = z[3][1][0] * z[0][2][0];
-        let t97 = z[0][1][0] * z[3][2][0];
+        let t84 = z[5][0][0] - z[2][0][0];
+        let t85 = z[5][0][1] - z[2][0][1];
+        let t86 = z[5][0][2] - z[2][0][2];
+        let t87 = z[5][1][0] - z[2][1][0];
+        let t88 = z[5][1][1] - z[2][1][1];
+        let t89 = z[5][1][2] - z[2][1][2];
+        let t90 = z[5][2][0] - z[2][2][0];
+        let t91 = z[5][2][1] - z[2][2][1];
+        let t92 = z[5][2][2] - z[2][2][2];
+        let t93 = z[3][1][0] * z[0][2][0];
+        let t94 = z[0][1][0] * z[3][2][0];
+        let t95 = t93 + t94;
+        let t96 = z[3][1][1] * z[0][2][1];
+        let t97 = z[0][1][1] * z[3][2][1];
         let t98 = t96 + t97;
-        let t99 = z[3][1][1] * z[0][2][1];
-        let t100 = z[0][1][1] * z[3][2][1];
-        let t101 = t99 + t100;
-        let t102 = t98 + (t96 + z[3][0][0] * z[0][3][0])
-            + (t98 + (t97 + z[0][0][0] * z[3][3][0]))
-            + (t101 + (t99 + z[3][0][1] * z[0][3][1])
-                + (t101 + (t100 + z[0][0][1] * z[3][3][1])));
-        let t103 = z[3][1][2] * z[0][2][2];
-        let t104 = z[0][1][2] * z[3][2][2];
+        let t99 = t95 + (t93 + z[3][0][0] * z[0][3][0])
+            + (t95 + (t94 + z[0][0][0] * z[3][3][0]))
+            + (t98 + (t96 + z[3][0][1] * z[0][3][1])
+                + (t98 + (t97 + z[0][0][1] * z[3][3][1])));
+        let t100 = z[3][1][2] * z[0][2][2];
+        let t101 = z[0][1][2] * z[3][2][2];
+        let t102 = t100 + t101;
+        let t103 = z[4][1][0] * z[0][2][0];
+        let t104 = z[0][1][0] * z[4][2][0];
         let t105 = t103 + t104;
-        let t106 = z[4][1][0] * z[0][2][0];
-        let t107 = z[0][1][0] * z[4][2][0];
+        let t106 = z[4][1][1] * z[0][2][1];
+        let t107 = z[0][1][1] * z[4][2][1];
         let t108 = t106 + t107;
-        let t109 = z[4][1][1] * z[0][2][1];
-        let t110 = z[0][1][1] * z[4][2][1];
-        let t111 = t109 + t110;
-        let t112 = t108 + (t106 + z[4][0][0] * z[0][3][0])
-            + (t108 + (t107 + z[0][0][0] * z[4][3][0]))
-            + (t111 + (t109 + z[4][0][1] * z[0][3][1])
-                + (t111 + (t110 + z[0][0][1] * z[4][3][1])));
-        let t113 = z[4][1][2] * z[0][2][2];
-        let t114 = z[0][1][2] * z[4][2][2];
+        let t109 = t105 + (t103 + z[4][0][0] * z[0][3][0])
+            + (t105 + (t104 + z[0][0][0] * z[4][3][0]))
+            + (t108 + (t106 + z[4][0][1] * z[0][3][1])
+                + (t108 + (t107 + z[0][0][1] * z[4][3][1])));
+        let t110 = z[4][1][2] * z[0][2][2];
+        let t111 = z[0][1][2] * z[4][2][2];
+        let t112 = t110 + t111;
+        let t113 = z[4][1][0] * z[1][2][0];
+        let t114 = z[1][1][0] * z[4][2][0];
         let t115 = t113 + t114;
-        let t116 = z[4][1][0] * z[1][2][0];
-        let t117 = z[1][1][0] * z[4][2][0];
+        let t116 = z[4][1][1] * z[1][2][1];
+        let t117 = z[1][1][1] * z[4][2][1];
         let t118 = t116 + t117;
-        let t119 = z[4][1][1] * z[1][2][1];
-        let t120 = z[1][1][1] * z[4][2][1];
-        let t121 = t119 + t120;
-        let t122 = t118 + (t116 + z[4][0][0] * z[1][3][0])
-            + (t118 + (t117 + z[1][0][0] * z[4][3][0]))
-            + (t121 + (t119 + z[4][0][1] * z[1][3][1])
-                + (t121 + (t120 + z[1][0][1] * z[4][3][1])));
-        let t123 = z[4][1][2] * z[1][2][2];
-        let t124 = z[1][1][2] * z[4][2][2];
-        let t125 = t123 + t124;
-        let t126 = z[5][3][0] - z[2][3][0];
-        let t127 = z[3][2][0] * t90;
-        let t128 = z[3][1][0] * t93;
-        let t129 = t127 + t128;
-        let t130 = z[5][3][1] - z[2][3][1];
-        let t131 = z[3][2][1] * t91;
-        let t132 = z[3][1][1] * t94;
-        let t133 = t131 + t132;
-        let t134 = z[3][3][0] * t87 + t127 + t129 + (t129 + (t128 + z[3][0][0] * t126))
-            + (z[3][3][1] * t88 + t131 + t133 + (t133 + (t132 + z[3][0][1] * t130)));
-        let t135 = z[5][3][2] - z[2][3][2];
-        let t136 = z[3][2][2] * t92;
-        let t137 = z[3][1][2] * t95;
+        let t119 = t115 + (t113 + z[4][0][0] * z[1][3][0])
+            + (t115 + (t114 + z[1][0][0] * z[4][3][0]))
+            + (t118 + (t116 + z[4][0][1] * z[1][3][1])
+                + (t118 + (t117 + z[1][0][1] * z[4][3][1])));
+        let t120 = z[4][1][2] * z[1][2][2];
+        let t121 = z[1][1][2] * z[4][2][2];
+        let t122 = t120 + t121;
+        let t123 = z[5][3][0] - z[2][3][0];
+        let t124 = z[3][2][0] * t87;
+        let t125 = z[3][1][0] * t90;
+        let t126 = t124 + t125;
+        let t127 = z[5][3][1] - z[2][3][1];
+        let t128 = z[3][2][1] * t88;
+        let t129 = z[3][1][1] * t91;
+        let t130 = t128 + t129;
+        let t131 = z[3][3][0] * t84 + t124 + t126 + (t126 + (t125 + z[3][0][0] * t123))
+            + (z[3][3][1] * t85 + t128 + t130 + (t130 + (t129 + z[3][0][1] * t127)));
+        let t132 = z[5][3][2] - z[2][3][2];
+        let t133 = z[3][2][2] * t89;
+        let t134 = z[3][1][2] * t92;
+        let t135 = t133 + t134;
+        let t136 = z[4][2][0] * t87;
+        let t137 = z[4][1][0] * t90;
         let t138 = t136 + t137;
-        let t139 = z[4][2][0] * t90;
-        let t140 = z[4][1][0] * t93;
+        let t139 = z[4][2][1] * t88;
+        let t140 = z[4][1][1] * t91;
         let t141 = t139 + t140;
-        let t142 = z[4][2][1] * t91;
-        let t143 = z[4][1][1] * t94;
-        let t144 = t142 + t143;
-        let t145 = z[4][3][0] * t87 + t139 + t141 + (t141 + (t140 + z[4][0][0] * t126))
-            + (z[4][3][1] * t88 + t142 + t144 + (t144 + (t143 + z[4][0][1] * t130)));
-        let t146 = z[4][2][2] * t92;
-        let t147 = z[4][1][2] * t95;
-        let t148 = t146 + t147;
-        rows[0] = t102
-            + (t105 + (t103 + z[3][0][2] * z[0][3][2])
-                + (t105 + (t104 + z[0][0][2] * z[3][3][2])));
-        rows[1] = t112
-            + (t115 + (t113 + z[4][0][2] * z[0][3][2])
-                + (t115 + (t114 + z[0][0][2] * z[4][3][2])));
-        rows[2] = t122
-            + (t125 + (t123 + z[4][0][2] * z[1][3][2])
-                + (t125 + (t124 + z[1][0][2] * z[4][3][2])));
-        rows[3] = t134
-            + (z[3][3][2] * t89 + t136 + t138 + (t138 + (t137 + z[3][0][2] * t135)));
-        rows[4] = t145
-            + (z[4][3][2] * t89 + t146 + t148 + (t148 + (t147 + z[4][0][2] * t135)));
+        let t142 = z[4][3][0] * t84 + t136 + t138 + (t138 + (t137 + z[4][0][0] * t123))
+            + (z[4][3][1] * t85 + t139 + t141 + (t141 + (t140 + z[4][0][1] * t127)));
+        let t143 = z[4][2][2] * t89;
+        let t144 = z[4][1][2] * t92;
+        let t145 = t143 + t144;
+        rows[0] = t99
+            + (t102 + (t100 + z[3][0][2] * z[0][3][2])
+                + (t102 + (t101 + z[0][0][2] * z[3][3][2])));
+        rows[1] = t109
+            + (t112 + (t110 + z[4][0][2] * z[0][3][2])
+                + (t112 + (t111 + z[0][0][2] * z[4][3][2])));
+        rows[2] = t119
+            + (t122 + (t120 + z[4][0][2] * z[1][3][2])
+                + (t122 + (t121 + z[1][0][2] * z[4][3][2])));
+        rows[3] = t131
+            + (z[3][3][2] * t86 + t133 + t135 + (t135 + (t134 + z[3][0][2] * t132)));
+        rows[4] = t142
+            + (z[4][3][2] * t86 + t143 + t145 + (t145 + (t144 + z[4][0][2] * t132)));
     }
     /// Constraint `guide` (prismatic): writes dC/dz, rows first; entries that are always zero are left alone.
     ///
@@ -809,9 +809,9 @@ pub mod flyball_governor_equations {
         gradient: &mut [f64],
     ) {
         let z = &z[..6];
-        let t33 = z[5][0] - z[2][0];
-        let t34 = z[5][1] - z[2][1];
-        let t35 = z[5][2] - z[2][2];
+        let t30 = z[5][0] - z[2][0];
+        let t31 = z[5][1] - z[2][1];
+        let t32 = z[5][2] - z[2][2];
         gradient[0] = z[3][0];
         gradient[1] = z[3][1];
         gradient[2] = z[3][2];
@@ -833,18 +833,18 @@ pub mod flyball_governor_equations {
         gradient[60] = -z[3][0];
         gradient[61] = -z[3][1];
         gradient[62] = -z[3][2];
-        gradient[63] = t33;
-        gradient[64] = t34;
-        gradient[65] = t35;
+        gradient[63] = t30;
+        gradient[64] = t31;
+        gradient[65] = t32;
         gradient[69] = z[3][0];
         gradient[70] = z[3][1];
         gradient[71] = z[3][2];
         gradient[78] = -z[4][0];
         gradient[79] = -z[4][1];
         gradient[80] = -z[4][2];
-        gradient[84] = t33;
-        gradient[85] = t34;
-        gradient[86] = t35;
+        gradient[84] = t30;
+        gradient[85] = t31;
+        gradient[86] = t32;
         gradient[87] = z[4][0];
         gradient[88] = z[4][1];
         gradient[89] = z[4][2];
@@ -861,9 +861,9 @@ pub mod flyball_governor_equations {
     ) {
         let z = &z[..6];
         let velocity = &velocity[..6];
-        let t33 = velocity[5][0] - velocity[2][0];
-        let t34 = velocity[5][1] - velocity[2][1];
-        let t35 = velocity[5][2] - velocity[2][2];
+        let t30 = velocity[5][0] - velocity[2][0];
+        let t31 = velocity[5][1] - velocity[2][1];
+        let t32 = velocity[5][2] - velocity[2][2];
         gradient[0] = velocity[3][0];
         gradient[1] = velocity[3][1];
         gradient[2] = velocity[3][2];
@@ -885,18 +885,18 @@ pub mod flyball_governor_equations {
         gradient[60] = -velocity[3][0];
         gradient[61] = -velocity[3][1];
         gradient[62] = -velocity[3][2];
-        gradient[63] = t33;
-        gradient[64] = t34;
-        gradient[65] = t35;
+        gradient[63] = t30;
+        gradient[64] = t31;
+        gradient[65] = t32;
         gradient[69] = velocity[3][0];
         gradient[70] = velocity[3][1];
         gradient[71] = velocity[3][2];
         gradient[78] = -velocity[4][0];
         gradient[79] = -velocity[4][1];
         gradient[80] = -velocity[4][2];
-        gradient[84] = t33;
-        gradient[85] = t34;
-        gradient[86] = t35;
+        gradient[84] = t30;
+        gradient[85] = t31;
+        gradient[86] = t32;
         gradient[87] = velocity[4][0];
         gradient[88] = velocity[4][1];
         gradient[89] = velocity[4][2];
@@ -970,23 +970,23 @@ pub mod flyball_governor_equations {
     ) {
         let z = &z[..2];
         let velocity = &velocity[..2];
-        let t27 = z[1][0] - z[0][0];
-        let t28 = z[1][1] - z[0][1];
-        let t29 = z[1][2] - z[0][2];
-        let t30 = (t27 * t27 + t28 * t28 + t29 * t29).sqrt();
-        let t31 = (t27 * (velocity[1][0] - velocity[0][0])
-            + t28 * (velocity[1][1] - velocity[0][1])
-            + t29 * (velocity[1][2] - velocity[0][2])) / t30;
-        let t32 = (800000.0 * (t30 - 0.5) + 40000.0 * t31) / t30;
-        let t33 = t27 * t32;
-        let t34 = t28 * t32;
-        let t35 = t29 * t32;
-        out[0] = t33;
-        out[1] = t34;
-        out[2] = t35;
-        out[3] = -t33;
-        out[4] = -t34;
-        out[5] = -t35;
+        let t24 = z[1][0] - z[0][0];
+        let t25 = z[1][1] - z[0][1];
+        let t26 = z[1][2] - z[0][2];
+        let t27 = (t24 * t24 + t25 * t25 + t26 * t26).sqrt();
+        let t28 = (t24 * (velocity[1][0] - velocity[0][0])
+            + t25 * (velocity[1][1] - velocity[0][1])
+            + t26 * (velocity[1][2] - velocity[0][2])) / t27;
+        let t29 = (800000.0 * (t27 - 0.5) + 40000.0 * t28) / t27;
+        let t30 = t24 * t29;
+        let t31 = t25 * t29;
+        let t32 = t26 * t29;
+        out[0] = t30;
+        out[1] = t31;
+        out[2] = t32;
+        out[3] = -t30;
+        out[4] = -t31;
+        out[5] = -t32;
     }
     /// Force `right_strut`, `left_strut`: writes df/dz and df/dz', rows first; entries that are always zero are left alone.
     ///
@@ -1001,151 +1001,151 @@ pub mod flyball_governor_equations {
     ) {
         let z = &z[..2];
         let velocity = &velocity[..2];
-        let t27 = z[1][0] - z[0][0];
-        let t28 = z[1][1] - z[0][1];
-        let t29 = z[1][2] - z[0][2];
-        let t30 = (t27 * t27 + t28 * t28 + t29 * t29).sqrt();
-        let t31 = velocity[1][0] - velocity[0][0];
-        let t32 = velocity[1][1] - velocity[0][1];
-        let t33 = velocity[1][2] - velocity[0][2];
-        let t34 = (t27 * t31 + t28 * t32 + t29 * t33) / t30;
-        let t35 = (800000.0 * (t30 - 0.5) + 40000.0 * t34) / t30;
-        let t36 = 1.0 / (t30 * 2.0);
-        let t37 = t27 * 2.0 * t36;
-        let t38 = 800000.0 * t37;
-        let t39 = t34 * t37;
-        let t40 = t35 * t37;
-        let t41 = (40000.0 * ((velocity[0][0] - velocity[1][0] + t39) / t30) - t38 + t40)
-            / t30;
-        let t42 = t27 * t41;
-        let t43 = t28 * 2.0 * t36;
-        let t44 = 800000.0 * t43;
-        let t45 = t34 * t43;
-        let t46 = t35 * t43;
-        let t47 = (40000.0 * ((velocity[0][1] - velocity[1][1] + t45) / t30) - t44 + t46)
-            / t30;
-        let t48 = t27 * t47;
-        let t49 = t29 * 2.0 * t36;
-        let t50 = 800000.0 * t49;
-        let t51 = t34 * t49;
-        let t52 = t35 * t49;
-        let t53 = (40000.0 * ((velocity[0][2] - velocity[1][2] + t51) / t30) - t50 + t52)
-            / t30;
-        let t54 = t27 * t53;
-        let t55 = (t38 + 40000.0 * ((t31 - t39) / t30) - t40) / t30;
-        let t56 = t35 + t27 * t55;
-        let t57 = (t44 + 40000.0 * ((t32 - t45) / t30) - t46) / t30;
-        let t58 = t27 * t57;
-        let t59 = (t50 + 40000.0 * ((t33 - t51) / t30) - t52) / t30;
-        let t60 = t27 * t59;
-        let t61 = t28 * t41;
-        let t62 = t28 * t47;
-        let t63 = t28 * t53;
-        let t64 = t28 * t55;
-        let t65 = t35 + t28 * t57;
-        let t66 = t28 * t59;
-        let t67 = t29 * t41;
-        let t68 = t29 * t47;
-        let t69 = t29 * t53;
-        let t70 = t29 * t55;
-        let t71 = t29 * t57;
-        let t72 = t35 + t29 * t59;
-        let t73 = 40000.0 * ((z[0][0] - z[1][0]) / t30) / t30;
-        let t74 = t27 * t73;
-        let t75 = 40000.0 * ((z[0][1] - z[1][1]) / t30) / t30;
-        let t76 = t27 * t75;
-        let t77 = 40000.0 * ((z[0][2] - z[1][2]) / t30) / t30;
-        let t78 = t27 * t77;
-        let t79 = 40000.0 * (t27 / t30) / t30;
-        let t80 = t27 * t79;
-        let t81 = 40000.0 * (t28 / t30) / t30;
-        let t82 = t27 * t81;
-        let t83 = 40000.0 * (t29 / t30) / t30;
-        let t84 = t27 * t83;
-        let t85 = t28 * t73;
-        let t86 = t28 * t75;
-        let t87 = t28 * t77;
-        let t88 = t28 * t79;
-        let t89 = t28 * t81;
-        let t90 = t28 * t83;
-        let t91 = t29 * t73;
-        let t92 = t29 * t75;
-        let t93 = t29 * t77;
-        let t94 = t29 * t79;
-        let t95 = t29 * t81;
-        let t96 = t29 * t83;
-        by_value[0] = t42 - t35;
-        by_value[1] = t48;
-        by_value[2] = t54;
-        by_value[3] = t56;
-        by_value[4] = t58;
-        by_value[5] = t60;
-        by_value[6] = t61;
-        by_value[7] = t62 - t35;
-        by_value[8] = t63;
-        by_value[9] = t64;
-        by_value[10] = t65;
-        by_value[11] = t66;
-        by_value[12] = t67;
-        by_value[13] = t68;
-        by_value[14] = t69 - t35;
-        by_value[15] = t70;
-        by_value[16] = t71;
-        by_value[17] = t72;
-        by_value[18] = t35 - t42;
-        by_value[19] = -t48;
-        by_value[20] = -t54;
-        by_value[21] = -t56;
-        by_value[22] = -t58;
-        by_value[23] = -t60;
-        by_value[24] = -t61;
-        by_value[25] = t35 - t62;
-        by_value[26] = -t63;
-        by_value[27] = -t64;
-        by_value[28] = -t65;
-        by_value[29] = -t66;
-        by_value[30] = -t67;
-        by_value[31] = -t68;
-        by_value[32] = t35 - t69;
-        by_value[33] = -t70;
-        by_value[34] = -t71;
-        by_value[35] = -t72;
-        by_velocity[0] = t74;
-        by_velocity[1] = t76;
-        by_velocity[2] = t78;
-        by_velocity[3] = t80;
-        by_velocity[4] = t82;
-        by_velocity[5] = t84;
-        by_velocity[6] = t85;
-        by_velocity[7] = t86;
-        by_velocity[8] = t87;
-        by_velocity[9] = t88;
-        by_velocity[10] = t89;
-        by_velocity[11] = t90;
-        by_velocity[12] = t91;
-        by_velocity[13] = t92;
-        by_velocity[14] = t93;
-        by_velocity[15] = t94;
-        by_velocity[16] = t95;
-        by_velocity[17] = t96;
-        by_velocity[18] = -t74;
-        by_velocity[19] = -t76;
-        by_velocity[20] = -t78;
-        by_velocity[21] = -t80;
-        by_velocity[22] = -t82;
-        by_velocity[23] = -t84;
-        by_velocity[24] = -t85;
-        by_velocity[25] = -t86;
-        by_velocity[26] = -t87;
-        by_velocity[27] = -t88;
-        by_velocity[28] = -t89;
-        by_velocity[29] = -t90;
-        by_velocity[30] = -t91;
-        by_velocity[31] = -t92;
-        by_velocity[32] = -t93;
-        by_velocity[33] = -t94;
-        by_velocity[34] = -t95;
-        by_velocity[35] = -t96;
+        let t24 = z[1][0] - z[0][0];
+        let t25 = z[1][1] - z[0][1];
+        let t26 = z[1][2] - z[0][2];
+        let t27 = (t24 * t24 + t25 * t25 + t26 * t26).sqrt();
+        let t28 = velocity[1][0] - velocity[0][0];
+        let t29 = velocity[1][1] - velocity[0][1];
+        let t30 = velocity[1][2] - velocity[0][2];
+        let t31 = (t24 * t28 + t25 * t29 + t26 * t30) / t27;
+        let t32 = (800000.0 * (t27 - 0.5) + 40000.0 * t31) / t27;
+        let t33 = 1.0 / (t27 * 2.0);
+        let t34 = t24 * 2.0 * t33;
+        let t35 = 800000.0 * t34;
+        let t36 = t31 * t34;
+        let t37 = t32 * t34;
+        let t38 = (40000.0 * ((velocity[0][0] - velocity[1][0] + t36) / t27) - t35 + t37)
+            / t27;
+        let t39 = t24 * t38;
+        let t40 = t25 * 2.0 * t33;
+        let t41 = 800000.0 * t40;
+        let t42 = t31 * t40;
+        let t43 = t32 * t40;
+        let t44 = (40000.0 * ((velocity[0][1] - velocity[1][1] + t42) / t27) - t41 + t43)
+            / t27;
+        let t45 = t24 * t44;
+        let t46 = t26 * 2.0 * t33;
+        let t47 = 800000.0 * t46;
+        let t48 = t31 * t46;
+        let t49 = t32 * t46;
+        let t50 = (40000.0 * ((velocity[0][2] - velocity[1][2] + t48) / t27) - t47 + t49)
+            / t27;
+        let t51 = t24 * t50;
+        let t52 = (t35 + 40000.0 * ((t28 - t36) / t27) - t37) / t27;
+        let t53 = t32 + t24 * t52;
+        let t54 = (t41 + 40000.0 * ((t29 - t42) / t27) - t43) / t27;
+        let t55 = t24 * t54;
+        let t56 = (t47 + 40000.0 * ((t30 - t48) / t27) - t49) / t27;
+        let t57 = t24 * t56;
+        let t58 = t25 * t38;
+        let t59 = t25 * t44;
+        let t60 = t25 * t50;
+        let t61 = t25 * t52;
+        let t62 = t32 + t25 * t54;
+        let t63 = t25 * t56;
+        let t64 = t26 * t38;
+        let t65 = t26 * t44;
+        let t66 = t26 * t50;
+        let t67 = t26 * t52;
+        let t68 = t26 * t54;
+        let t69 = t32 + t26 * t56;
+        let t70 = 40000.0 * ((z[0][0] - z[1][0]) / t27) / t27;
+        let t71 = t24 * t70;
+        let t72 = 40000.0 * ((z[0][1] - z[1][1]) / t27) / t27;
+        let t73 = t24 * t72;
+        let t74 = 40000.0 * ((z[0][2] - z[1][2]) / t27) / t27;
+        let t75 = t24 * t74;
+        let t76 = 40000.0 * (t24 / t27) / t27;
+        let t77 = t24 * t76;
+        let t78 = 40000.0 * (t25 / t27) / t27;
+        let t79 = t24 * t78;
+        let t80 = 40000.0 * (t26 / t27) / t27;
+        let t81 = t24 * t80;
+        let t82 = t25 * t70;
+        let t83 = t25 * t72;
+        let t84 = t25 * t74;
+        let t85 = t25 * t76;
+        let t86 = t25 * t78;
+        let t87 = t25 * t80;
+        let t88 = t26 * t70;
+        let t89 = t26 * t72;
+        let t90 = t26 * t74;
+        let t91 = t26 * t76;
+        let t92 = t26 * t78;
+        let t93 = t26 * t80;
+        by_value[0] = t39 - t32;
+        by_value[1] = t45;
+        by_value[2] = t51;
+        by_value[3] = t53;
+        by_value[4] = t55;
+        by_value[5] = t57;
+        by_value[6] = t58;
+        by_value[7] = t59 - t32;
+        by_value[8] = t60;
+        by_value[9] = t61;
+        by_value[10] = t62;
+        by_value[11] = t63;
+        by_value[12] = t64;
+        by_value[13] = t65;
+        by_value[14] = t66 - t32;
+        by_value[15] = t67;
+        by_value[16] = t68;
+        by_value[17] = t69;
+        by_value[18] = t32 - t39;
+        by_value[19] = -t45;
+        by_value[20] = -t51;
+        by_value[21] = -t53;
+        by_value[22] = -t55;
+        by_value[23] = -t57;
+        by_value[24] = -t58;
+        by_value[25] = t32 - t59;
+        by_value[26] = -t60;
+        by_value[27] = -t61;
+        by_value[28] = -t62;
+        by_value[29] = -t63;
+        by_value[30] = -t64;
+        by_value[31] = -t65;
+        by_value[32] = t32 - t66;
+        by_value[33] = -t67;
+        by_value[34] = -t68;
+        by_value[35] = -t69;
+        by_velocity[0] = t71;
+        by_velocity[1] = t73;
+        by_velocity[2] = t75;
+        by_velocity[3] = t77;
+        by_velocity[4] = t79;
+        by_velocity[5] = t81;
+        by_velocity[6] = t82;
+        by_velocity[7] = t83;
+        by_velocity[8] = t84;
+        by_velocity[9] = t85;
+        by_velocity[10] = t86;
+        by_velocity[11] = t87;
+        by_velocity[12] = t88;
+        by_velocity[13] = t89;
+        by_velocity[14] = t90;
+        by_velocity[15] = t91;
+        by_velocity[16] = t92;
+        by_velocity[17] = t93;
+        by_velocity[18] = -t71;
+        by_velocity[19] = -t73;
+        by_velocity[20] = -t75;
+        by_velocity[21] = -t77;
+        by_velocity[22] = -t79;
+        by_velocity[23] = -t81;
+        by_velocity[24] = -t82;
+        by_velocity[25] = -t83;
+        by_velocity[26] = -t84;
+        by_velocity[27] = -t85;
+        by_velocity[28] = -t86;
+        by_velocity[29] = -t87;
+        by_velocity[30] = -t88;
+        by_velocity[31] = -t89;
+        by_velocity[32] = -t90;
+        by_velocity[33] = -t91;
+        by_velocity[34] = -t92;
+        by_velocity[35] = -t93;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     pub fn kinks(model: &super::FlyballGovernor, kinks: &mut [f64; 0]) {}

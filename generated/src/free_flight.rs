@@ -268,63 +268,63 @@ pub mod free_flight_equations {
         let strain_dot_d_s1 = dot_d_s1 - 1.0;
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y + s1_z * s1_z;
         let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
-        let t46 = length * EA;
-        let t47 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t48 = strain_dot_d_d * 0.02142857142857143;
-        let t49 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t47 + t48
+        let t43 = length * EA;
+        let t44 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t45 = strain_dot_d_d * 0.02142857142857143;
+        let t46 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t44 + t45
             + strain_dot_d_s1 * (-0.0035714285714285713)
             + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t50 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t51 = strain_dot_d_d * (-0.12857142857142856);
-        let t52 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let t53 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let t54 = strain_dot_s0_s0 * 0.02142857142857143
+        let t47 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t48 = strain_dot_d_d * (-0.12857142857142856);
+        let t49 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t50 = strain_dot_s0_s0 * (-0.0035714285714285713);
+        let t51 = strain_dot_s0_s0 * 0.02142857142857143
             + strain_dot_s0_d * (-0.12857142857142856)
             + strain_dot_d_d * 0.5142857142857142
             + strain_dot_d_s1 * (-0.12857142857142856)
             + strain_dot_s1_s1 * 0.02142857142857143;
-        let t55 = t48
-            + (t47
+        let t52 = t45
+            + (t44
                 + (strain_dot_s0_s0 * 0.0011904761904761906
                     + strain_dot_s0_d * (-0.0035714285714285713)))
             + strain_dot_d_s1 * 0.0035714285714285713
             + strain_dot_s1_s1 * 0.014285714285714285;
-        let t56 = inverse_length * EI;
-        let t57 = dot_d_d * 3.6;
-        let stress_dot_s0_s0 = t46 * t49
-            + t56 * (t57 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6);
-        let t59 = dot_s0_s1 * 2.2;
-        let stress_dot_s0_d = t46
+        let t53 = inverse_length * EI;
+        let t54 = dot_d_d * 3.6;
+        let stress_dot_s0_s0 = t43 * t46
+            + t53 * (t54 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6);
+        let t56 = dot_s0_s1 * 2.2;
+        let stress_dot_s0_d = t43
             * (strain_dot_s0_s0 * 0.0035714285714285713
-                + strain_dot_s0_d * 0.08571428571428572 + t50 + t51 + t52)
-            + t56 * (dot_s0_d * (-7.2) + t59 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2));
-        let t61 = dot_s0_s1 * (-1.2);
-        let stress_dot_s0_s1 = t46
-            * (t52
-                + (t53 + strain_dot_s0_d * (-0.007142857142857143)
+                + strain_dot_s0_d * 0.08571428571428572 + t47 + t48 + t49)
+            + t53 * (dot_s0_d * (-7.2) + t56 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2));
+        let t58 = dot_s0_s1 * (-1.2);
+        let stress_dot_s0_s1 = t43
+            * (t49
+                + (t50 + strain_dot_s0_d * (-0.007142857142857143)
                     + strain_dot_s0_s1 * 0.004761904761904762
                     + strain_dot_d_s1 * (-0.007142857142857143)))
-            + t56 * (dot_s0_d * 2.2 + t61 + dot_d_d * (-1.2) + dot_d_s1 * 2.2);
-        let stress_dot_d_d = t46 * t54 + t56 * (t61 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6);
-        let stress_dot_d_s1 = t46
-            * (t51 + (t50 + t53) + strain_dot_d_s1 * 0.08571428571428572
+            + t53 * (dot_s0_d * 2.2 + t58 + dot_d_d * (-1.2) + dot_d_s1 * 2.2);
+        let stress_dot_d_d = t43 * t51 + t53 * (t58 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6);
+        let stress_dot_d_s1 = t43
+            * (t48 + (t47 + t50) + strain_dot_d_s1 * 0.08571428571428572
                 + strain_dot_s1_s1 * 0.0035714285714285713)
-            + t56 * (t59 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2));
-        let stress_dot_s1_s1 = t46 * t55
-            + t56 * (t57 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2)));
-        let t66 = inverse_length
+            + t53 * (t56 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2));
+        let stress_dot_s1_s1 = t43 * t52
+            + t53 * (t54 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2)));
+        let t63 = inverse_length
             * (s0_x * stress_dot_s0_d + stress_dot_d_d * (d_x * 2.0)
                 + s1_x * stress_dot_d_s1);
-        let t67 = inverse_length
+        let t64 = inverse_length
             * (s0_y * stress_dot_s0_d + stress_dot_d_d * (d_y * 2.0)
                 + s1_y * stress_dot_d_s1);
-        let t68 = inverse_length
+        let t65 = inverse_length
             * (s0_z * stress_dot_s0_d + stress_dot_d_d * (d_z * 2.0)
                 + s1_z * stress_dot_d_s1);
-        force[0] -= t66;
-        force[1] -= t67;
-        force[2] -= t68;
+        force[0] -= t63;
+        force[1] -= t64;
+        force[2] -= t65;
         force[3]
             += stress_dot_s0_s0 * (s0_x * 2.0) + d_x * stress_dot_s0_d
                 + s1_x * stress_dot_s0_s1;
@@ -334,9 +334,9 @@ pub mod free_flight_equations {
         force[5]
             += stress_dot_s0_s0 * (s0_z * 2.0) + d_z * stress_dot_s0_d
                 + s1_z * stress_dot_s0_s1;
-        force[6] += t66;
-        force[7] += t67;
-        force[8] += t68;
+        force[6] += t63;
+        force[7] += t64;
+        force[8] += t65;
         force[9]
             += s0_x * stress_dot_s0_s1 + d_x * stress_dot_d_s1
                 + stress_dot_s1_s1 * (s1_x * 2.0);
@@ -377,328 +377,327 @@ pub mod free_flight_equations {
         let strain_dot_d_s1 = dot_d_s1 - 1.0;
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y + s1_z * s1_z;
         let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
-        let t46 = length * EA;
-        let t47 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t48 = strain_dot_d_d * 0.02142857142857143;
-        let t49 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t47 + t48
+        let t43 = length * EA;
+        let t44 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t45 = strain_dot_d_d * 0.02142857142857143;
+        let t46 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t44 + t45
             + strain_dot_d_s1 * (-0.0035714285714285713)
             + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t50 = t46 * 0.014285714285714285;
-        let t51 = t46 * 0.0035714285714285713;
-        let t52 = t46 * (-0.0035714285714285713);
-        let t53 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t54 = strain_dot_d_d * (-0.12857142857142856);
-        let t55 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let t56 = t46 * (-0.12857142857142856);
-        let t57 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let t58 = strain_dot_s0_s0 * 0.02142857142857143
+        let t47 = t43 * 0.014285714285714285;
+        let t48 = t43 * 0.0035714285714285713;
+        let t49 = t43 * (-0.0035714285714285713);
+        let t50 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t51 = strain_dot_d_d * (-0.12857142857142856);
+        let t52 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t53 = t43 * (-0.12857142857142856);
+        let t54 = strain_dot_s0_s0 * (-0.0035714285714285713);
+        let t55 = strain_dot_s0_s0 * 0.02142857142857143
             + strain_dot_s0_d * (-0.12857142857142856)
             + strain_dot_d_d * 0.5142857142857142
             + strain_dot_d_s1 * (-0.12857142857142856)
             + strain_dot_s1_s1 * 0.02142857142857143;
-        let t59 = t46 * 0.5142857142857142;
-        let t60 = t48
-            + (t47
+        let t56 = t43 * 0.5142857142857142;
+        let t57 = t45
+            + (t44
                 + (strain_dot_s0_s0 * 0.0011904761904761906
                     + strain_dot_s0_d * (-0.0035714285714285713)))
             + strain_dot_d_s1 * 0.0035714285714285713
             + strain_dot_s1_s1 * 0.014285714285714285;
-        let t61 = inverse_length * EI;
-        let t62 = dot_d_d * 3.6;
-        let stress_dot_s0_s0 = t46 * t49
-            + t61 * (t62 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6);
-        let t64 = t46 * 0.02142857142857143 + t61 * 3.6;
-        let t65 = t52 + t61 * (-2.2);
-        let t66 = t46 * 0.0011904761904761906 + t61 * 0.6;
-        let t67 = dot_s0_s1 * 2.2;
-        let stress_dot_s0_d = t46
+        let t58 = inverse_length * EI;
+        let t59 = dot_d_d * 3.6;
+        let stress_dot_s0_s0 = t43 * t46
+            + t58 * (t59 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6);
+        let t61 = t43 * 0.02142857142857143 + t58 * 3.6;
+        let t62 = t49 + t58 * (-2.2);
+        let t63 = t43 * 0.0011904761904761906 + t58 * 0.6;
+        let t64 = dot_s0_s1 * 2.2;
+        let stress_dot_s0_d = t43
             * (strain_dot_s0_s0 * 0.0035714285714285713
-                + strain_dot_s0_d * 0.08571428571428572 + t53 + t54 + t55)
-            + t61 * (dot_s0_d * (-7.2) + t67 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2));
-        let t69 = t46 * 0.08571428571428572 + t61 * (-7.2);
-        let t70 = t46 * (-0.007142857142857143) + t61 * 2.2;
-        let t71 = t61 * 1.2;
-        let t72 = dot_s0_s1 * (-1.2);
-        let stress_dot_s0_s1 = t46
-            * (t55
-                + (t57 + strain_dot_s0_d * (-0.007142857142857143)
+                + strain_dot_s0_d * 0.08571428571428572 + t50 + t51 + t52)
+            + t58 * (dot_s0_d * (-7.2) + t64 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2));
+        let t66 = t43 * 0.08571428571428572 + t58 * (-7.2);
+        let t67 = t43 * (-0.007142857142857143) + t58 * 2.2;
+        let t68 = t58 * 1.2;
+        let t69 = dot_s0_s1 * (-1.2);
+        let stress_dot_s0_s1 = t43
+            * (t52
+                + (t54 + strain_dot_s0_d * (-0.007142857142857143)
                     + strain_dot_s0_s1 * 0.004761904761904762
                     + strain_dot_d_s1 * (-0.007142857142857143)))
-            + t61 * (dot_s0_d * 2.2 + t72 + dot_d_d * (-1.2) + dot_d_s1 * 2.2);
-        let t74 = t61 * (-1.2);
-        let t75 = t46 * 0.004761904761904762 + t74;
-        let stress_dot_d_d = t46 * t58 + t61 * (t72 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6);
-        let stress_dot_d_s1 = t46
-            * (t54 + (t53 + t57) + strain_dot_d_s1 * 0.08571428571428572
+            + t58 * (dot_s0_d * 2.2 + t69 + dot_d_d * (-1.2) + dot_d_s1 * 2.2);
+        let t71 = t58 * (-1.2);
+        let t72 = t43 * 0.004761904761904762 + t71;
+        let stress_dot_d_d = t43 * t55 + t58 * (t69 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6);
+        let stress_dot_d_s1 = t43
+            * (t51 + (t50 + t54) + strain_dot_d_s1 * 0.08571428571428572
                 + strain_dot_s1_s1 * 0.0035714285714285713)
-            + t61 * (t67 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2));
-        let stress_dot_s1_s1 = t46 * t60
-            + t61 * (t62 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2)));
-        let t79 = s0_x * 2.0;
-        let t80 = s0_y * 2.0;
-        let t81 = s0_z * 2.0;
-        let t82 = d_x * 2.0;
-        let t83 = d_y * 2.0;
-        let t84 = d_z * 2.0;
-        let t85 = s1_x * 2.0;
-        let t86 = s1_y * 2.0;
-        let t87 = s1_z * 2.0;
-        let t88 = d_x * t51;
-        let t89 = d_y * t51;
-        let t90 = d_z * t51;
-        let t91 = t50 * t80 + t89 + s1_y * t52;
-        let t92 = t50 * t81 + t90 + s1_z * t52;
-        let t93 = s0_x * t51 + t64 * t82 + s1_x * t65;
-        let t94 = s0_y * t51 + t64 * t83 + s1_y * t65;
-        let t95 = s0_z * t51 + t64 * t84 + s1_z * t65;
-        let t96 = s0_x * t52;
-        let t97 = s0_y * t52;
-        let t98 = s0_z * t52;
-        let t99 = t96 + d_x * t65 + t66 * t85;
-        let t100 = t97 + d_y * t65 + t66 * t86;
-        let t101 = t98 + d_z * t65 + t66 * t87;
-        let t102 = d_x * t69;
-        let t103 = d_y * t69;
-        let t104 = d_z * t69;
-        let t105 = s1_x * t70;
-        let t106 = s1_y * t70;
-        let t107 = s1_z * t70;
-        let t108 = t51 * t80 + t103 + t106;
-        let t109 = t51 * t81 + t104 + t107;
-        let t110 = t56 * t82;
-        let t111 = t56 * t83;
-        let t112 = t56 * t84;
-        let t113 = s0_x * t69 + t110 + s1_x * t71;
-        let t114 = s0_y * t69 + t111 + s1_y * t71;
-        let t115 = s0_z * t69 + t112 + s1_z * t71;
-        let t116 = s0_x * t70;
-        let t117 = s0_y * t70;
-        let t118 = s0_z * t70;
-        let t119 = t116 + d_x * t71 + t65 * t85;
-        let t120 = t117 + d_y * t71 + t65 * t86;
-        let t121 = t118 + d_z * t71 + t65 * t87;
-        let t122 = d_x * t70;
-        let t123 = d_y * t70;
-        let t124 = d_z * t70;
-        let t125 = t52 * t80 + t123 + s1_y * t75;
-        let t126 = t52 * t81 + t124 + s1_z * t75;
-        let t127 = t105 + (t116 + t74 * t82);
-        let t128 = t106 + (t117 + t74 * t83);
-        let t129 = t107 + (t118 + t74 * t84);
-        let t130 = t122 + s0_x * t75 + t52 * t85;
-        let t131 = t123 + s0_y * t75 + t52 * t86;
-        let t132 = t124 + s0_z * t75 + t52 * t87;
-        let t133 = s0_y * t56 + t59 * t83 + s1_y * t56;
-        let t134 = s0_z * t56 + t59 * t84 + s1_z * t56;
-        let t135 = d_x * t56 + s0_x * t74 + t64 * t85;
-        let t136 = d_y * t56 + s0_y * t74 + t64 * t86;
-        let t137 = d_z * t56 + s0_z * t74 + t64 * t87;
-        let t138 = t111 + s0_y * t71 + s1_y * t69;
-        let t139 = t112 + s0_z * t71 + s1_z * t69;
-        let t140 = t102 + t116 + t51 * t85;
-        let t141 = t103 + t117 + t51 * t86;
-        let t142 = t104 + t118 + t51 * t87;
-        let t143 = t89 + t97 + t50 * t86;
-        let t144 = t90 + t98 + t50 * t87;
-        let t145 = t79 * (t50 * t79 + t88 + s1_x * t52)
-            + d_x * (t51 * t79 + t102 + t105);
-        let t146 = t79 * t91 + d_x * t108 + s1_x * t125;
-        let t147 = t79 * t92 + d_x * t109 + s1_x * t126;
-        let t148 = t80 * t92 + d_y * t109 + s1_y * t126;
-        let t149 = t79 * t100 + d_x * t120 + s1_x * t131;
-        let t150 = t79 * t101 + d_x * t121 + s1_x * t132;
-        let t151 = t80 * t99 + d_y * t119 + s1_y * t130;
-        let t152 = t80 * t101 + d_y * t121 + s1_y * t132;
-        let t153 = t81 * t99 + d_z * t119 + s1_z * t130;
-        let t154 = t81 * t100 + d_z * t120 + s1_z * t131;
-        let t155 = s0_x * t113 + t82 * (s0_x * t56 + t59 * t82 + s1_x * t56)
-            + s1_x * (t110 + s0_x * t71 + s1_x * t69);
-        let t156 = s0_x * t131 + d_x * t141 + t85 * t143;
-        let t157 = s0_x * t132 + d_x * t142 + t85 * t144;
-        let t158 = s0_y * t132 + d_y * t142 + t86 * t144;
-        let t159 = stress_dot_s0_s0 * 2.0;
-        let t160 = stress_dot_s0_s1 + (t79 * t99 + d_x * t119 + s1_x * t130);
-        let t161 = stress_dot_s0_s1 + (t80 * t100 + d_y * t120 + s1_y * t131);
-        let t162 = stress_dot_s0_s1 + (t81 * t101 + d_z * t121 + s1_z * t132);
-        let t163 = stress_dot_d_d * 2.0;
-        let t164 = stress_dot_s1_s1 * 2.0;
-        let t165 = s0_x * t130 + d_x * t140 + t85 * (t88 + t96 + t50 * t85) + t164;
-        let t166 = inverse_length * inverse_length;
-        let t167 = (t155 + t163) * t166;
-        let t168 = (s0_x * t114 + t82 * t133 + s1_x * t138) * t166;
-        let t169 = (s0_x * t115 + t82 * t134 + s1_x * t139) * t166;
+            + t58 * (t64 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2));
+        let stress_dot_s1_s1 = t43 * t57
+            + t58 * (t59 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2)));
+        let t76 = s0_x * 2.0;
+        let t77 = s0_y * 2.0;
+        let t78 = s0_z * 2.0;
+        let t79 = d_x * 2.0;
+        let t80 = d_y * 2.0;
+        let t81 = d_z * 2.0;
+        let t82 = s1_x * 2.0;
+        let t83 = s1_y * 2.0;
+        let t84 = s1_z * 2.0;
+        let t85 = d_x * t48;
+        let t86 = d_y * t48;
+        let t87 = d_z * t48;
+        let t88 = t47 * t77 + t86 + s1_y * t49;
+        let t89 = t47 * t78 + t87 + s1_z * t49;
+        let t90 = s0_x * t48 + t61 * t79 + s1_x * t62;
+        let t91 = s0_y * t48 + t61 * t80 + s1_y * t62;
+        let t92 = s0_z * t48 + t61 * t81 + s1_z * t62;
+        let t93 = s0_x * t49;
+        let t94 = s0_y * t49;
+        let t95 = s0_z * t49;
+        let t96 = t93 + d_x * t62 + t63 * t82;
+        let t97 = t94 + d_y * t62 + t63 * t83;
+        let t98 = t95 + d_z * t62 + t63 * t84;
+        let t99 = d_x * t66;
+        let t100 = d_y * t66;
+        let t101 = d_z * t66;
+        let t102 = s1_x * t67;
+        let t103 = s1_y * t67;
+        let t104 = s1_z * t67;
+        let t105 = t48 * t77 + t100 + t103;
+        let t106 = t48 * t78 + t101 + t104;
+        let t107 = t53 * t79;
+        let t108 = t53 * t80;
+        let t109 = t53 * t81;
+        let t110 = s0_x * t66 + t107 + s1_x * t68;
+        let t111 = s0_y * t66 + t108 + s1_y * t68;
+        let t112 = s0_z * t66 + t109 + s1_z * t68;
+        let t113 = s0_x * t67;
+        let t114 = s0_y * t67;
+        let t115 = s0_z * t67;
+        let t116 = t113 + d_x * t68 + t62 * t82;
+        let t117 = t114 + d_y * t68 + t62 * t83;
+        let t118 = t115 + d_z * t68 + t62 * t84;
+        let t119 = d_x * t67;
+        let t120 = d_y * t67;
+        let t121 = d_z * t67;
+        let t122 = t49 * t77 + t120 + s1_y * t72;
+        let t123 = t49 * t78 + t121 + s1_z * t72;
+        let t124 = t102 + (t113 + t71 * t79);
+        let t125 = t103 + (t114 + t71 * t80);
+        let t126 = t104 + (t115 + t71 * t81);
+        let t127 = t119 + s0_x * t72 + t49 * t82;
+        let t128 = t120 + s0_y * t72 + t49 * t83;
+        let t129 = t121 + s0_z * t72 + t49 * t84;
+        let t130 = s0_y * t53 + t56 * t80 + s1_y * t53;
+        let t131 = s0_z * t53 + t56 * t81 + s1_z * t53;
+        let t132 = d_x * t53 + s0_x * t71 + t61 * t82;
+        let t133 = d_y * t53 + s0_y * t71 + t61 * t83;
+        let t134 = d_z * t53 + s0_z * t71 + t61 * t84;
+        let t135 = t108 + s0_y * t68 + s1_y * t66;
+        let t136 = t109 + s0_z * t68 + s1_z * t66;
+        let t137 = t99 + t113 + t48 * t82;
+        let t138 = t100 + t114 + t48 * t83;
+        let t139 = t101 + t115 + t48 * t84;
+        let t140 = t86 + t94 + t47 * t83;
+        let t141 = t87 + t95 + t47 * t84;
+        let t142 = t76 * (t47 * t76 + t85 + s1_x * t49) + d_x * (t48 * t76 + t99 + t102);
+        let t143 = t76 * t88 + d_x * t105 + s1_x * t122;
+        let t144 = t76 * t89 + d_x * t106 + s1_x * t123;
+        let t145 = t77 * t89 + d_y * t106 + s1_y * t123;
+        let t146 = t76 * t97 + d_x * t117 + s1_x * t128;
+        let t147 = t76 * t98 + d_x * t118 + s1_x * t129;
+        let t148 = t77 * t96 + d_y * t116 + s1_y * t127;
+        let t149 = t77 * t98 + d_y * t118 + s1_y * t129;
+        let t150 = t78 * t96 + d_z * t116 + s1_z * t127;
+        let t151 = t78 * t97 + d_z * t117 + s1_z * t128;
+        let t152 = s0_x * t110 + t79 * (s0_x * t53 + t56 * t79 + s1_x * t53)
+            + s1_x * (t107 + s0_x * t68 + s1_x * t66);
+        let t153 = s0_x * t128 + d_x * t138 + t82 * t140;
+        let t154 = s0_x * t129 + d_x * t139 + t82 * t141;
+        let t155 = s0_y * t129 + d_y * t139 + t83 * t141;
+        let t156 = stress_dot_s0_s0 * 2.0;
+        let t157 = stress_dot_s0_s1 + (t76 * t96 + d_x * t116 + s1_x * t127);
+        let t158 = stress_dot_s0_s1 + (t77 * t97 + d_y * t117 + s1_y * t128);
+        let t159 = stress_dot_s0_s1 + (t78 * t98 + d_z * t118 + s1_z * t129);
+        let t160 = stress_dot_d_d * 2.0;
+        let t161 = stress_dot_s1_s1 * 2.0;
+        let t162 = s0_x * t127 + d_x * t137 + t82 * (t85 + t93 + t47 * t82) + t161;
+        let t163 = inverse_length * inverse_length;
+        let t164 = (t152 + t160) * t163;
+        let t165 = (s0_x * t111 + t79 * t130 + s1_x * t135) * t163;
+        let t166 = (s0_x * t112 + t79 * t131 + s1_x * t136) * t163;
+        let t167 = inverse_length
+            * (stress_dot_s0_d + (t76 * t90 + d_x * t110 + s1_x * t124));
+        let t168 = inverse_length * (t77 * t90 + d_y * t110 + s1_y * t124);
+        let t169 = inverse_length * (t78 * t90 + d_z * t110 + s1_z * t124);
         let t170 = inverse_length
-            * (stress_dot_s0_d + (t79 * t93 + d_x * t113 + s1_x * t127));
-        let t171 = inverse_length * (t80 * t93 + d_y * t113 + s1_y * t127);
-        let t172 = inverse_length * (t81 * t93 + d_z * t113 + s1_z * t127);
-        let t173 = inverse_length
-            * (stress_dot_d_s1 + (s0_x * t119 + t82 * t135 + s1_x * t140));
-        let t174 = inverse_length * (s0_x * t120 + t82 * t136 + s1_x * t141);
-        let t175 = inverse_length * (s0_x * t121 + t82 * t137 + s1_x * t142);
-        let t176 = (s0_y * t114 + t83 * t133 + s1_y * t138 + t163) * t166;
-        let t177 = (s0_y * t115 + t83 * t134 + s1_y * t139) * t166;
-        let t178 = inverse_length * (t79 * t94 + d_x * t114 + s1_x * t128);
+            * (stress_dot_d_s1 + (s0_x * t116 + t79 * t132 + s1_x * t137));
+        let t171 = inverse_length * (s0_x * t117 + t79 * t133 + s1_x * t138);
+        let t172 = inverse_length * (s0_x * t118 + t79 * t134 + s1_x * t139);
+        let t173 = (s0_y * t111 + t80 * t130 + s1_y * t135 + t160) * t163;
+        let t174 = (s0_y * t112 + t80 * t131 + s1_y * t136) * t163;
+        let t175 = inverse_length * (t76 * t91 + d_x * t111 + s1_x * t125);
+        let t176 = inverse_length
+            * (stress_dot_s0_d + (t77 * t91 + d_y * t111 + s1_y * t125));
+        let t177 = inverse_length * (t78 * t91 + d_z * t111 + s1_z * t125);
+        let t178 = inverse_length * (s0_y * t116 + t80 * t132 + s1_y * t137);
         let t179 = inverse_length
-            * (stress_dot_s0_d + (t80 * t94 + d_y * t114 + s1_y * t128));
-        let t180 = inverse_length * (t81 * t94 + d_z * t114 + s1_z * t128);
-        let t181 = inverse_length * (s0_y * t119 + t83 * t135 + s1_y * t140);
-        let t182 = inverse_length
-            * (stress_dot_d_s1 + (s0_y * t120 + t83 * t136 + s1_y * t141));
-        let t183 = inverse_length * (s0_y * t121 + t83 * t137 + s1_y * t142);
-        let t184 = (s0_z * t115 + t84 * t134 + s1_z * t139 + t163) * t166;
-        let t185 = inverse_length * (t79 * t95 + d_x * t115 + s1_x * t129);
-        let t186 = inverse_length * (t80 * t95 + d_y * t115 + s1_y * t129);
+            * (stress_dot_d_s1 + (s0_y * t117 + t80 * t133 + s1_y * t138));
+        let t180 = inverse_length * (s0_y * t118 + t80 * t134 + s1_y * t139);
+        let t181 = (s0_z * t112 + t81 * t131 + s1_z * t136 + t160) * t163;
+        let t182 = inverse_length * (t76 * t92 + d_x * t112 + s1_x * t126);
+        let t183 = inverse_length * (t77 * t92 + d_y * t112 + s1_y * t126);
+        let t184 = inverse_length
+            * (stress_dot_s0_d + (t78 * t92 + d_z * t112 + s1_z * t126));
+        let t185 = inverse_length * (s0_z * t116 + t81 * t132 + s1_z * t137);
+        let t186 = inverse_length * (s0_z * t117 + t81 * t133 + s1_z * t138);
         let t187 = inverse_length
-            * (stress_dot_s0_d + (t81 * t95 + d_z * t115 + s1_z * t129));
-        let t188 = inverse_length * (s0_z * t119 + t84 * t135 + s1_z * t140);
-        let t189 = inverse_length * (s0_z * t120 + t84 * t136 + s1_z * t141);
-        let t190 = inverse_length
-            * (stress_dot_d_s1 + (s0_z * t121 + t84 * t137 + s1_z * t142));
-        stiffness[0] += t167;
-        stiffness[1] += t168;
-        stiffness[2] += t169;
-        stiffness[3] -= t170;
-        stiffness[4] -= t171;
-        stiffness[5] -= t172;
-        stiffness[6] -= t167;
-        stiffness[7] -= t168;
-        stiffness[8] -= t169;
-        stiffness[9] -= t173;
-        stiffness[10] -= t174;
-        stiffness[11] -= t175;
-        stiffness[12] += t168;
-        stiffness[13] += t176;
-        stiffness[14] += t177;
-        stiffness[15] -= t178;
-        stiffness[16] -= t179;
-        stiffness[17] -= t180;
-        stiffness[18] -= t168;
-        stiffness[19] -= t176;
-        stiffness[20] -= t177;
-        stiffness[21] -= t181;
-        stiffness[22] -= t182;
-        stiffness[23] -= t183;
-        stiffness[24] += t169;
-        stiffness[25] += t177;
-        stiffness[26] += t184;
-        stiffness[27] -= t185;
-        stiffness[28] -= t186;
-        stiffness[29] -= t187;
-        stiffness[30] -= t169;
-        stiffness[31] -= t177;
-        stiffness[32] -= t184;
-        stiffness[33] -= t188;
-        stiffness[34] -= t189;
-        stiffness[35] -= t190;
-        stiffness[36] -= t170;
-        stiffness[37] -= t178;
-        stiffness[38] -= t185;
-        stiffness[39] += t145 + s1_x * (t52 * t79 + t122 + s1_x * t75) + t159;
-        stiffness[40] += t146;
-        stiffness[41] += t147;
-        stiffness[42] += t170;
-        stiffness[43] += t178;
-        stiffness[44] += t185;
-        stiffness[45] += t160;
-        stiffness[46] += t149;
-        stiffness[47] += t150;
-        stiffness[48] -= t171;
-        stiffness[49] -= t179;
-        stiffness[50] -= t186;
-        stiffness[51] += t146;
-        stiffness[52] += t80 * t91 + d_y * t108 + s1_y * t125 + t159;
-        stiffness[53] += t148;
-        stiffness[54] += t171;
-        stiffness[55] += t179;
-        stiffness[56] += t186;
-        stiffness[57] += t151;
-        stiffness[58] += t161;
-        stiffness[59] += t152;
-        stiffness[60] -= t172;
-        stiffness[61] -= t180;
-        stiffness[62] -= t187;
-        stiffness[63] += t147;
-        stiffness[64] += t148;
-        stiffness[65] += t81 * t92 + d_z * t109 + s1_z * t126 + t159;
-        stiffness[66] += t172;
-        stiffness[67] += t180;
-        stiffness[68] += t187;
-        stiffness[69] += t153;
-        stiffness[70] += t154;
-        stiffness[71] += t162;
-        stiffness[72] -= t167;
-        stiffness[73] -= t168;
-        stiffness[74] -= t169;
-        stiffness[75] += t170;
-        stiffness[76] += t171;
-        stiffness[77] += t172;
-        stiffness[78] += t167;
-        stiffness[79] += t168;
-        stiffness[80] += t169;
-        stiffness[81] += t173;
-        stiffness[82] += t174;
-        stiffness[83] += t175;
-        stiffness[84] -= t168;
-        stiffness[85] -= t176;
-        stiffness[86] -= t177;
-        stiffness[87] += t178;
-        stiffness[88] += t179;
-        stiffness[89] += t180;
-        stiffness[90] += t168;
-        stiffness[91] += t176;
-        stiffness[92] += t177;
-        stiffness[93] += t181;
-        stiffness[94] += t182;
-        stiffness[95] += t183;
-        stiffness[96] -= t169;
-        stiffness[97] -= t177;
-        stiffness[98] -= t184;
-        stiffness[99] += t185;
-        stiffness[100] += t186;
-        stiffness[101] += t187;
-        stiffness[102] += t169;
-        stiffness[103] += t177;
-        stiffness[104] += t184;
-        stiffness[105] += t188;
-        stiffness[106] += t189;
-        stiffness[107] += t190;
-        stiffness[108] -= t173;
-        stiffness[109] -= t181;
-        stiffness[110] -= t188;
-        stiffness[111] += t160;
-        stiffness[112] += t151;
-        stiffness[113] += t153;
-        stiffness[114] += t173;
-        stiffness[115] += t181;
-        stiffness[116] += t188;
-        stiffness[117] += t165;
-        stiffness[118] += t156;
-        stiffness[119] += t157;
-        stiffness[120] -= t174;
-        stiffness[121] -= t182;
-        stiffness[122] -= t189;
-        stiffness[123] += t149;
-        stiffness[124] += t161;
-        stiffness[125] += t154;
-        stiffness[126] += t174;
-        stiffness[127] += t182;
-        stiffness[128] += t189;
-        stiffness[129] += t156;
-        stiffness[130] += s0_y * t131 + d_y * t141 + t86 * t143 + t164;
-        stiffness[131] += t158;
-        stiffness[132] -= t175;
-        stiffness[133] -= t183;
-        stiffness[134] -= t190;
-        stiffness[135] += t150;
-        stiffness[136] += t152;
-        stiffness[137] += t162;
-        stiffness[138] += t175;
-        stiffness[139] += t183;
-        stiffness[140] += t190;
-        stiffness[141] += t157;
-        stiffness[142] += t158;
-        stiffness[143] += s0_z * t132 + d_z * t142 + t87 * t144 + t164;
+            * (stress_dot_d_s1 + (s0_z * t118 + t81 * t134 + s1_z * t139));
+        stiffness[0] += t164;
+        stiffness[1] += t165;
+        stiffness[2] += t166;
+        stiffness[3] -= t167;
+        stiffness[4] -= t168;
+        stiffness[5] -= t169;
+        stiffness[6] -= t164;
+        stiffness[7] -= t165;
+        stiffness[8] -= t166;
+        stiffness[9] -= t170;
+        stiffness[10] -= t171;
+        stiffness[11] -= t172;
+        stiffness[12] += t165;
+        stiffness[13] += t173;
+        stiffness[14] += t174;
+        stiffness[15] -= t175;
+        stiffness[16] -= t176;
+        stiffness[17] -= t177;
+        stiffness[18] -= t165;
+        stiffness[19] -= t173;
+        stiffness[20] -= t174;
+        stiffness[21] -= t178;
+        stiffness[22] -= t179;
+        stiffness[23] -= t180;
+        stiffness[24] += t166;
+        stiffness[25] += t174;
+        stiffness[26] += t181;
+        stiffness[27] -= t182;
+        stiffness[28] -= t183;
+        stiffness[29] -= t184;
+        stiffness[30] -= t166;
+        stiffness[31] -= t174;
+        stiffness[32] -= t181;
+        stiffness[33] -= t185;
+        stiffness[34] -= t186;
+        stiffness[35] -= t187;
+        stiffness[36] -= t167;
+        stiffness[37] -= t175;
+        stiffness[38] -= t182;
+        stiffness[39] += t142 + s1_x * (t49 * t76 + t119 + s1_x * t72) + t156;
+        stiffness[40] += t143;
+        stiffness[41] += t144;
+        stiffness[42] += t167;
+        stiffness[43] += t175;
+        stiffness[44] += t182;
+        stiffness[45] += t157;
+        stiffness[46] += t146;
+        stiffness[47] += t147;
+        stiffness[48] -= t168;
+        stiffness[49] -= t176;
+        stiffness[50] -= t183;
+        stiffness[51] += t143;
+        stiffness[52] += t77 * t88 + d_y * t105 + s1_y * t122 + t156;
+        stiffness[53] += t145;
+        stiffness[54] += t168;
+        stiffness[55] += t176;
+        stiffness[56] += t183;
+        stiffness[57] += t148;
+        stiffness[58] += t158;
+        stiffness[59] += t149;
+        stiffness[60] -= t169;
+        stiffness[61] -= t177;
+        stiffness[62] -= t184;
+        stiffness[63] += t144;
+        stiffness[64] += t145;
+        stiffness[65] += t78 * t89 + d_z * t106 + s1_z * t123 + t156;
+        stiffness[66] += t169;
+        stiffness[67] += t177;
+        stiffness[68] += t184;
+        stiffness[69] += t150;
+        stiffness[70] += t151;
+        stiffness[71] += t159;
+        stiffness[72] -= t164;
+        stiffness[73] -= t165;
+        stiffness[74] -= t166;
+        stiffness[75] += t167;
+        stiffness[76] += t168;
+        stiffness[77] += t169;
+        stiffness[78] += t164;
+        stiffness[79] += t165;
+        stiffness[80] += t166;
+        stiffness[81] += t170;
+        stiffness[82] += t171;
+        stiffness[83] += t172;
+        stiffness[84] -= t165;
+        stiffness[85] -= t173;
+        stiffness[86] -= t174;
+        stiffness[87] += t175;
+        stiffness[88] += t176;
+        stiffness[89] += t177;
+        stiffness[90] += t165;
+        stiffness[91] += t173;
+        stiffness[92] += t174;
+        stiffness[93] += t178;
+        stiffness[94] += t179;
+        stiffness[95] += t180;
+        stiffness[96] -= t166;
+        stiffness[97] -= t174;
+        stiffness[98] -= t181;
+        stiffness[99] += t182;
+        stiffness[100] += t183;
+        stiffness[101] += t184;
+        stiffness[102] += t166;
+        stiffness[103] += t174;
+        stiffness[104] += t181;
+        stiffness[105] += t185;
+        stiffness[106] += t186;
+        stiffness[107] += t187;
+        stiffness[108] -= t170;
+        stiffness[109] -= t178;
+        stiffness[110] -= t185;
+        stiffness[111] += t157;
+        stiffness[112] += t148;
+        stiffness[113] += t150;
+        stiffness[114] += t170;
+        stiffness[115] += t178;
+        stiffness[116] += t185;
+        stiffness[117] += t162;
+        stiffness[118] += t153;
+        stiffness[119] += t154;
+        stiffness[120] -= t171;
+        stiffness[121] -= t179;
+        stiffness[122] -= t186;
+        stiffness[123] += t146;
+        stiffness[124] += t158;
+        stiffness[125] += t151;
+        stiffness[126] += t171;
+        stiffness[127] += t179;
+        stiffness[128] += t186;
+        stiffness[129] += t153;
+        stiffness[130] += s0_y * t128 + d_y * t138 + t83 * t140 + t161;
+        stiffness[131] += t155;
+        stiffness[132] -= t172;
+        stiffness[133] -= t180;
+        stiffness[134] -= t187;
+        stiffness[135] += t147;
+        stiffness[136] += t149;
+        stiffness[137] += t159;
+        stiffness[138] += t172;
+        stiffness[139] += t180;
+        stiffness[140] += t187;
+        stiffness[141] += t154;
+        stiffness[142] += t155;
+        stiffness[143] += s0_z * t129 + d_z * t139 + t84 * t141 + t161;
     }
     /// Adds the strain energy U of one element (J).
     ///
@@ -730,64 +729,64 @@ pub mod free_flight_equations {
         let strain_dot_d_s1 = dot_d_s1 - 1.0;
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y + s1_z * s1_z;
         let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
-        let t46 = length * EA * 0.5;
-        let t47 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t48 = strain_dot_d_d * 0.02142857142857143;
-        let t49 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t47 + t48
+        let t43 = length * EA * 0.5;
+        let t44 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t45 = strain_dot_d_d * 0.02142857142857143;
+        let t46 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t44 + t45
             + strain_dot_d_s1 * (-0.0035714285714285713)
             + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t50 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t51 = strain_dot_d_d * (-0.12857142857142856);
-        let t52 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let t53 = t46 * (strain_dot_s0_s0 * t49)
-            + t46
+        let t47 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t48 = strain_dot_d_d * (-0.12857142857142856);
+        let t49 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t50 = t43 * (strain_dot_s0_s0 * t46)
+            + t43
                 * (strain_dot_s0_d
                     * (strain_dot_s0_s0 * 0.0035714285714285713
-                        + strain_dot_s0_d * 0.08571428571428572 + t50 + t51 + t52));
-        let t54 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let t55 = t46
+                        + strain_dot_s0_d * 0.08571428571428572 + t47 + t48 + t49));
+        let t51 = strain_dot_s0_s0 * (-0.0035714285714285713);
+        let t52 = t43
             * (strain_dot_s0_s1
-                * (t52
-                    + (t54 + strain_dot_s0_d * (-0.007142857142857143)
+                * (t49
+                    + (t51 + strain_dot_s0_d * (-0.007142857142857143)
                         + strain_dot_s0_s1 * 0.004761904761904762
                         + strain_dot_d_s1 * (-0.007142857142857143))));
-        let t56 = strain_dot_s0_s0 * 0.02142857142857143
+        let t53 = strain_dot_s0_s0 * 0.02142857142857143
             + strain_dot_s0_d * (-0.12857142857142856)
             + strain_dot_d_d * 0.5142857142857142
             + strain_dot_d_s1 * (-0.12857142857142856)
             + strain_dot_s1_s1 * 0.02142857142857143;
-        let t57 = t53 + t55 + t46 * (strain_dot_d_d * t56)
-            + t46
+        let t54 = t50 + t52 + t43 * (strain_dot_d_d * t53)
+            + t43
                 * (strain_dot_d_s1
-                    * (t51 + (t50 + t54) + strain_dot_d_s1 * 0.08571428571428572
+                    * (t48 + (t47 + t51) + strain_dot_d_s1 * 0.08571428571428572
                         + strain_dot_s1_s1 * 0.0035714285714285713));
-        let t58 = t48
-            + (t47
+        let t55 = t45
+            + (t44
                 + (strain_dot_s0_s0 * 0.0011904761904761906
                     + strain_dot_s0_d * (-0.0035714285714285713)))
             + strain_dot_d_s1 * 0.0035714285714285713
             + strain_dot_s1_s1 * 0.014285714285714285;
-        let t59 = 0.5 * (inverse_length * EI);
-        let t60 = dot_d_d * 3.6;
-        let t61 = t57 + t46 * (strain_dot_s1_s1 * t58)
-            + t59 * (dot_s0_s0 * (t60 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6));
-        let t62 = dot_s0_s1 * 2.2;
-        let t63 = t61
-            + t59
+        let t56 = 0.5 * (inverse_length * EI);
+        let t57 = dot_d_d * 3.6;
+        let t58 = t54 + t43 * (strain_dot_s1_s1 * t55)
+            + t56 * (dot_s0_s0 * (t57 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6));
+        let t59 = dot_s0_s1 * 2.2;
+        let t60 = t58
+            + t56
                 * (dot_s0_d
-                    * (dot_s0_d * (-7.2) + t62 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2)));
-        let t64 = dot_s0_s1 * (-1.2);
-        let t65 = t63
-            + t59
+                    * (dot_s0_d * (-7.2) + t59 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2)));
+        let t61 = dot_s0_s1 * (-1.2);
+        let t62 = t60
+            + t56
                 * (dot_s0_s1
-                    * (dot_s0_d * 2.2 + t64 + dot_d_d * (-1.2) + dot_d_s1 * 2.2));
-        let t66 = t65 + t59 * (dot_d_d * (t64 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6))
-            + t59
+                    * (dot_s0_d * 2.2 + t61 + dot_d_d * (-1.2) + dot_d_s1 * 2.2));
+        let t63 = t62 + t56 * (dot_d_d * (t61 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6))
+            + t56
                 * (dot_d_s1
-                    * (t62 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2)));
+                    * (t59 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2)));
         *energy
-            += t66 + t59 * (dot_s1_s1 * (t60 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2))));
+            += t63 + t56 * (dot_s1_s1 * (t57 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2))));
     }
     /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
     ///
@@ -798,15 +797,15 @@ pub mod free_flight_equations {
         let CableSpatial { length, rhoA, .. } = *row;
         let element_mass = length * rhoA;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t19 = length * element_mass;
-        let mass_r0_s0 = t19 * 0.05238095238095238;
+        let t16 = length * element_mass;
+        let mass_r0_s0 = t16 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t19 * (-0.030952380952380953);
-        let t23 = element_mass * (length * length);
-        let mass_s0_s0 = t23 * 0.009523809523809525;
-        let mass_s0_r1 = t19 * 0.030952380952380953;
-        let mass_s0_s1 = t23 * (-0.007142857142857143);
-        let mass_r1_s1 = t19 * (-0.05238095238095238);
+        let mass_r0_s1 = t16 * (-0.030952380952380953);
+        let t20 = element_mass * (length * length);
+        let mass_s0_s0 = t20 * 0.009523809523809525;
+        let mass_s0_r1 = t16 * 0.030952380952380953;
+        let mass_s0_s1 = t20 * (-0.007142857142857143);
+        let mass_r1_s1 = t16 * (-0.05238095238095238);
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_s0;
         mass[2] = mass_r0_r1;
@@ -846,64 +845,64 @@ pub mod free_flight_equations {
         let [a_r0_x, a_r0_y, a_r0_z, a_s0_x, a_s0_y, a_s0_z, a_r1_x, a_r1_y, a_r1_z,
         a_s1_x, a_s1_y, a_s1_z] = *a;
         let element_mass = length * rhoA;
-        let t63 = r0_z * w_y - r0_y * w_z;
-        let t64 = r0_x * w_z - r0_z * w_x;
-        let t65 = r0_y * w_x - r0_x * w_y;
-        let t66 = r0_z * dw_y - r0_y * dw_z
+        let t60 = r0_z * w_y - r0_y * w_z;
+        let t61 = r0_x * w_z - r0_z * w_x;
+        let t62 = r0_y * w_x - r0_x * w_y;
+        let t63 = r0_z * dw_y - r0_y * dw_z
             + (a_r0_x + (v_r0_z * w_y - v_r0_y * w_z) * 2.0);
-        let t67 = r0_x * dw_z - r0_z * dw_x
+        let t64 = r0_x * dw_z - r0_z * dw_x
             + (a_r0_y + (v_r0_x * w_z - v_r0_z * w_x) * 2.0);
-        let t68 = r0_y * dw_x - r0_x * dw_y
+        let t65 = r0_y * dw_x - r0_x * dw_y
             + (a_r0_z + (v_r0_y * w_x - v_r0_x * w_y) * 2.0);
-        let total_r0_x = e_x + (w_y * t65 - w_z * t64 + t66);
-        let total_r0_y = e_y + (w_z * t63 - w_x * t65 + t67);
-        let total_r0_z = e_z + (w_x * t64 - w_y * t63 + t68);
-        let t72 = s0_z * w_y - s0_y * w_z;
-        let t73 = s0_x * w_z - s0_z * w_x;
-        let t74 = s0_y * w_x - s0_x * w_y;
-        let t75 = s0_z * dw_y - s0_y * dw_z
+        let total_r0_x = e_x + (w_y * t62 - w_z * t61 + t63);
+        let total_r0_y = e_y + (w_z * t60 - w_x * t62 + t64);
+        let total_r0_z = e_z + (w_x * t61 - w_y * t60 + t65);
+        let t69 = s0_z * w_y - s0_y * w_z;
+        let t70 = s0_x * w_z - s0_z * w_x;
+        let t71 = s0_y * w_x - s0_x * w_y;
+        let t72 = s0_z * dw_y - s0_y * dw_z
             + (a_s0_x + 2.0 * (v_s0_z * w_y - v_s0_y * w_z));
-        let t76 = s0_x * dw_z - s0_z * dw_x
+        let t73 = s0_x * dw_z - s0_z * dw_x
             + (a_s0_y + 2.0 * (v_s0_x * w_z - v_s0_z * w_x));
-        let t77 = s0_y * dw_x - s0_x * dw_y
+        let t74 = s0_y * dw_x - s0_x * dw_y
             + (a_s0_z + 2.0 * (v_s0_y * w_x - v_s0_x * w_y));
-        let total_s0_x = w_y * t74 - w_z * t73 + t75;
-        let total_s0_y = w_z * t72 - w_x * t74 + t76;
-        let total_s0_z = w_x * t73 - w_y * t72 + t77;
-        let t81 = r1_z * w_y - r1_y * w_z;
-        let t82 = r1_x * w_z - r1_z * w_x;
-        let t83 = r1_y * w_x - r1_x * w_y;
-        let t84 = r1_z * dw_y - r1_y * dw_z
+        let total_s0_x = w_y * t71 - w_z * t70 + t72;
+        let total_s0_y = w_z * t69 - w_x * t71 + t73;
+        let total_s0_z = w_x * t70 - w_y * t69 + t74;
+        let t78 = r1_z * w_y - r1_y * w_z;
+        let t79 = r1_x * w_z - r1_z * w_x;
+        let t80 = r1_y * w_x - r1_x * w_y;
+        let t81 = r1_z * dw_y - r1_y * dw_z
             + (a_r1_x + 2.0 * (v_r1_z * w_y - v_r1_y * w_z));
-        let t85 = r1_x * dw_z - r1_z * dw_x
+        let t82 = r1_x * dw_z - r1_z * dw_x
             + (a_r1_y + 2.0 * (v_r1_x * w_z - v_r1_z * w_x));
-        let t86 = r1_y * dw_x - r1_x * dw_y
+        let t83 = r1_y * dw_x - r1_x * dw_y
             + (a_r1_z + 2.0 * (v_r1_y * w_x - v_r1_x * w_y));
-        let total_r1_x = e_x + (w_y * t83 - w_z * t82 + t84);
-        let total_r1_y = e_y + (w_z * t81 - w_x * t83 + t85);
-        let total_r1_z = e_z + (w_x * t82 - w_y * t81 + t86);
-        let t90 = s1_z * w_y - s1_y * w_z;
-        let t91 = s1_x * w_z - s1_z * w_x;
-        let t92 = s1_y * w_x - s1_x * w_y;
-        let t93 = s1_z * dw_y - s1_y * dw_z
+        let total_r1_x = e_x + (w_y * t80 - w_z * t79 + t81);
+        let total_r1_y = e_y + (w_z * t78 - w_x * t80 + t82);
+        let total_r1_z = e_z + (w_x * t79 - w_y * t78 + t83);
+        let t87 = s1_z * w_y - s1_y * w_z;
+        let t88 = s1_x * w_z - s1_z * w_x;
+        let t89 = s1_y * w_x - s1_x * w_y;
+        let t90 = s1_z * dw_y - s1_y * dw_z
             + (a_s1_x + 2.0 * (v_s1_z * w_y - v_s1_y * w_z));
-        let t94 = s1_x * dw_z - s1_z * dw_x
+        let t91 = s1_x * dw_z - s1_z * dw_x
             + (a_s1_y + 2.0 * (v_s1_x * w_z - v_s1_z * w_x));
-        let t95 = s1_y * dw_x - s1_x * dw_y
+        let t92 = s1_y * dw_x - s1_x * dw_y
             + (a_s1_z + 2.0 * (v_s1_y * w_x - v_s1_x * w_y));
-        let total_s1_x = w_y * t92 - w_z * t91 + t93;
-        let total_s1_y = w_z * t90 - w_x * t92 + t94;
-        let total_s1_z = w_x * t91 - w_y * t90 + t95;
+        let total_s1_x = w_y * t89 - w_z * t88 + t90;
+        let total_s1_y = w_z * t87 - w_x * t89 + t91;
+        let total_s1_z = w_x * t88 - w_y * t87 + t92;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t100 = length * element_mass;
-        let mass_r0_s0 = t100 * 0.05238095238095238;
+        let t97 = length * element_mass;
+        let mass_r0_s0 = t97 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t100 * (-0.030952380952380953);
-        let t104 = element_mass * (length * length);
-        let mass_s0_s0 = t104 * 0.009523809523809525;
-        let mass_s0_r1 = t100 * 0.030952380952380953;
-        let mass_s0_s1 = t104 * (-0.007142857142857143);
-        let mass_r1_s1 = t100 * (-0.05238095238095238);
+        let mass_r0_s1 = t97 * (-0.030952380952380953);
+        let t101 = element_mass * (length * length);
+        let mass_s0_s0 = t101 * 0.009523809523809525;
+        let mass_s0_r1 = t97 * 0.030952380952380953;
+        let mass_s0_s1 = t101 * (-0.007142857142857143);
+        let mass_r1_s1 = t97 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + total_s0_x * mass_r0_s0
                 + total_r1_x * mass_r0_r1 + total_s1_x * mass_r0_s1;
@@ -956,369 +955,369 @@ pub mod free_flight_equations {
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
         let element_mass = length * rhoA;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t25 = length * element_mass;
-        let mass_r0_s0 = t25 * 0.05238095238095238;
+        let t22 = length * element_mass;
+        let mass_r0_s0 = t22 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t25 * (-0.030952380952380953);
-        let t29 = element_mass * (length * length);
-        let mass_s0_s0 = t29 * 0.009523809523809525;
-        let mass_s0_r1 = t25 * 0.030952380952380953;
-        let mass_s0_s1 = t29 * (-0.007142857142857143);
-        let mass_r1_s1 = t25 * (-0.05238095238095238);
-        let t34 = w_y * w_y;
-        let t35 = w_z * w_z;
-        let t36 = t34 + t35;
-        let t37 = -mass_r0_r0 * t36;
-        let t38 = w_x * w_y;
-        let t39 = t38 - dw_z;
+        let mass_r0_s1 = t22 * (-0.030952380952380953);
+        let t26 = element_mass * (length * length);
+        let mass_s0_s0 = t26 * 0.009523809523809525;
+        let mass_s0_r1 = t22 * 0.030952380952380953;
+        let mass_s0_s1 = t26 * (-0.007142857142857143);
+        let mass_r1_s1 = t22 * (-0.05238095238095238);
+        let t31 = w_y * w_y;
+        let t32 = w_z * w_z;
+        let t33 = t31 + t32;
+        let t34 = -mass_r0_r0 * t33;
+        let t35 = w_x * w_y;
+        let t36 = t35 - dw_z;
+        let t37 = mass_r0_r0 * t36;
+        let t38 = w_x * w_z;
+        let t39 = dw_y + t38;
         let t40 = mass_r0_r0 * t39;
-        let t41 = w_x * w_z;
-        let t42 = dw_y + t41;
-        let t43 = mass_r0_r0 * t42;
-        let t44 = -mass_r0_s0 * t36;
-        let t45 = mass_r0_s0 * t39;
-        let t46 = mass_r0_s0 * t42;
-        let t47 = -mass_r0_r1 * t36;
-        let t48 = mass_r0_r1 * t39;
-        let t49 = mass_r0_r1 * t42;
-        let t50 = -mass_r0_s1 * t36;
-        let t51 = mass_r0_s1 * t39;
-        let t52 = mass_r0_s1 * t42;
-        let t53 = dw_z + t38;
-        let t54 = mass_r0_r0 * t53;
-        let t55 = w_x * w_x;
-        let t56 = t35 + t55;
-        let t57 = -mass_r0_r0 * t56;
-        let t58 = w_y * w_z;
-        let t59 = t58 - dw_x;
-        let t60 = mass_r0_r0 * t59;
-        let t61 = mass_r0_s0 * t53;
-        let t62 = -mass_r0_s0 * t56;
-        let t63 = mass_r0_s0 * t59;
-        let t64 = mass_r0_r1 * t53;
-        let t65 = -mass_r0_r1 * t56;
-        let t66 = mass_r0_r1 * t59;
-        let t67 = mass_r0_s1 * t53;
-        let t68 = -mass_r0_s1 * t56;
-        let t69 = mass_r0_s1 * t59;
-        let t70 = t41 - dw_y;
-        let t71 = mass_r0_r0 * t70;
-        let t72 = dw_x + t58;
-        let t73 = mass_r0_r0 * t72;
-        let t74 = t34 + t55;
-        let t75 = -mass_r0_r0 * t74;
-        let t76 = mass_r0_s0 * t70;
-        let t77 = mass_r0_s0 * t72;
-        let t78 = -mass_r0_s0 * t74;
-        let t79 = mass_r0_r1 * t70;
-        let t80 = mass_r0_r1 * t72;
-        let t81 = -mass_r0_r1 * t74;
-        let t82 = mass_r0_s1 * t70;
-        let t83 = mass_r0_s1 * t72;
-        let t84 = -mass_r0_s1 * t74;
-        let t85 = -mass_s0_s0 * t36;
-        let t86 = mass_s0_s0 * t39;
-        let t87 = mass_s0_s0 * t42;
-        let t88 = -mass_s0_r1 * t36;
-        let t89 = mass_s0_r1 * t39;
-        let t90 = mass_s0_r1 * t42;
-        let t91 = -mass_s0_s1 * t36;
-        let t92 = mass_s0_s1 * t39;
-        let t93 = mass_s0_s1 * t42;
-        let t94 = mass_s0_s0 * t53;
-        let t95 = -mass_s0_s0 * t56;
-        let t96 = mass_s0_s0 * t59;
-        let t97 = mass_s0_r1 * t53;
-        let t98 = -mass_s0_r1 * t56;
-        let t99 = mass_s0_r1 * t59;
-        let t100 = mass_s0_s1 * t53;
-        let t101 = -mass_s0_s1 * t56;
-        let t102 = mass_s0_s1 * t59;
-        let t103 = mass_s0_s0 * t70;
-        let t104 = mass_s0_s0 * t72;
-        let t105 = -mass_s0_s0 * t74;
-        let t106 = mass_s0_r1 * t70;
-        let t107 = mass_s0_r1 * t72;
-        let t108 = -mass_s0_r1 * t74;
-        let t109 = mass_s0_s1 * t70;
-        let t110 = mass_s0_s1 * t72;
-        let t111 = -mass_s0_s1 * t74;
-        let t112 = -mass_r1_s1 * t36;
-        let t113 = mass_r1_s1 * t39;
-        let t114 = mass_r1_s1 * t42;
-        let t115 = mass_r1_s1 * t53;
-        let t116 = -mass_r1_s1 * t56;
-        let t117 = mass_r1_s1 * t59;
-        let t118 = mass_r1_s1 * t70;
-        let t119 = mass_r1_s1 * t72;
-        let t120 = -mass_r1_s1 * t74;
-        let t121 = w_z * 2.0;
-        let t122 = mass_r0_r0 * t121;
-        let t123 = w_y * 2.0;
-        let t124 = mass_r0_r0 * t123;
-        let t125 = mass_r0_s0 * t121;
-        let t126 = mass_r0_s0 * t123;
-        let t127 = mass_r0_r1 * t121;
-        let t128 = mass_r0_r1 * t123;
-        let t129 = mass_r0_s1 * t121;
-        let t130 = mass_r0_s1 * t123;
-        let t131 = w_x * 2.0;
-        let t132 = mass_r0_r0 * t131;
-        let t133 = mass_r0_s0 * t131;
-        let t134 = mass_r0_r1 * t131;
-        let t135 = mass_r0_s1 * t131;
-        let t136 = mass_s0_s0 * t121;
-        let t137 = mass_s0_s0 * t123;
-        let t138 = mass_s0_r1 * t121;
-        let t139 = mass_s0_r1 * t123;
-        let t140 = mass_s0_s1 * t121;
-        let t141 = mass_s0_s1 * t123;
-        let t142 = mass_s0_s0 * t131;
-        let t143 = mass_s0_r1 * t131;
-        let t144 = mass_s0_s1 * t131;
-        let t145 = mass_r1_s1 * t121;
-        let t146 = mass_r1_s1 * t123;
-        let t147 = mass_r1_s1 * t131;
-        stiffness[0] += t37;
-        stiffness[1] += t40;
-        stiffness[2] += t43;
-        stiffness[3] += t44;
-        stiffness[4] += t45;
-        stiffness[5] += t46;
-        stiffness[6] += t47;
-        stiffness[7] += t48;
-        stiffness[8] += t49;
-        stiffness[9] += t50;
-        stiffness[10] += t51;
-        stiffness[11] += t52;
-        stiffness[12] += t54;
-        stiffness[13] += t57;
-        stiffness[14] += t60;
-        stiffness[15] += t61;
-        stiffness[16] += t62;
-        stiffness[17] += t63;
-        stiffness[18] += t64;
-        stiffness[19] += t65;
-        stiffness[20] += t66;
-        stiffness[21] += t67;
-        stiffness[22] += t68;
-        stiffness[23] += t69;
-        stiffness[24] += t71;
-        stiffness[25] += t73;
-        stiffness[26] += t75;
-        stiffness[27] += t76;
-        stiffness[28] += t77;
-        stiffness[29] += t78;
-        stiffness[30] += t79;
-        stiffness[31] += t80;
-        stiffness[32] += t81;
-        stiffness[33] += t82;
-        stiffness[34] += t83;
-        stiffness[35] += t84;
-        stiffness[36] += t44;
-        stiffness[37] += t45;
-        stiffness[38] += t46;
-        stiffness[39] += t85;
-        stiffness[40] += t86;
-        stiffness[41] += t87;
-        stiffness[42] += t88;
-        stiffness[43] += t89;
-        stiffness[44] += t90;
-        stiffness[45] += t91;
-        stiffness[46] += t92;
-        stiffness[47] += t93;
-        stiffness[48] += t61;
-        stiffness[49] += t62;
-        stiffness[50] += t63;
-        stiffness[51] += t94;
-        stiffness[52] += t95;
-        stiffness[53] += t96;
-        stiffness[54] += t97;
-        stiffness[55] += t98;
-        stiffness[56] += t99;
-        stiffness[57] += t100;
-        stiffness[58] += t101;
-        stiffness[59] += t102;
-        stiffness[60] += t76;
-        stiffness[61] += t77;
-        stiffness[62] += t78;
-        stiffness[63] += t103;
-        stiffness[64] += t104;
-        stiffness[65] += t105;
-        stiffness[66] += t106;
-        stiffness[67] += t107;
-        stiffness[68] += t108;
-        stiffness[69] += t109;
-        stiffness[70] += t110;
-        stiffness[71] += t111;
-        stiffness[72] += t47;
-        stiffness[73] += t48;
-        stiffness[74] += t49;
-        stiffness[75] += t88;
-        stiffness[76] += t89;
-        stiffness[77] += t90;
-        stiffness[78] += t37;
-        stiffness[79] += t40;
-        stiffness[80] += t43;
-        stiffness[81] += t112;
-        stiffness[82] += t113;
-        stiffness[83] += t114;
-        stiffness[84] += t64;
-        stiffness[85] += t65;
-        stiffness[86] += t66;
-        stiffness[87] += t97;
-        stiffness[88] += t98;
-        stiffness[89] += t99;
-        stiffness[90] += t54;
-        stiffness[91] += t57;
-        stiffness[92] += t60;
-        stiffness[93] += t115;
-        stiffness[94] += t116;
-        stiffness[95] += t117;
-        stiffness[96] += t79;
-        stiffness[97] += t80;
-        stiffness[98] += t81;
-        stiffness[99] += t106;
-        stiffness[100] += t107;
-        stiffness[101] += t108;
-        stiffness[102] += t71;
-        stiffness[103] += t73;
-        stiffness[104] += t75;
-        stiffness[105] += t118;
-        stiffness[106] += t119;
-        stiffness[107] += t120;
-        stiffness[108] += t50;
-        stiffness[109] += t51;
-        stiffness[110] += t52;
-        stiffness[111] += t91;
-        stiffness[112] += t92;
-        stiffness[113] += t93;
-        stiffness[114] += t112;
-        stiffness[115] += t113;
-        stiffness[116] += t114;
-        stiffness[117] += t85;
-        stiffness[118] += t86;
-        stiffness[119] += t87;
-        stiffness[120] += t67;
-        stiffness[121] += t68;
-        stiffness[122] += t69;
-        stiffness[123] += t100;
-        stiffness[124] += t101;
-        stiffness[125] += t102;
-        stiffness[126] += t115;
-        stiffness[127] += t116;
-        stiffness[128] += t117;
-        stiffness[129] += t94;
-        stiffness[130] += t95;
-        stiffness[131] += t96;
-        stiffness[132] += t82;
-        stiffness[133] += t83;
-        stiffness[134] += t84;
-        stiffness[135] += t109;
-        stiffness[136] += t110;
-        stiffness[137] += t111;
-        stiffness[138] += t118;
-        stiffness[139] += t119;
-        stiffness[140] += t120;
-        stiffness[141] += t103;
-        stiffness[142] += t104;
-        stiffness[143] += t105;
-        damping_matrix[1] -= t122;
-        damping_matrix[2] += t124;
-        damping_matrix[4] -= t125;
-        damping_matrix[5] += t126;
-        damping_matrix[7] -= t127;
-        damping_matrix[8] += t128;
-        damping_matrix[10] -= t129;
-        damping_matrix[11] += t130;
-        damping_matrix[12] += t122;
-        damping_matrix[14] -= t132;
-        damping_matrix[15] += t125;
-        damping_matrix[17] -= t133;
-        damping_matrix[18] += t127;
-        damping_matrix[20] -= t134;
-        damping_matrix[21] += t129;
-        damping_matrix[23] -= t135;
-        damping_matrix[24] -= t124;
-        damping_matrix[25] += t132;
-        damping_matrix[27] -= t126;
-        damping_matrix[28] += t133;
-        damping_matrix[30] -= t128;
-        damping_matrix[31] += t134;
-        damping_matrix[33] -= t130;
-        damping_matrix[34] += t135;
-        damping_matrix[37] -= t125;
-        damping_matrix[38] += t126;
-        damping_matrix[40] -= t136;
-        damping_matrix[41] += t137;
-        damping_matrix[43] -= t138;
-        damping_matrix[44] += t139;
-        damping_matrix[46] -= t140;
-        damping_matrix[47] += t141;
-        damping_matrix[48] += t125;
-        damping_matrix[50] -= t133;
-        damping_matrix[51] += t136;
-        damping_matrix[53] -= t142;
-        damping_matrix[54] += t138;
-        damping_matrix[56] -= t143;
-        damping_matrix[57] += t140;
-        damping_matrix[59] -= t144;
-        damping_matrix[60] -= t126;
-        damping_matrix[61] += t133;
-        damping_matrix[63] -= t137;
-        damping_matrix[64] += t142;
-        damping_matrix[66] -= t139;
-        damping_matrix[67] += t143;
-        damping_matrix[69] -= t141;
-        damping_matrix[70] += t144;
-        damping_matrix[73] -= t127;
-        damping_matrix[74] += t128;
-        damping_matrix[76] -= t138;
-        damping_matrix[77] += t139;
-        damping_matrix[79] -= t122;
-        damping_matrix[80] += t124;
-        damping_matrix[82] -= t145;
-        damping_matrix[83] += t146;
-        damping_matrix[84] += t127;
-        damping_matrix[86] -= t134;
-        damping_matrix[87] += t138;
-        damping_matrix[89] -= t143;
-        damping_matrix[90] += t122;
-        damping_matrix[92] -= t132;
-        damping_matrix[93] += t145;
-        damping_matrix[95] -= t147;
-        damping_matrix[96] -= t128;
-        damping_matrix[97] += t134;
-        damping_matrix[99] -= t139;
-        damping_matrix[100] += t143;
-        damping_matrix[102] -= t124;
-        damping_matrix[103] += t132;
-        damping_matrix[105] -= t146;
-        damping_matrix[106] += t147;
-        damping_matrix[109] -= t129;
-        damping_matrix[110] += t130;
-        damping_matrix[112] -= t140;
-        damping_matrix[113] += t141;
-        damping_matrix[115] -= t145;
-        damping_matrix[116] += t146;
-        damping_matrix[118] -= t136;
-        damping_matrix[119] += t137;
-        damping_matrix[120] += t129;
-        damping_matrix[122] -= t135;
-        damping_matrix[123] += t140;
-        damping_matrix[125] -= t144;
-        damping_matrix[126] += t145;
-        damping_matrix[128] -= t147;
-        damping_matrix[129] += t136;
-        damping_matrix[131] -= t142;
-        damping_matrix[132] -= t130;
-        damping_matrix[133] += t135;
-        damping_matrix[135] -= t141;
-        damping_matrix[136] += t144;
-        damping_matrix[138] -= t146;
-        damping_matrix[139] += t147;
-        damping_matrix[141] -= t137;
-        damping_matrix[142] += t142;
+        let t41 = -mass_r0_s0 * t33;
+        let t42 = mass_r0_s0 * t36;
+        let t43 = mass_r0_s0 * t39;
+        let t44 = -mass_r0_r1 * t33;
+        let t45 = mass_r0_r1 * t36;
+        let t46 = mass_r0_r1 * t39;
+        let t47 = -mass_r0_s1 * t33;
+        let t48 = mass_r0_s1 * t36;
+        let t49 = mass_r0_s1 * t39;
+        let t50 = dw_z + t35;
+        let t51 = mass_r0_r0 * t50;
+        let t52 = w_x * w_x;
+        let t53 = t32 + t52;
+        let t54 = -mass_r0_r0 * t53;
+        let t55 = w_y * w_z;
+        let t56 = t55 - dw_x;
+        let t57 = mass_r0_r0 * t56;
+        let t58 = mass_r0_s0 * t50;
+        let t59 = -mass_r0_s0 * t53;
+        let t60 = mass_r0_s0 * t56;
+        let t61 = mass_r0_r1 * t50;
+        let t62 = -mass_r0_r1 * t53;
+        let t63 = mass_r0_r1 * t56;
+        let t64 = mass_r0_s1 * t50;
+        let t65 = -mass_r0_s1 * t53;
+        let t66 = mass_r0_s1 * t56;
+        let t67 = t38 - dw_y;
+        let t68 = mass_r0_r0 * t67;
+        let t69 = dw_x + t55;
+        let t70 = mass_r0_r0 * t69;
+        let t71 = t31 + t52;
+        let t72 = -mass_r0_r0 * t71;
+        let t73 = mass_r0_s0 * t67;
+        let t74 = mass_r0_s0 * t69;
+        let t75 = -mass_r0_s0 * t71;
+        let t76 = mass_r0_r1 * t67;
+        let t77 = mass_r0_r1 * t69;
+        let t78 = -mass_r0_r1 * t71;
+        let t79 = mass_r0_s1 * t67;
+        let t80 = mass_r0_s1 * t69;
+        let t81 = -mass_r0_s1 * t71;
+        let t82 = -mass_s0_s0 * t33;
+        let t83 = mass_s0_s0 * t36;
+        let t84 = mass_s0_s0 * t39;
+        let t85 = -mass_s0_r1 * t33;
+        let t86 = mass_s0_r1 * t36;
+        let t87 = mass_s0_r1 * t39;
+        let t88 = -mass_s0_s1 * t33;
+        let t89 = mass_s0_s1 * t36;
+        let t90 = mass_s0_s1 * t39;
+        let t91 = mass_s0_s0 * t50;
+        let t92 = -mass_s0_s0 * t53;
+        let t93 = mass_s0_s0 * t56;
+        let t94 = mass_s0_r1 * t50;
+        let t95 = -mass_s0_r1 * t53;
+        let t96 = mass_s0_r1 * t56;
+        let t97 = mass_s0_s1 * t50;
+        let t98 = -mass_s0_s1 * t53;
+        let t99 = mass_s0_s1 * t56;
+        let t100 = mass_s0_s0 * t67;
+        let t101 = mass_s0_s0 * t69;
+        let t102 = -mass_s0_s0 * t71;
+        let t103 = mass_s0_r1 * t67;
+        let t104 = mass_s0_r1 * t69;
+        let t105 = -mass_s0_r1 * t71;
+        let t106 = mass_s0_s1 * t67;
+        let t107 = mass_s0_s1 * t69;
+        let t108 = -mass_s0_s1 * t71;
+        let t109 = -mass_r1_s1 * t33;
+        let t110 = mass_r1_s1 * t36;
+        let t111 = mass_r1_s1 * t39;
+        let t112 = mass_r1_s1 * t50;
+        let t113 = -mass_r1_s1 * t53;
+        let t114 = mass_r1_s1 * t56;
+        let t115 = mass_r1_s1 * t67;
+        let t116 = mass_r1_s1 * t69;
+        let t117 = -mass_r1_s1 * t71;
+        let t118 = w_z * 2.0;
+        let t119 = mass_r0_r0 * t118;
+        let t120 = w_y * 2.0;
+        let t121 = mass_r0_r0 * t120;
+        let t122 = mass_r0_s0 * t118;
+        let t123 = mass_r0_s0 * t120;
+        let t124 = mass_r0_r1 * t118;
+        let t125 = mass_r0_r1 * t120;
+        let t126 = mass_r0_s1 * t118;
+        let t127 = mass_r0_s1 * t120;
+        let t128 = w_x * 2.0;
+        let t129 = mass_r0_r0 * t128;
+        let t130 = mass_r0_s0 * t128;
+        let t131 = mass_r0_r1 * t128;
+        let t132 = mass_r0_s1 * t128;
+        let t133 = mass_s0_s0 * t118;
+        let t134 = mass_s0_s0 * t120;
+        let t135 = mass_s0_r1 * t118;
+        let t136 = mass_s0_r1 * t120;
+        let t137 = mass_s0_s1 * t118;
+        let t138 = mass_s0_s1 * t120;
+        let t139 = mass_s0_s0 * t128;
+        let t140 = mass_s0_r1 * t128;
+        let t141 = mass_s0_s1 * t128;
+        let t142 = mass_r1_s1 * t118;
+        let t143 = mass_r1_s1 * t120;
+        let t144 = mass_r1_s1 * t128;
+        stiffness[0] += t34;
+        stiffness[1] += t37;
+        stiffness[2] += t40;
+        stiffness[3] += t41;
+        stiffness[4] += t42;
+        stiffness[5] += t43;
+        stiffness[6] += t44;
+        stiffness[7] += t45;
+        stiffness[8] += t46;
+        stiffness[9] += t47;
+        stiffness[10] += t48;
+        stiffness[11] += t49;
+        stiffness[12] += t51;
+        stiffness[13] += t54;
+        stiffness[14] += t57;
+        stiffness[15] += t58;
+        stiffness[16] += t59;
+        stiffness[17] += t60;
+        stiffness[18] += t61;
+        stiffness[19] += t62;
+        stiffness[20] += t63;
+        stiffness[21] += t64;
+        stiffness[22] += t65;
+        stiffness[23] += t66;
+        stiffness[24] += t68;
+        stiffness[25] += t70;
+        stiffness[26] += t72;
+        stiffness[27] += t73;
+        stiffness[28] += t74;
+        stiffness[29] += t75;
+        stiffness[30] += t76;
+        stiffness[31] += t77;
+        stiffness[32] += t78;
+        stiffness[33] += t79;
+        stiffness[34] += t80;
+        stiffness[35] += t81;
+        stiffness[36] += t41;
+        stiffness[37] += t42;
+        stiffness[38] += t43;
+        stiffness[39] += t82;
+        stiffness[40] += t83;
+        stiffness[41] += t84;
+        stiffness[42] += t85;
+        stiffness[43] += t86;
+        stiffness[44] += t87;
+        stiffness[45] += t88;
+        stiffness[46] += t89;
+        stiffness[47] += t90;
+        stiffness[48] += t58;
+        stiffness[49] += t59;
+        stiffness[50] += t60;
+        stiffness[51] += t91;
+        stiffness[52] += t92;
+        stiffness[53] += t93;
+        stiffness[54] += t94;
+        stiffness[55] += t95;
+        stiffness[56] += t96;
+        stiffness[57] += t97;
+        stiffness[58] += t98;
+        stiffness[59] += t99;
+        stiffness[60] += t73;
+        stiffness[61] += t74;
+        stiffness[62] += t75;
+        stiffness[63] += t100;
+        stiffness[64] += t101;
+        stiffness[65] += t102;
+        stiffness[66] += t103;
+        stiffness[67] += t104;
+        stiffness[68] += t105;
+        stiffness[69] += t106;
+        stiffness[70] += t107;
+        stiffness[71] += t108;
+        stiffness[72] += t44;
+        stiffness[73] += t45;
+        stiffness[74] += t46;
+        stiffness[75] += t85;
+        stiffness[76] += t86;
+        stiffness[77] += t87;
+        stiffness[78] += t34;
+        stiffness[79] += t37;
+        stiffness[80] += t40;
+        stiffness[81] += t109;
+        stiffness[82] += t110;
+        stiffness[83] += t111;
+        stiffness[84] += t61;
+        stiffness[85] += t62;
+        stiffness[86] += t63;
+        stiffness[87] += t94;
+        stiffness[88] += t95;
+        stiffness[89] += t96;
+        stiffness[90] += t51;
+        stiffness[91] += t54;
+        stiffness[92] += t57;
+        stiffness[93] += t112;
+        stiffness[94] += t113;
+        stiffness[95] += t114;
+        stiffness[96] += t76;
+        stiffness[97] += t77;
+        stiffness[98] += t78;
+        stiffness[99] += t103;
+        stiffness[100] += t104;
+        stiffness[101] += t105;
+        stiffness[102] += t68;
+        stiffness[103] += t70;
+        stiffness[104] += t72;
+        stiffness[105] += t115;
+        stiffness[106] += t116;
+        stiffness[107] += t117;
+        stiffness[108] += t47;
+        stiffness[109] += t48;
+        stiffness[110] += t49;
+        stiffness[111] += t88;
+        stiffness[112] += t89;
+        stiffness[113] += t90;
+        stiffness[114] += t109;
+        stiffness[115] += t110;
+        stiffness[116] += t111;
+        stiffness[117] += t82;
+        stiffness[118] += t83;
+        stiffness[119] += t84;
+        stiffness[120] += t64;
+        stiffness[121] += t65;
+        stiffness[122] += t66;
+        stiffness[123] += t97;
+        stiffness[124] += t98;
+        stiffness[125] += t99;
+        stiffness[126] += t112;
+        stiffness[127] += t113;
+        stiffness[128] += t114;
+        stiffness[129] += t91;
+        stiffness[130] += t92;
+        stiffness[131] += t93;
+        stiffness[132] += t79;
+        stiffness[133] += t80;
+        stiffness[134] += t81;
+        stiffness[135] += t106;
+        stiffness[136] += t107;
+        stiffness[137] += t108;
+        stiffness[138] += t115;
+        stiffness[139] += t116;
+        stiffness[140] += t117;
+        stiffness[141] += t100;
+        stiffness[142] += t101;
+        stiffness[143] += t102;
+        damping_matrix[1] -= t119;
+        damping_matrix[2] += t121;
+        damping_matrix[4] -= t122;
+        damping_matrix[5] += t123;
+        damping_matrix[7] -= t124;
+        damping_matrix[8] += t125;
+        damping_matrix[10] -= t126;
+        damping_matrix[11] += t127;
+        damping_matrix[12] += t119;
+        damping_matrix[14] -= t129;
+        damping_matrix[15] += t122;
+        damping_matrix[17] -= t130;
+        damping_matrix[18] += t124;
+        damping_matrix[20] -= t131;
+        damping_matrix[21] += t126;
+        damping_matrix[23] -= t132;
+        damping_matrix[24] -= t121;
+        damping_matrix[25] += t129;
+        damping_matrix[27] -= t123;
+        damping_matrix[28] += t130;
+        damping_matrix[30] -= t125;
+        damping_matrix[31] += t131;
+        damping_matrix[33] -= t127;
+        damping_matrix[34] += t132;
+        damping_matrix[37] -= t122;
+        damping_matrix[38] += t123;
+        damping_matrix[40] -= t133;
+        damping_matrix[41] += t134;
+        damping_matrix[43] -= t135;
+        damping_matrix[44] += t136;
+        damping_matrix[46] -= t137;
+        damping_matrix[47] += t138;
+        damping_matrix[48] += t122;
+        damping_matrix[50] -= t130;
+        damping_matrix[51] += t133;
+        damping_matrix[53] -= t139;
+        damping_matrix[54] += t135;
+        damping_matrix[56] -= t140;
+        damping_matrix[57] += t137;
+        damping_matrix[59] -= t141;
+        damping_matrix[60] -= t123;
+        damping_matrix[61] += t130;
+        damping_matrix[63] -= t134;
+        damping_matrix[64] += t139;
+        damping_matrix[66] -= t136;
+        damping_matrix[67] += t140;
+        damping_matrix[69] -= t138;
+        damping_matrix[70] += t141;
+        damping_matrix[73] -= t124;
+        damping_matrix[74] += t125;
+        damping_matrix[76] -= t135;
+        damping_matrix[77] += t136;
+        damping_matrix[79] -= t119;
+        damping_matrix[80] += t121;
+        damping_matrix[82] -= t142;
+        damping_matrix[83] += t143;
+        damping_matrix[84] += t124;
+        damping_matrix[86] -= t131;
+        damping_matrix[87] += t135;
+        damping_matrix[89] -= t140;
+        damping_matrix[90] += t119;
+        damping_matrix[92] -= t129;
+        damping_matrix[93] += t142;
+        damping_matrix[95] -= t144;
+        damping_matrix[96] -= t125;
+        damping_matrix[97] += t131;
+        damping_matrix[99] -= t136;
+        damping_matrix[100] += t140;
+        damping_matrix[102] -= t121;
+        damping_matrix[103] += t129;
+        damping_matrix[105] -= t143;
+        damping_matrix[106] += t144;
+        damping_matrix[109] -= t126;
+        damping_matrix[110] += t127;
+        damping_matrix[112] -= t137;
+        damping_matrix[113] += t138;
+        damping_matrix[115] -= t142;
+        damping_matrix[116] += t143;
+        damping_matrix[118] -= t133;
+        damping_matrix[119] += t134;
+        damping_matrix[120] += t126;
+        damping_matrix[122] -= t132;
+        damping_matrix[123] += t137;
+        damping_matrix[125] -= t141;
+        damping_matrix[126] += t142;
+        damping_matrix[128] -= t144;
+        damping_matrix[129] += t133;
+        damping_matrix[131] -= t139;
+        damping_matrix[132] -= t127;
+        damping_matrix[133] += t132;
+        damping_matrix[135] -= t138;
+        damping_matrix[136] += t141;
+        damping_matrix[138] -= t143;
+        damping_matrix[139] += t144;
+        damping_matrix[141] -= t134;
+        damping_matrix[142] += t139;
     }
     /// Adds the inertia forces of one element in the inertial frame; e is minus gravity.
     ///
@@ -1343,15 +1342,15 @@ pub mod free_flight_equations {
         let total_r1_y = a_r1_y + e_y;
         let total_r1_z = a_r1_z + e_z;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t40 = length * element_mass;
-        let mass_r0_s0 = t40 * 0.05238095238095238;
+        let t37 = length * element_mass;
+        let mass_r0_s0 = t37 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t40 * (-0.030952380952380953);
-        let t44 = element_mass * (length * length);
-        let mass_s0_s0 = t44 * 0.009523809523809525;
-        let mass_s0_r1 = t40 * 0.030952380952380953;
-        let mass_s0_s1 = t44 * (-0.007142857142857143);
-        let mass_r1_s1 = t40 * (-0.05238095238095238);
+        let mass_r0_s1 = t37 * (-0.030952380952380953);
+        let t41 = element_mass * (length * length);
+        let mass_s0_s0 = t41 * 0.009523809523809525;
+        let mass_s0_r1 = t37 * 0.030952380952380953;
+        let mass_s0_s1 = t41 * (-0.007142857142857143);
+        let mass_r1_s1 = t37 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + a_s0_x * mass_r0_s0 + total_r1_x * mass_r0_r1
                 + a_s1_x * mass_r0_s1;
@@ -1412,114 +1411,114 @@ pub mod free_flight_equations {
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
         let element_mass = length * rhoA;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t64 = length * element_mass;
-        let mass_r0_s0 = t64 * 0.05238095238095238;
+        let t61 = length * element_mass;
+        let mass_r0_s0 = t61 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t64 * (-0.030952380952380953);
-        let t68 = element_mass * (length * length);
-        let mass_s0_s0 = t68 * 0.009523809523809525;
-        let mass_s0_r1 = t64 * 0.030952380952380953;
-        let mass_s0_s1 = t68 * (-0.007142857142857143);
-        let mass_r1_s1 = t64 * (-0.05238095238095238);
+        let mass_r0_s1 = t61 * (-0.030952380952380953);
+        let t65 = element_mass * (length * length);
+        let mass_s0_s0 = t65 * 0.009523809523809525;
+        let mass_s0_r1 = t61 * 0.030952380952380953;
+        let mass_s0_s1 = t65 * (-0.007142857142857143);
+        let mass_r1_s1 = t61 * (-0.05238095238095238);
         let moment_r0 = element_mass * 0.5;
-        let moment_s0 = t64 * 0.08333333333333333;
-        let moment_s1 = t64 * (-0.08333333333333333);
-        let t76 = r0_z * w_y - r0_y * w_z;
-        let t77 = r0_x * w_z - r0_z * w_x;
-        let t78 = r0_y * w_x - r0_x * w_y;
-        let t79 = r0_z * dw_y - r0_y * dw_z
+        let moment_s0 = t61 * 0.08333333333333333;
+        let moment_s1 = t61 * (-0.08333333333333333);
+        let t73 = r0_z * w_y - r0_y * w_z;
+        let t74 = r0_x * w_z - r0_z * w_x;
+        let t75 = r0_y * w_x - r0_x * w_y;
+        let t76 = r0_z * dw_y - r0_y * dw_z
             + (a_r0_x + 2.0 * (v_r0_z * w_y - v_r0_y * w_z));
-        let t80 = r0_x * dw_z - r0_z * dw_x
+        let t77 = r0_x * dw_z - r0_z * dw_x
             + (a_r0_y + 2.0 * (v_r0_x * w_z - v_r0_z * w_x));
-        let t81 = r0_y * dw_x - r0_x * dw_y
+        let t78 = r0_y * dw_x - r0_x * dw_y
             + (a_r0_z + 2.0 * (v_r0_y * w_x - v_r0_x * w_y));
-        let t82 = w_y * t78 - w_z * t77 + t79;
-        let t83 = w_z * t76 - w_x * t78 + t80;
-        let t84 = w_x * t77 - w_y * t76 + t81;
-        let t85 = s0_z * w_y - s0_y * w_z;
-        let t86 = s0_x * w_z - s0_z * w_x;
-        let t87 = s0_y * w_x - s0_x * w_y;
-        let t88 = s0_z * dw_y - s0_y * dw_z
+        let t79 = w_y * t75 - w_z * t74 + t76;
+        let t80 = w_z * t73 - w_x * t75 + t77;
+        let t81 = w_x * t74 - w_y * t73 + t78;
+        let t82 = s0_z * w_y - s0_y * w_z;
+        let t83 = s0_x * w_z - s0_z * w_x;
+        let t84 = s0_y * w_x - s0_x * w_y;
+        let t85 = s0_z * dw_y - s0_y * dw_z
             + (a_s0_x + 2.0 * (v_s0_z * w_y - v_s0_y * w_z));
-        let t89 = s0_x * dw_z - s0_z * dw_x
+        let t86 = s0_x * dw_z - s0_z * dw_x
             + (a_s0_y + 2.0 * (v_s0_x * w_z - v_s0_z * w_x));
-        let t90 = s0_y * dw_x - s0_x * dw_y
+        let t87 = s0_y * dw_x - s0_x * dw_y
             + (a_s0_z + 2.0 * (v_s0_y * w_x - v_s0_x * w_y));
-        let t91 = w_y * t87 - w_z * t86 + t88;
-        let t92 = w_z * t85 - w_x * t87 + t89;
-        let t93 = w_x * t86 - w_y * t85 + t90;
-        let t94 = r1_z * w_y - r1_y * w_z;
-        let t95 = r1_x * w_z - r1_z * w_x;
-        let t96 = r1_y * w_x - r1_x * w_y;
-        let t97 = r1_z * dw_y - r1_y * dw_z
+        let t88 = w_y * t84 - w_z * t83 + t85;
+        let t89 = w_z * t82 - w_x * t84 + t86;
+        let t90 = w_x * t83 - w_y * t82 + t87;
+        let t91 = r1_z * w_y - r1_y * w_z;
+        let t92 = r1_x * w_z - r1_z * w_x;
+        let t93 = r1_y * w_x - r1_x * w_y;
+        let t94 = r1_z * dw_y - r1_y * dw_z
             + (a_r1_x + 2.0 * (v_r1_z * w_y - v_r1_y * w_z));
-        let t98 = r1_x * dw_z - r1_z * dw_x
+        let t95 = r1_x * dw_z - r1_z * dw_x
             + (a_r1_y + 2.0 * (v_r1_x * w_z - v_r1_z * w_x));
-        let t99 = r1_y * dw_x - r1_x * dw_y
+        let t96 = r1_y * dw_x - r1_x * dw_y
             + (a_r1_z + 2.0 * (v_r1_y * w_x - v_r1_x * w_y));
-        let t100 = w_y * t96 - w_z * t95 + t97;
-        let t101 = w_z * t94 - w_x * t96 + t98;
-        let t102 = w_x * t95 - w_y * t94 + t99;
-        let t103 = s1_z * w_y - s1_y * w_z;
-        let t104 = s1_x * w_z - s1_z * w_x;
-        let t105 = s1_y * w_x - s1_x * w_y;
-        let t106 = s1_z * dw_y - s1_y * dw_z
+        let t97 = w_y * t93 - w_z * t92 + t94;
+        let t98 = w_z * t91 - w_x * t93 + t95;
+        let t99 = w_x * t92 - w_y * t91 + t96;
+        let t100 = s1_z * w_y - s1_y * w_z;
+        let t101 = s1_x * w_z - s1_z * w_x;
+        let t102 = s1_y * w_x - s1_x * w_y;
+        let t103 = s1_z * dw_y - s1_y * dw_z
             + (a_s1_x + 2.0 * (v_s1_z * w_y - v_s1_y * w_z));
-        let t107 = s1_x * dw_z - s1_z * dw_x
+        let t104 = s1_x * dw_z - s1_z * dw_x
             + (a_s1_y + 2.0 * (v_s1_x * w_z - v_s1_z * w_x));
-        let t108 = s1_y * dw_x - s1_x * dw_y
+        let t105 = s1_y * dw_x - s1_x * dw_y
             + (a_s1_z + 2.0 * (v_s1_y * w_x - v_s1_x * w_y));
-        let t109 = w_y * t105 - w_z * t104 + t106;
-        let t110 = w_z * t103 - w_x * t105 + t107;
-        let t111 = w_x * t104 - w_y * t103 + t108;
-        let t112 = moment_r0 * t82 + moment_s0 * t91 + moment_r0 * t100
-            + moment_s1 * t109 + element_mass * e_x;
-        let t113 = moment_r0 * t83 + moment_s0 * t92 + moment_r0 * t101
-            + moment_s1 * t110 + element_mass * e_y;
-        let t114 = moment_r0 * t84 + moment_s0 * t93 + moment_r0 * t102
-            + moment_s1 * t111 + element_mass * e_z;
-        let t115 = moment_r0 * r0_x + moment_s0 * s0_x + moment_r0 * r1_x
+        let t106 = w_y * t102 - w_z * t101 + t103;
+        let t107 = w_z * t100 - w_x * t102 + t104;
+        let t108 = w_x * t101 - w_y * t100 + t105;
+        let t109 = moment_r0 * t79 + moment_s0 * t88 + moment_r0 * t97 + moment_s1 * t106
+            + element_mass * e_x;
+        let t110 = moment_r0 * t80 + moment_s0 * t89 + moment_r0 * t98 + moment_s1 * t107
+            + element_mass * e_y;
+        let t111 = moment_r0 * t81 + moment_s0 * t90 + moment_r0 * t99 + moment_s1 * t108
+            + element_mass * e_z;
+        let t112 = moment_r0 * r0_x + moment_s0 * s0_x + moment_r0 * r1_x
             + moment_s1 * s1_x;
-        let t116 = moment_r0 * r0_y + moment_s0 * s0_y + moment_r0 * r1_y
+        let t113 = moment_r0 * r0_y + moment_s0 * s0_y + moment_r0 * r1_y
             + moment_s1 * s1_y;
-        let t117 = moment_r0 * r0_z + moment_s0 * s0_z + moment_r0 * r1_z
+        let t114 = moment_r0 * r0_z + moment_s0 * s0_z + moment_r0 * r1_z
             + moment_s1 * s1_z;
-        let t118 = mass_r0_r0 * r0_x + mass_r0_s0 * s0_x + mass_r0_r1 * r1_x
+        let t115 = mass_r0_r0 * r0_x + mass_r0_s0 * s0_x + mass_r0_r1 * r1_x
             + mass_r0_s1 * s1_x;
-        let t119 = mass_r0_r0 * r0_y + mass_r0_s0 * s0_y + mass_r0_r1 * r1_y
+        let t116 = mass_r0_r0 * r0_y + mass_r0_s0 * s0_y + mass_r0_r1 * r1_y
             + mass_r0_s1 * s1_y;
-        let t120 = mass_r0_r0 * r0_z + mass_r0_s0 * s0_z + mass_r0_r1 * r1_z
+        let t117 = mass_r0_r0 * r0_z + mass_r0_s0 * s0_z + mass_r0_r1 * r1_z
             + mass_r0_s1 * s1_z;
-        let t121 = mass_r0_s0 * r0_x + mass_s0_s0 * s0_x + mass_s0_r1 * r1_x
+        let t118 = mass_r0_s0 * r0_x + mass_s0_s0 * s0_x + mass_s0_r1 * r1_x
             + mass_s0_s1 * s1_x;
-        let t122 = mass_r0_s0 * r0_y + mass_s0_s0 * s0_y + mass_s0_r1 * r1_y
+        let t119 = mass_r0_s0 * r0_y + mass_s0_s0 * s0_y + mass_s0_r1 * r1_y
             + mass_s0_s1 * s1_y;
-        let t123 = mass_r0_s0 * r0_z + mass_s0_s0 * s0_z + mass_s0_r1 * r1_z
+        let t120 = mass_r0_s0 * r0_z + mass_s0_s0 * s0_z + mass_s0_r1 * r1_z
             + mass_s0_s1 * s1_z;
-        let t124 = e_z * t116 - e_y * t117 + (t84 * t119 - t83 * t120)
-            + (t93 * t122 - t92 * t123);
-        let t125 = e_x * t117 - e_z * t115 + (t82 * t120 - t84 * t118)
-            + (t91 * t123 - t93 * t121);
-        let t126 = e_y * t115 - e_x * t116 + (t83 * t118 - t82 * t119)
-            + (t92 * t121 - t91 * t122);
-        let t127 = mass_r0_r1 * r0_x + mass_s0_r1 * s0_x + mass_r0_r0 * r1_x
+        let t121 = e_z * t113 - e_y * t114 + (t81 * t116 - t80 * t117)
+            + (t90 * t119 - t89 * t120);
+        let t122 = e_x * t114 - e_z * t112 + (t79 * t117 - t81 * t115)
+            + (t88 * t120 - t90 * t118);
+        let t123 = e_y * t112 - e_x * t113 + (t80 * t115 - t79 * t116)
+            + (t89 * t118 - t88 * t119);
+        let t124 = mass_r0_r1 * r0_x + mass_s0_r1 * s0_x + mass_r0_r0 * r1_x
             + mass_r1_s1 * s1_x;
-        let t128 = mass_r0_r1 * r0_y + mass_s0_r1 * s0_y + mass_r0_r0 * r1_y
+        let t125 = mass_r0_r1 * r0_y + mass_s0_r1 * s0_y + mass_r0_r0 * r1_y
             + mass_r1_s1 * s1_y;
-        let t129 = mass_r0_r1 * r0_z + mass_s0_r1 * s0_z + mass_r0_r0 * r1_z
+        let t126 = mass_r0_r1 * r0_z + mass_s0_r1 * s0_z + mass_r0_r0 * r1_z
             + mass_r1_s1 * s1_z;
-        let t130 = mass_r0_s1 * r0_x + mass_s0_s1 * s0_x + mass_r1_s1 * r1_x
+        let t127 = mass_r0_s1 * r0_x + mass_s0_s1 * s0_x + mass_r1_s1 * r1_x
             + mass_s0_s0 * s1_x;
-        let t131 = mass_r0_s1 * r0_y + mass_s0_s1 * s0_y + mass_r1_s1 * r1_y
+        let t128 = mass_r0_s1 * r0_y + mass_s0_s1 * s0_y + mass_r1_s1 * r1_y
             + mass_s0_s0 * s1_y;
-        let t132 = mass_r0_s1 * r0_z + mass_s0_s1 * s0_z + mass_r1_s1 * r1_z
+        let t129 = mass_r0_s1 * r0_z + mass_s0_s1 * s0_z + mass_r1_s1 * r1_z
             + mass_s0_s0 * s1_z;
-        out[0] += t112;
-        out[1] += t113;
-        out[2] += t114;
-        out[3] += t124 + (t102 * t128 - t101 * t129) + (t111 * t131 - t110 * t132);
-        out[4] += t125 + (t100 * t129 - t102 * t127) + (t109 * t132 - t111 * t130);
-        out[5] += t126 + (t101 * t127 - t100 * t128) + (t110 * t130 - t109 * t131);
+        out[0] += t109;
+        out[1] += t110;
+        out[2] += t111;
+        out[3] += t121 + (t99 * t125 - t98 * t126) + (t108 * t128 - t107 * t129);
+        out[4] += t122 + (t97 * t126 - t99 * t124) + (t106 * t129 - t108 * t127);
+        out[5] += t123 + (t98 * t124 - t97 * t125) + (t107 * t127 - t106 * t128);
     }
     /// Writes the derivatives of force F and moment T on the frame, rows first (THEORY 2.1): `mass` with respect to e, w', q''; `damping` to w, q'; `stiffness` to q; and of the nodal forces with respect to w, `spin`. Entries that are always zero are left alone.
     ///
@@ -1547,589 +1546,589 @@ pub mod free_flight_equations {
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
         let element_mass = length * rhoA;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t64 = length * element_mass;
-        let mass_r0_s0 = t64 * 0.05238095238095238;
+        let t61 = length * element_mass;
+        let mass_r0_s0 = t61 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t64 * (-0.030952380952380953);
-        let t68 = element_mass * (length * length);
-        let mass_s0_s0 = t68 * 0.009523809523809525;
-        let mass_s0_r1 = t64 * 0.030952380952380953;
-        let mass_s0_s1 = t68 * (-0.007142857142857143);
-        let mass_r1_s1 = t64 * (-0.05238095238095238);
+        let mass_r0_s1 = t61 * (-0.030952380952380953);
+        let t65 = element_mass * (length * length);
+        let mass_s0_s0 = t65 * 0.009523809523809525;
+        let mass_s0_r1 = t61 * 0.030952380952380953;
+        let mass_s0_s1 = t65 * (-0.007142857142857143);
+        let mass_r1_s1 = t61 * (-0.05238095238095238);
         let moment_r0 = element_mass * 0.5;
-        let moment_s0 = t64 * 0.08333333333333333;
-        let moment_s1 = t64 * (-0.08333333333333333);
-        let t76 = r0_z * w_y - r0_y * w_z;
-        let t77 = r0_x * w_z - r0_z * w_x;
-        let t78 = r0_y * w_x - r0_x * w_y;
-        let t79 = r0_z * dw_y - r0_y * dw_z
+        let moment_s0 = t61 * 0.08333333333333333;
+        let moment_s1 = t61 * (-0.08333333333333333);
+        let t73 = r0_z * w_y - r0_y * w_z;
+        let t74 = r0_x * w_z - r0_z * w_x;
+        let t75 = r0_y * w_x - r0_x * w_y;
+        let t76 = r0_z * dw_y - r0_y * dw_z
             + (a_r0_x + 2.0 * (v_r0_z * w_y - v_r0_y * w_z));
-        let t80 = r0_x * dw_z - r0_z * dw_x
+        let t77 = r0_x * dw_z - r0_z * dw_x
             + (a_r0_y + 2.0 * (v_r0_x * w_z - v_r0_z * w_x));
-        let t81 = r0_y * dw_x - r0_x * dw_y
+        let t78 = r0_y * dw_x - r0_x * dw_y
             + (a_r0_z + 2.0 * (v_r0_y * w_x - v_r0_x * w_y));
-        let t82 = w_y * t78 - w_z * t77 + t79;
-        let t83 = w_z * t76 - w_x * t78 + t80;
-        let t84 = w_x * t77 - w_y * t76 + t81;
-        let t85 = s0_z * w_y - s0_y * w_z;
-        let t86 = s0_x * w_z - s0_z * w_x;
-        let t87 = s0_y * w_x - s0_x * w_y;
-        let t88 = s0_z * dw_y - s0_y * dw_z
+        let t79 = w_y * t75 - w_z * t74 + t76;
+        let t80 = w_z * t73 - w_x * t75 + t77;
+        let t81 = w_x * t74 - w_y * t73 + t78;
+        let t82 = s0_z * w_y - s0_y * w_z;
+        let t83 = s0_x * w_z - s0_z * w_x;
+        let t84 = s0_y * w_x - s0_x * w_y;
+        let t85 = s0_z * dw_y - s0_y * dw_z
             + (a_s0_x + 2.0 * (v_s0_z * w_y - v_s0_y * w_z));
-        let t89 = s0_x * dw_z - s0_z * dw_x
+        let t86 = s0_x * dw_z - s0_z * dw_x
             + (a_s0_y + 2.0 * (v_s0_x * w_z - v_s0_z * w_x));
-        let t90 = s0_y * dw_x - s0_x * dw_y
+        let t87 = s0_y * dw_x - s0_x * dw_y
             + (a_s0_z + 2.0 * (v_s0_y * w_x - v_s0_x * w_y));
-        let t91 = w_y * t87 - w_z * t86 + t88;
-        let t92 = w_z * t85 - w_x * t87 + t89;
-        let t93 = w_x * t86 - w_y * t85 + t90;
-        let t94 = r1_z * w_y - r1_y * w_z;
-        let t95 = r1_x * w_z - r1_z * w_x;
-        let t96 = r1_y * w_x - r1_x * w_y;
-        let t97 = r1_z * dw_y - r1_y * dw_z
+        let t88 = w_y * t84 - w_z * t83 + t85;
+        let t89 = w_z * t82 - w_x * t84 + t86;
+        let t90 = w_x * t83 - w_y * t82 + t87;
+        let t91 = r1_z * w_y - r1_y * w_z;
+        let t92 = r1_x * w_z - r1_z * w_x;
+        let t93 = r1_y * w_x - r1_x * w_y;
+        let t94 = r1_z * dw_y - r1_y * dw_z
             + (a_r1_x + 2.0 * (v_r1_z * w_y - v_r1_y * w_z));
-        let t98 = r1_x * dw_z - r1_z * dw_x
+        let t95 = r1_x * dw_z - r1_z * dw_x
             + (a_r1_y + 2.0 * (v_r1_x * w_z - v_r1_z * w_x));
-        let t99 = r1_y * dw_x - r1_x * dw_y
+        let t96 = r1_y * dw_x - r1_x * dw_y
             + (a_r1_z + 2.0 * (v_r1_y * w_x - v_r1_x * w_y));
-        let t100 = w_y * t96 - w_z * t95 + t97;
-        let t101 = w_z * t94 - w_x * t96 + t98;
-        let t102 = w_x * t95 - w_y * t94 + t99;
-        let t103 = s1_z * w_y - s1_y * w_z;
-        let t104 = s1_x * w_z - s1_z * w_x;
-        let t105 = s1_y * w_x - s1_x * w_y;
-        let t106 = s1_z * dw_y - s1_y * dw_z
+        let t97 = w_y * t93 - w_z * t92 + t94;
+        let t98 = w_z * t91 - w_x * t93 + t95;
+        let t99 = w_x * t92 - w_y * t91 + t96;
+        let t100 = s1_z * w_y - s1_y * w_z;
+        let t101 = s1_x * w_z - s1_z * w_x;
+        let t102 = s1_y * w_x - s1_x * w_y;
+        let t103 = s1_z * dw_y - s1_y * dw_z
             + (a_s1_x + 2.0 * (v_s1_z * w_y - v_s1_y * w_z));
-        let t107 = s1_x * dw_z - s1_z * dw_x
+        let t104 = s1_x * dw_z - s1_z * dw_x
             + (a_s1_y + 2.0 * (v_s1_x * w_z - v_s1_z * w_x));
-        let t108 = s1_y * dw_x - s1_x * dw_y
+        let t105 = s1_y * dw_x - s1_x * dw_y
             + (a_s1_z + 2.0 * (v_s1_y * w_x - v_s1_x * w_y));
-        let t109 = w_y * t105 - w_z * t104 + t106;
-        let t110 = w_z * t103 - w_x * t105 + t107;
-        let t111 = w_x * t104 - w_y * t103 + t108;
-        let t112 = moment_r0 * r0_x + moment_s0 * s0_x + moment_r0 * r1_x
+        let t106 = w_y * t102 - w_z * t101 + t103;
+        let t107 = w_z * t100 - w_x * t102 + t104;
+        let t108 = w_x * t101 - w_y * t100 + t105;
+        let t109 = moment_r0 * r0_x + moment_s0 * s0_x + moment_r0 * r1_x
             + moment_s1 * s1_x;
-        let t113 = moment_r0 * r0_y + moment_s0 * s0_y + moment_r0 * r1_y
+        let t110 = moment_r0 * r0_y + moment_s0 * s0_y + moment_r0 * r1_y
             + moment_s1 * s1_y;
-        let t114 = moment_r0 * r0_z + moment_s0 * s0_z + moment_r0 * r1_z
+        let t111 = moment_r0 * r0_z + moment_s0 * s0_z + moment_r0 * r1_z
             + moment_s1 * s1_z;
-        let t115 = mass_r0_r0 * r0_x + mass_r0_s0 * s0_x + mass_r0_r1 * r1_x
+        let t112 = mass_r0_r0 * r0_x + mass_r0_s0 * s0_x + mass_r0_r1 * r1_x
             + mass_r0_s1 * s1_x;
-        let t116 = mass_r0_r0 * r0_y + mass_r0_s0 * s0_y + mass_r0_r1 * r1_y
+        let t113 = mass_r0_r0 * r0_y + mass_r0_s0 * s0_y + mass_r0_r1 * r1_y
             + mass_r0_s1 * s1_y;
-        let t117 = mass_r0_r0 * r0_z + mass_r0_s0 * s0_z + mass_r0_r1 * r1_z
+        let t114 = mass_r0_r0 * r0_z + mass_r0_s0 * s0_z + mass_r0_r1 * r1_z
             + mass_r0_s1 * s1_z;
-        let t118 = mass_r0_s0 * r0_x + mass_s0_s0 * s0_x + mass_s0_r1 * r1_x
+        let t115 = mass_r0_s0 * r0_x + mass_s0_s0 * s0_x + mass_s0_r1 * r1_x
             + mass_s0_s1 * s1_x;
-        let t119 = mass_r0_s0 * r0_y + mass_s0_s0 * s0_y + mass_s0_r1 * r1_y
+        let t116 = mass_r0_s0 * r0_y + mass_s0_s0 * s0_y + mass_s0_r1 * r1_y
             + mass_s0_s1 * s1_y;
-        let t120 = mass_r0_s0 * r0_z + mass_s0_s0 * s0_z + mass_s0_r1 * r1_z
+        let t117 = mass_r0_s0 * r0_z + mass_s0_s0 * s0_z + mass_s0_r1 * r1_z
             + mass_s0_s1 * s1_z;
-        let t121 = mass_r0_r1 * r0_x + mass_s0_r1 * s0_x + mass_r0_r0 * r1_x
+        let t118 = mass_r0_r1 * r0_x + mass_s0_r1 * s0_x + mass_r0_r0 * r1_x
             + mass_r1_s1 * s1_x;
-        let t122 = mass_r0_r1 * r0_y + mass_s0_r1 * s0_y + mass_r0_r0 * r1_y
+        let t119 = mass_r0_r1 * r0_y + mass_s0_r1 * s0_y + mass_r0_r0 * r1_y
             + mass_r1_s1 * s1_y;
-        let t123 = mass_r0_r1 * r0_z + mass_s0_r1 * s0_z + mass_r0_r0 * r1_z
+        let t120 = mass_r0_r1 * r0_z + mass_s0_r1 * s0_z + mass_r0_r0 * r1_z
             + mass_r1_s1 * s1_z;
-        let t124 = mass_r0_s1 * r0_x + mass_s0_s1 * s0_x + mass_r1_s1 * r1_x
+        let t121 = mass_r0_s1 * r0_x + mass_s0_s1 * s0_x + mass_r1_s1 * r1_x
             + mass_s0_s0 * s1_x;
-        let t125 = mass_r0_s1 * r0_y + mass_s0_s1 * s0_y + mass_r1_s1 * r1_y
+        let t122 = mass_r0_s1 * r0_y + mass_s0_s1 * s0_y + mass_r1_s1 * r1_y
             + mass_s0_s0 * s1_y;
-        let t126 = mass_r0_s1 * r0_z + mass_s0_s1 * s0_z + mass_r1_s1 * r1_z
+        let t123 = mass_r0_s1 * r0_z + mass_s0_s1 * s0_z + mass_r1_s1 * r1_z
             + mass_s0_s0 * s1_z;
-        let t127 = w_y * t117;
-        let t128 = w_z * t116;
+        let t124 = w_y * t114;
+        let t125 = w_z * t113;
+        let t126 = t124 - t125;
+        let t127 = w_z * t112;
+        let t128 = w_x * t114;
         let t129 = t127 - t128;
-        let t130 = w_z * t115;
-        let t131 = w_x * t117;
+        let t130 = w_x * t113;
+        let t131 = w_y * t112;
         let t132 = t130 - t131;
-        let t133 = w_x * t116;
-        let t134 = w_y * t115;
-        let t135 = t133 - t134;
-        let t136 = moment_r0 * e_x;
-        let t137 = moment_r0 * e_y;
-        let t138 = moment_r0 * e_z;
-        let t139 = w_y * t120;
-        let t140 = w_z * t119;
+        let t133 = moment_r0 * e_x;
+        let t134 = moment_r0 * e_y;
+        let t135 = moment_r0 * e_z;
+        let t136 = w_y * t117;
+        let t137 = w_z * t116;
+        let t138 = t136 - t137;
+        let t139 = w_z * t115;
+        let t140 = w_x * t117;
         let t141 = t139 - t140;
-        let t142 = w_z * t118;
-        let t143 = w_x * t120;
+        let t142 = w_x * t116;
+        let t143 = w_y * t115;
         let t144 = t142 - t143;
-        let t145 = w_x * t119;
-        let t146 = w_y * t118;
+        let t145 = w_y * t120;
+        let t146 = w_z * t119;
         let t147 = t145 - t146;
-        let t148 = w_y * t123;
-        let t149 = w_z * t122;
+        let t148 = w_z * t118;
+        let t149 = w_x * t120;
         let t150 = t148 - t149;
-        let t151 = w_z * t121;
-        let t152 = w_x * t123;
+        let t151 = w_x * t119;
+        let t152 = w_y * t118;
         let t153 = t151 - t152;
-        let t154 = w_x * t122;
-        let t155 = w_y * t121;
+        let t154 = w_y * t123;
+        let t155 = w_z * t122;
         let t156 = t154 - t155;
-        let t157 = w_y * t126;
-        let t158 = w_z * t125;
+        let t157 = w_z * t121;
+        let t158 = w_x * t123;
         let t159 = t157 - t158;
-        let t160 = w_z * t124;
-        let t161 = w_x * t126;
+        let t160 = w_x * t122;
+        let t161 = w_y * t121;
         let t162 = t160 - t161;
-        let t163 = w_x * t125;
-        let t164 = w_y * t124;
-        let t165 = t163 - t164;
-        let t166 = r0_y * t116;
-        let t167 = r0_z * t117;
-        let t168 = s0_y * t119;
-        let t169 = s0_z * t120;
-        let t170 = r1_y * t122;
-        let t171 = r1_z * t123;
-        let t172 = s1_y * t125;
-        let t173 = s1_z * t126;
-        let t174 = r0_x * t115;
-        let t175 = s0_x * t118;
-        let t176 = r1_x * t121;
-        let t177 = s1_x * t124;
-        let t178 = w_y * t116;
-        let t179 = w_z * t117;
+        let t163 = r0_y * t113;
+        let t164 = r0_z * t114;
+        let t165 = s0_y * t116;
+        let t166 = s0_z * t117;
+        let t167 = r1_y * t119;
+        let t168 = r1_z * t120;
+        let t169 = s1_y * t122;
+        let t170 = s1_z * t123;
+        let t171 = r0_x * t112;
+        let t172 = s0_x * t115;
+        let t173 = r1_x * t118;
+        let t174 = s1_x * t121;
+        let t175 = w_y * t113;
+        let t176 = w_z * t114;
+        let t177 = t175 + t176;
+        let t178 = w_y * t119;
+        let t179 = w_z * t120;
         let t180 = t178 + t179;
-        let t181 = w_y * t122;
-        let t182 = w_z * t123;
-        let t183 = t181 + t182;
-        let t184 = 2.0
+        let t181 = 2.0
             * (mass_r0_r0 * v_r0_z + mass_r0_s0 * v_s0_z + mass_r0_r1 * v_r1_z
                 + mass_r0_s1 * v_s1_z);
-        let t185 = t184 + (t135 - t134);
-        let t186 = 2.0
+        let t182 = t181 + (t132 - t131);
+        let t183 = 2.0
             * (mass_r0_r1 * v_r0_z + mass_s0_r1 * v_s0_z + mass_r0_r0 * v_r1_z
                 + mass_r1_s1 * v_s1_z);
-        let t187 = t186 + (t156 - t155);
-        let t188 = 2.0
+        let t184 = t183 + (t153 - t152);
+        let t185 = 2.0
             * (mass_r0_r0 * v_r0_y + mass_r0_s0 * v_s0_y + mass_r0_r1 * v_r1_y
                 + mass_r0_s1 * v_s1_y);
-        let t189 = t188 + (t130 + t132);
-        let t190 = 2.0
+        let t186 = t185 + (t127 + t129);
+        let t187 = 2.0
             * (mass_r0_r1 * v_r0_y + mass_s0_r1 * v_s0_y + mass_r0_r0 * v_r1_y
                 + mass_r1_s1 * v_s1_y);
-        let t191 = t190 + (t151 + t153);
-        let t192 = t184 + (t133 + t135);
-        let t193 = t186 + (t154 + t156);
-        let t194 = w_x * t115;
-        let t195 = t179 + t194;
-        let t196 = w_x * t121;
-        let t197 = t182 + t196;
-        let t198 = 2.0
+        let t188 = t187 + (t148 + t150);
+        let t189 = t181 + (t130 + t132);
+        let t190 = t183 + (t151 + t153);
+        let t191 = w_x * t112;
+        let t192 = t176 + t191;
+        let t193 = w_x * t118;
+        let t194 = t179 + t193;
+        let t195 = 2.0
             * (mass_r0_r0 * v_r0_x + mass_r0_s0 * v_s0_x + mass_r0_r1 * v_r1_x
                 + mass_r0_s1 * v_s1_x);
-        let t199 = t198 + (t129 - t128);
-        let t200 = 2.0
+        let t196 = t195 + (t126 - t125);
+        let t197 = 2.0
             * (mass_r0_r1 * v_r0_x + mass_s0_r1 * v_s0_x + mass_r0_r0 * v_r1_x
                 + mass_r1_s1 * v_s1_x);
-        let t201 = t200 + (t150 - t149);
-        let t202 = t188 + (t132 - t131);
-        let t203 = t190 + (t153 - t152);
-        let t204 = t198 + (t127 + t129);
-        let t205 = t200 + (t148 + t150);
-        let t206 = t178 + t194;
-        let t207 = t181 + t196;
-        let t208 = 2.0
+        let t198 = t197 + (t147 - t146);
+        let t199 = t185 + (t129 - t128);
+        let t200 = t187 + (t150 - t149);
+        let t201 = t195 + (t124 + t126);
+        let t202 = t197 + (t145 + t147);
+        let t203 = t175 + t191;
+        let t204 = t178 + t193;
+        let t205 = 2.0
             * (mass_r0_s0 * v_r0_z + mass_s0_s0 * v_s0_z + mass_s0_r1 * v_r1_z
                 + mass_s0_s1 * v_s1_z);
-        let t209 = 2.0
+        let t206 = 2.0
             * (mass_r0_s0 * v_r0_y + mass_s0_s0 * v_s0_y + mass_s0_r1 * v_r1_y
                 + mass_s0_s1 * v_s1_y);
-        let t210 = t208 + (t145 + t147);
-        let t211 = t209 + (t144 - t143);
-        let t212 = r0_y * t202 + r0_z * t192 + (s0_y * t211 + s0_z * t210)
-            + (r1_y * t203 + r1_z * t193);
-        let t213 = 2.0
+        let t207 = t205 + (t142 + t144);
+        let t208 = t206 + (t141 - t140);
+        let t209 = r0_y * t199 + r0_z * t189 + (s0_y * t208 + s0_z * t207)
+            + (r1_y * t200 + r1_z * t190);
+        let t210 = 2.0
             * (mass_r0_s1 * v_r0_z + mass_s0_s1 * v_s0_z + mass_r1_s1 * v_r1_z
                 + mass_s0_s0 * v_s1_z);
-        let t214 = 2.0
+        let t211 = 2.0
             * (mass_r0_s1 * v_r0_y + mass_s0_s1 * v_s0_y + mass_r1_s1 * v_r1_y
                 + mass_s0_s0 * v_s1_y);
-        let t215 = t213 + (t163 + t165);
-        let t216 = t214 + (t162 - t161);
-        let t217 = 2.0
+        let t212 = t210 + (t160 + t162);
+        let t213 = t211 + (t159 - t158);
+        let t214 = 2.0
             * (mass_r0_s0 * v_r0_x + mass_s0_s0 * v_s0_x + mass_s0_r1 * v_r1_x
                 + mass_s0_s1 * v_s1_x);
-        let t218 = w_z * t120;
-        let t219 = w_x * t118;
-        let t220 = t218 + t219;
-        let t221 = t217 + (t139 + t141);
-        let t222 = r0_y * t204 + r0_z * t195 + (s0_y * t221 + s0_z * t220)
-            + (r1_y * t205 + r1_z * t197);
-        let t223 = 2.0
+        let t215 = w_z * t117;
+        let t216 = w_x * t115;
+        let t217 = t215 + t216;
+        let t218 = t214 + (t136 + t138);
+        let t219 = r0_y * t201 + r0_z * t192 + (s0_y * t218 + s0_z * t217)
+            + (r1_y * t202 + r1_z * t194);
+        let t220 = 2.0
             * (mass_r0_s1 * v_r0_x + mass_s0_s1 * v_s0_x + mass_r1_s1 * v_r1_x
                 + mass_s0_s0 * v_s1_x);
-        let t224 = w_z * t126;
-        let t225 = w_x * t124;
-        let t226 = t224 + t225;
-        let t227 = t223 + (t157 + t159);
-        let t228 = w_y * t119;
-        let t229 = t219 + t228;
-        let t230 = t217 + (t141 - t140);
-        let t231 = r0_y * t206 - r0_z * t199 + (s0_y * t229 - s0_z * t230)
-            + (r1_y * t207 - r1_z * t201);
-        let t232 = w_y * t125;
-        let t233 = t225 + t232;
-        let t234 = t223 + (t159 - t158);
-        let t235 = t218 + t228;
-        let t236 = r0_z * t180 - r0_x * t202 + (s0_z * t235 - s0_x * t211)
-            + (r1_z * t183 - r1_x * t203);
-        let t237 = t224 + t232;
-        let t238 = t208 + (t147 - t146);
-        let t239 = r0_z * t185 + r0_x * t204 + (s0_z * t238 + s0_x * t221)
-            + (r1_z * t187 + r1_x * t205);
-        let t240 = t213 + (t165 - t164);
-        let t241 = t209 + (t142 + t144);
-        let t242 = r0_z * t189 + r0_x * t206 + (s0_z * t241 + s0_x * t229)
-            + (r1_z * t191 + r1_x * t207);
-        let t243 = t214 + (t160 + t162);
-        let t244 = r0_x * t192 + r0_y * t180 + (s0_x * t210 + s0_y * t235)
-            + (r1_x * t193 + r1_y * t183);
-        let t245 = r0_x * t195 - r0_y * t185 + (s0_x * t220 - s0_y * t238)
-            + (r1_x * t197 - r1_y * t187);
-        let t246 = r0_x * t199 + r0_y * t189 + (s0_x * t230 + s0_y * t241)
-            + (r1_x * t201 + r1_y * t191);
-        let t247 = w_z * 2.0;
-        let t248 = moment_r0 * t247;
-        let t249 = w_y * 2.0;
-        let t250 = moment_r0 * t249;
-        let t251 = moment_s0 * t247;
-        let t252 = moment_s0 * t249;
-        let t253 = moment_s1 * t247;
-        let t254 = moment_s1 * t249;
-        let t255 = w_x * 2.0;
-        let t256 = moment_r0 * t255;
-        let t257 = moment_s0 * t255;
-        let t258 = moment_s1 * t255;
-        let t259 = t116 * t249;
-        let t260 = t117 * t247;
-        let t261 = t119 * t249;
-        let t262 = t120 * t247;
-        let t263 = t122 * t249;
-        let t264 = t123 * t247;
-        let t265 = t125 * t249;
-        let t266 = t126 * t247;
-        let t267 = t115 * t255;
-        let t268 = t118 * t255;
-        let t269 = t121 * t255;
-        let t270 = t124 * t255;
-        let t271 = w_y * w_y;
-        let t272 = w_z * w_z;
-        let t273 = t271 + t272;
-        let t274 = -moment_r0 * t273;
-        let t275 = w_x * w_y;
-        let t276 = t275 - dw_z;
+        let t221 = w_z * t123;
+        let t222 = w_x * t121;
+        let t223 = t221 + t222;
+        let t224 = t220 + (t154 + t156);
+        let t225 = w_y * t116;
+        let t226 = t216 + t225;
+        let t227 = t214 + (t138 - t137);
+        let t228 = r0_y * t203 - r0_z * t196 + (s0_y * t226 - s0_z * t227)
+            + (r1_y * t204 - r1_z * t198);
+        let t229 = w_y * t122;
+        let t230 = t222 + t229;
+        let t231 = t220 + (t156 - t155);
+        let t232 = t215 + t225;
+        let t233 = r0_z * t177 - r0_x * t199 + (s0_z * t232 - s0_x * t208)
+            + (r1_z * t180 - r1_x * t200);
+        let t234 = t221 + t229;
+        let t235 = t205 + (t144 - t143);
+        let t236 = r0_z * t182 + r0_x * t201 + (s0_z * t235 + s0_x * t218)
+            + (r1_z * t184 + r1_x * t202);
+        let t237 = t210 + (t162 - t161);
+        let t238 = t206 + (t139 + t141);
+        let t239 = r0_z * t186 + r0_x * t203 + (s0_z * t238 + s0_x * t226)
+            + (r1_z * t188 + r1_x * t204);
+        let t240 = t211 + (t157 + t159);
+        let t241 = r0_x * t189 + r0_y * t177 + (s0_x * t207 + s0_y * t232)
+            + (r1_x * t190 + r1_y * t180);
+        let t242 = r0_x * t192 - r0_y * t182 + (s0_x * t217 - s0_y * t235)
+            + (r1_x * t194 - r1_y * t184);
+        let t243 = r0_x * t196 + r0_y * t186 + (s0_x * t227 + s0_y * t238)
+            + (r1_x * t198 + r1_y * t188);
+        let t244 = w_z * 2.0;
+        let t245 = moment_r0 * t244;
+        let t246 = w_y * 2.0;
+        let t247 = moment_r0 * t246;
+        let t248 = moment_s0 * t244;
+        let t249 = moment_s0 * t246;
+        let t250 = moment_s1 * t244;
+        let t251 = moment_s1 * t246;
+        let t252 = w_x * 2.0;
+        let t253 = moment_r0 * t252;
+        let t254 = moment_s0 * t252;
+        let t255 = moment_s1 * t252;
+        let t256 = t113 * t246;
+        let t257 = t114 * t244;
+        let t258 = t116 * t246;
+        let t259 = t117 * t244;
+        let t260 = t119 * t246;
+        let t261 = t120 * t244;
+        let t262 = t122 * t246;
+        let t263 = t123 * t244;
+        let t264 = t112 * t252;
+        let t265 = t115 * t252;
+        let t266 = t118 * t252;
+        let t267 = t121 * t252;
+        let t268 = w_y * w_y;
+        let t269 = w_z * w_z;
+        let t270 = t268 + t269;
+        let t271 = -moment_r0 * t270;
+        let t272 = w_x * w_y;
+        let t273 = t272 - dw_z;
+        let t274 = moment_r0 * t273;
+        let t275 = w_x * w_z;
+        let t276 = dw_y + t275;
         let t277 = moment_r0 * t276;
-        let t278 = w_x * w_z;
-        let t279 = dw_y + t278;
-        let t280 = moment_r0 * t279;
-        let t281 = dw_z + t275;
-        let t282 = moment_r0 * t281;
-        let t283 = w_x * w_x;
-        let t284 = t272 + t283;
-        let t285 = -moment_r0 * t284;
-        let t286 = w_y * w_z;
-        let t287 = t286 - dw_x;
-        let t288 = moment_r0 * t287;
-        let t289 = t278 - dw_y;
-        let t290 = moment_r0 * t289;
-        let t291 = dw_x + t286;
-        let t292 = moment_r0 * t291;
-        let t293 = t271 + t283;
-        let t294 = -moment_r0 * t293;
-        let t295 = mass_r0_r0 * t84;
-        let t296 = mass_r0_s0 * t93;
-        let t297 = mass_r0_r1 * t102;
-        let t298 = mass_r0_s1 * t111;
-        let t299 = mass_r0_r0 * t83;
-        let t300 = mass_r0_s0 * t92;
-        let t301 = mass_r0_r1 * t101;
-        let t302 = mass_r0_s1 * t110;
-        let t303 = moment_s0 * e_z + mass_r0_s0 * t84;
-        let t304 = mass_s0_s0 * t93;
-        let t305 = mass_s0_r1 * t102;
-        let t306 = mass_s0_s1 * t111;
-        let t307 = moment_s0 * e_y + mass_r0_s0 * t83;
-        let t308 = mass_s0_s0 * t92;
-        let t309 = mass_s0_r1 * t101;
-        let t310 = mass_s0_s1 * t110;
-        let t311 = t138 + mass_r0_r1 * t84 + mass_s0_r1 * t93;
-        let t312 = mass_r0_r0 * t102;
-        let t313 = mass_r1_s1 * t111;
-        let t314 = t137 + mass_r0_r1 * t83 + mass_s0_r1 * t92;
-        let t315 = mass_r0_r0 * t101;
-        let t316 = mass_r1_s1 * t110;
-        let t317 = moment_s1 * e_z + mass_r0_s1 * t84 + mass_s0_s1 * t93
-            + mass_r1_s1 * t102;
-        let t318 = mass_s0_s0 * t111;
-        let t319 = moment_s1 * e_y + mass_r0_s1 * t83 + mass_s0_s1 * t92
-            + mass_r1_s1 * t101;
-        let t320 = mass_s0_s0 * t110;
-        let t321 = mass_r0_r0 * t82;
-        let t322 = mass_r0_s0 * t91;
-        let t323 = mass_r0_r1 * t100;
-        let t324 = mass_r0_s1 * t109;
-        let t325 = moment_s0 * e_x + mass_r0_s0 * t82;
-        let t326 = mass_s0_s0 * t91;
-        let t327 = mass_s0_r1 * t100;
-        let t328 = mass_s0_s1 * t109;
-        let t329 = t136 + mass_r0_r1 * t82 + mass_s0_r1 * t91;
-        let t330 = mass_r0_r0 * t100;
-        let t331 = mass_r1_s1 * t109;
-        let t332 = moment_s1 * e_x + mass_r0_s1 * t82 + mass_s0_s1 * t91
-            + mass_r1_s1 * t100;
-        let t333 = mass_s0_s0 * t109;
+        let t278 = dw_z + t272;
+        let t279 = moment_r0 * t278;
+        let t280 = w_x * w_x;
+        let t281 = t269 + t280;
+        let t282 = -moment_r0 * t281;
+        let t283 = w_y * w_z;
+        let t284 = t283 - dw_x;
+        let t285 = moment_r0 * t284;
+        let t286 = t275 - dw_y;
+        let t287 = moment_r0 * t286;
+        let t288 = dw_x + t283;
+        let t289 = moment_r0 * t288;
+        let t290 = t268 + t280;
+        let t291 = -moment_r0 * t290;
+        let t292 = mass_r0_r0 * t81;
+        let t293 = mass_r0_s0 * t90;
+        let t294 = mass_r0_r1 * t99;
+        let t295 = mass_r0_s1 * t108;
+        let t296 = mass_r0_r0 * t80;
+        let t297 = mass_r0_s0 * t89;
+        let t298 = mass_r0_r1 * t98;
+        let t299 = mass_r0_s1 * t107;
+        let t300 = moment_s0 * e_z + mass_r0_s0 * t81;
+        let t301 = mass_s0_s0 * t90;
+        let t302 = mass_s0_r1 * t99;
+        let t303 = mass_s0_s1 * t108;
+        let t304 = moment_s0 * e_y + mass_r0_s0 * t80;
+        let t305 = mass_s0_s0 * t89;
+        let t306 = mass_s0_r1 * t98;
+        let t307 = mass_s0_s1 * t107;
+        let t308 = t135 + mass_r0_r1 * t81 + mass_s0_r1 * t90;
+        let t309 = mass_r0_r0 * t99;
+        let t310 = mass_r1_s1 * t108;
+        let t311 = t134 + mass_r0_r1 * t80 + mass_s0_r1 * t89;
+        let t312 = mass_r0_r0 * t98;
+        let t313 = mass_r1_s1 * t107;
+        let t314 = moment_s1 * e_z + mass_r0_s1 * t81 + mass_s0_s1 * t90
+            + mass_r1_s1 * t99;
+        let t315 = mass_s0_s0 * t108;
+        let t316 = moment_s1 * e_y + mass_r0_s1 * t80 + mass_s0_s1 * t89
+            + mass_r1_s1 * t98;
+        let t317 = mass_s0_s0 * t107;
+        let t318 = mass_r0_r0 * t79;
+        let t319 = mass_r0_s0 * t88;
+        let t320 = mass_r0_r1 * t97;
+        let t321 = mass_r0_s1 * t106;
+        let t322 = moment_s0 * e_x + mass_r0_s0 * t79;
+        let t323 = mass_s0_s0 * t88;
+        let t324 = mass_s0_r1 * t97;
+        let t325 = mass_s0_s1 * t106;
+        let t326 = t133 + mass_r0_r1 * t79 + mass_s0_r1 * t88;
+        let t327 = mass_r0_r0 * t97;
+        let t328 = mass_r1_s1 * t106;
+        let t329 = moment_s1 * e_x + mass_r0_s1 * t79 + mass_s0_s1 * t88
+            + mass_r1_s1 * t97;
+        let t330 = mass_s0_s0 * t106;
         mass[0] = element_mass;
-        mass[4] = t114;
-        mass[5] = -t113;
+        mass[4] = t111;
+        mass[5] = -t110;
         mass[6] = moment_r0;
         mass[9] = moment_s0;
         mass[12] = moment_r0;
         mass[15] = moment_s1;
         mass[19] = element_mass;
-        mass[21] = -t114;
-        mass[23] = t112;
+        mass[21] = -t111;
+        mass[23] = t109;
         mass[25] = moment_r0;
         mass[28] = moment_s0;
         mass[31] = moment_r0;
         mass[34] = moment_s1;
         mass[38] = element_mass;
-        mass[39] = t113;
-        mass[40] = -t112;
+        mass[39] = t110;
+        mass[40] = -t109;
         mass[44] = moment_r0;
         mass[47] = moment_s0;
         mass[50] = moment_r0;
         mass[53] = moment_s1;
-        mass[55] = -t114;
-        mass[56] = t113;
-        mass[57] = t166 + t167 + (t168 + t169) + (t170 + t171) + (t172 + t173);
-        mass[58] = -(r0_x * t116 + s0_x * t119 + r1_x * t122 + s1_x * t125);
-        mass[59] = -(r0_x * t117 + s0_x * t120 + r1_x * t123 + s1_x * t126);
-        mass[61] = -t117;
-        mass[62] = t116;
-        mass[64] = -t120;
-        mass[65] = t119;
-        mass[67] = -t123;
-        mass[68] = t122;
-        mass[70] = -t126;
-        mass[71] = t125;
-        mass[72] = t114;
-        mass[74] = -t112;
-        mass[75] = -(r0_y * t115 + s0_y * t118 + r1_y * t121 + s1_y * t124);
-        mass[76] = t167 + t174 + (t169 + t175) + (t171 + t176) + (t173 + t177);
-        mass[77] = -(r0_y * t117 + s0_y * t120 + r1_y * t123 + s1_y * t126);
-        mass[78] = t117;
-        mass[80] = -t115;
-        mass[81] = t120;
-        mass[83] = -t118;
-        mass[84] = t123;
-        mass[86] = -t121;
-        mass[87] = t126;
-        mass[89] = -t124;
-        mass[90] = -t113;
-        mass[91] = t112;
-        mass[93] = -(r0_z * t115 + s0_z * t118 + r1_z * t121 + s1_z * t124);
-        mass[94] = -(r0_z * t116 + s0_z * t119 + r1_z * t122 + s1_z * t125);
-        mass[95] = t166 + t174 + (t168 + t175) + (t170 + t176) + (t172 + t177);
-        mass[96] = -t116;
-        mass[97] = t115;
-        mass[99] = -t119;
-        mass[100] = t118;
-        mass[102] = -t122;
-        mass[103] = t121;
-        mass[105] = -t125;
-        mass[106] = t124;
-        damping[0] = t180 + t183;
-        damping[1] = t185 + t187;
-        damping[2] = -(t189 + t191);
-        damping[15] = -(t192 + t193);
-        damping[16] = t195 + t197;
-        damping[17] = t199 + t201;
-        damping[30] = t202 + t203;
-        damping[31] = -(t204 + t205);
-        damping[32] = t206 + t207;
-        damping[45] = t212 + (s1_y * t216 + s1_z * t215);
-        damping[46] = -(t222 + (s1_y * t227 + s1_z * t226));
-        damping[47] = t231 + (s1_y * t233 - s1_z * t234);
-        damping[60] = t236 + (s1_z * t237 - s1_x * t216);
-        damping[61] = t239 + (s1_z * t240 + s1_x * t227);
-        damping[62] = -(t242 + (s1_z * t243 + s1_x * t233));
-        damping[75] = -(t244 + (s1_x * t215 + s1_y * t237));
-        damping[76] = t245 + (s1_x * t226 - s1_y * t240);
-        damping[77] = t246 + (s1_x * t234 + s1_y * t243);
-        damping[4] = -t248;
-        damping[5] = t250;
-        damping[7] = -t251;
-        damping[8] = t252;
-        damping[10] = -t248;
-        damping[11] = t250;
-        damping[13] = -t253;
-        damping[14] = t254;
-        damping[18] = t248;
-        damping[20] = -t256;
-        damping[21] = t251;
-        damping[23] = -t257;
-        damping[24] = t248;
-        damping[26] = -t256;
-        damping[27] = t253;
-        damping[29] = -t258;
-        damping[33] = -t250;
-        damping[34] = t256;
-        damping[36] = -t252;
-        damping[37] = t257;
-        damping[39] = -t250;
-        damping[40] = t256;
-        damping[42] = -t254;
-        damping[43] = t258;
-        damping[48] = -(t259 + t260);
-        damping[49] = t116 * t255;
-        damping[50] = t117 * t255;
-        damping[51] = -(t261 + t262);
-        damping[52] = t119 * t255;
-        damping[53] = t120 * t255;
-        damping[54] = -(t263 + t264);
-        damping[55] = t122 * t255;
-        damping[56] = t123 * t255;
-        damping[57] = -(t265 + t266);
-        damping[58] = t125 * t255;
-        damping[59] = t126 * t255;
-        damping[63] = t115 * t249;
-        damping[64] = -(t260 + t267);
-        damping[65] = t117 * t249;
-        damping[66] = t118 * t249;
-        damping[67] = -(t262 + t268);
-        damping[68] = t120 * t249;
-        damping[69] = t121 * t249;
-        damping[70] = -(t264 + t269);
-        damping[71] = t123 * t249;
-        damping[72] = t124 * t249;
-        damping[73] = -(t266 + t270);
-        damping[74] = t126 * t249;
-        damping[78] = t115 * t247;
-        damping[79] = t116 * t247;
-        damping[80] = -(t259 + t267);
-        damping[81] = t118 * t247;
-        damping[82] = t119 * t247;
-        damping[83] = -(t261 + t268);
-        damping[84] = t121 * t247;
-        damping[85] = t122 * t247;
-        damping[86] = -(t263 + t269);
-        damping[87] = t124 * t247;
-        damping[88] = t125 * t247;
-        damping[89] = -(t265 + t270);
-        spin[0] = t180;
-        spin[1] = t185;
-        spin[2] = -t189;
-        spin[3] = -t192;
-        spin[4] = t195;
-        spin[5] = t199;
-        spin[6] = t202;
-        spin[7] = -t204;
-        spin[8] = t206;
-        spin[9] = t235;
-        spin[10] = t238;
-        spin[11] = -t241;
-        spin[12] = -t210;
-        spin[13] = t220;
-        spin[14] = t230;
-        spin[15] = t211;
-        spin[16] = -t221;
-        spin[17] = t229;
-        spin[18] = t183;
-        spin[19] = t187;
-        spin[20] = -t191;
-        spin[21] = -t193;
-        spin[22] = t197;
-        spin[23] = t201;
-        spin[24] = t203;
-        spin[25] = -t205;
-        spin[26] = t207;
-        spin[27] = t237;
-        spin[28] = t240;
-        spin[29] = -t243;
-        spin[30] = -t215;
-        spin[31] = t226;
-        spin[32] = t234;
-        spin[33] = t216;
-        spin[34] = -t227;
-        spin[35] = t233;
-        stiffness[0] = t274;
-        stiffness[1] = t277;
-        stiffness[2] = t280;
-        stiffness[3] = -moment_s0 * t273;
-        stiffness[4] = moment_s0 * t276;
-        stiffness[5] = moment_s0 * t279;
-        stiffness[6] = t274;
-        stiffness[7] = t277;
-        stiffness[8] = t280;
-        stiffness[9] = -moment_s1 * t273;
-        stiffness[10] = moment_s1 * t276;
-        stiffness[11] = moment_s1 * t279;
-        stiffness[12] = t282;
-        stiffness[13] = t285;
-        stiffness[14] = t288;
-        stiffness[15] = moment_s0 * t281;
-        stiffness[16] = -moment_s0 * t284;
-        stiffness[17] = moment_s0 * t287;
-        stiffness[18] = t282;
-        stiffness[19] = t285;
-        stiffness[20] = t288;
-        stiffness[21] = moment_s1 * t281;
-        stiffness[22] = -moment_s1 * t284;
-        stiffness[23] = moment_s1 * t287;
-        stiffness[24] = t290;
-        stiffness[25] = t292;
-        stiffness[26] = t294;
-        stiffness[27] = moment_s0 * t289;
-        stiffness[28] = moment_s0 * t291;
-        stiffness[29] = -moment_s0 * t293;
-        stiffness[30] = t290;
-        stiffness[31] = t292;
-        stiffness[32] = t294;
-        stiffness[33] = moment_s1 * t289;
-        stiffness[34] = moment_s1 * t291;
-        stiffness[35] = -moment_s1 * t293;
-        stiffness[36] = t116 * t289 - t117 * t281;
-        stiffness[37] = t138 + (t116 * t291 + t295 + t117 * t284) + t296 + t297 + t298;
-        stiffness[38] = -(t137 + (t116 * t293 + (t117 * t287 + t299)) + t300 + t301
-            + t302);
-        stiffness[39] = t119 * t289 - t120 * t281;
-        stiffness[40] = t303 + (t119 * t291 + t304 + t120 * t284) + t305 + t306;
-        stiffness[41] = -(t307 + (t119 * t293 + (t120 * t287 + t308)) + t309 + t310);
-        stiffness[42] = t122 * t289 - t123 * t281;
-        stiffness[43] = t311 + (t122 * t291 + t312 + t123 * t284) + t313;
-        stiffness[44] = -(t314 + (t122 * t293 + (t123 * t287 + t315)) + t316);
-        stiffness[45] = t125 * t289 - t126 * t281;
-        stiffness[46] = t317 + (t125 * t291 + t318 + t126 * t284);
-        stiffness[47] = -(t319 + (t125 * t293 + (t126 * t287 + t320)));
-        stiffness[48] = -(t298
-            + (t297 + (t296 + (t138 + (t117 * t273 + (t295 + t115 * t289))))));
-        stiffness[49] = t117 * t276 - t115 * t291;
-        stiffness[50] = t136 + (t117 * t279 + t321 + t115 * t293) + t322 + t323 + t324;
-        stiffness[51] = -(t306 + (t305 + (t303 + (t120 * t273 + (t304 + t118 * t289)))));
-        stiffness[52] = t120 * t276 - t118 * t291;
-        stiffness[53] = t325 + (t120 * t279 + t326 + t118 * t293) + t327 + t328;
-        stiffness[54] = -(t313 + (t311 + (t123 * t273 + (t312 + t121 * t289))));
-        stiffness[55] = t123 * t276 - t121 * t291;
-        stiffness[56] = t329 + (t123 * t279 + t330 + t121 * t293) + t331;
-        stiffness[57] = -(t317 + (t126 * t273 + (t318 + t124 * t289)));
-        stiffness[58] = t126 * t276 - t124 * t291;
-        stiffness[59] = t332 + (t126 * t279 + t333 + t124 * t293);
-        stiffness[60] = t302
-            + (t301 + (t300 + (t137 + (t299 + t115 * t281 + t116 * t273))));
-        stiffness[61] = -(t324
-            + (t323 + (t322 + (t136 + (t115 * t284 + (t321 + t116 * t276))))));
-        stiffness[62] = t115 * t287 - t116 * t279;
-        stiffness[63] = t310 + (t309 + (t307 + (t308 + t118 * t281 + t119 * t273)));
-        stiffness[64] = -(t328 + (t327 + (t325 + (t118 * t284 + (t326 + t119 * t276)))));
-        stiffness[65] = t118 * t287 - t119 * t279;
-        stiffness[66] = t316 + (t314 + (t315 + t121 * t281 + t122 * t273));
-        stiffness[67] = -(t331 + (t329 + (t121 * t284 + (t330 + t122 * t276))));
-        stiffness[68] = t121 * t287 - t122 * t279;
-        stiffness[69] = t319 + (t320 + t124 * t281 + t125 * t273);
-        stiffness[70] = -(t332 + (t124 * t284 + (t333 + t125 * t276)));
-        stiffness[71] = t124 * t287 - t125 * t279;
+        mass[55] = -t111;
+        mass[56] = t110;
+        mass[57] = t163 + t164 + (t165 + t166) + (t167 + t168) + (t169 + t170);
+        mass[58] = -(r0_x * t113 + s0_x * t116 + r1_x * t119 + s1_x * t122);
+        mass[59] = -(r0_x * t114 + s0_x * t117 + r1_x * t120 + s1_x * t123);
+        mass[61] = -t114;
+        mass[62] = t113;
+        mass[64] = -t117;
+        mass[65] = t116;
+        mass[67] = -t120;
+        mass[68] = t119;
+        mass[70] = -t123;
+        mass[71] = t122;
+        mass[72] = t111;
+        mass[74] = -t109;
+        mass[75] = -(r0_y * t112 + s0_y * t115 + r1_y * t118 + s1_y * t121);
+        mass[76] = t164 + t171 + (t166 + t172) + (t168 + t173) + (t170 + t174);
+        mass[77] = -(r0_y * t114 + s0_y * t117 + r1_y * t120 + s1_y * t123);
+        mass[78] = t114;
+        mass[80] = -t112;
+        mass[81] = t117;
+        mass[83] = -t115;
+        mass[84] = t120;
+        mass[86] = -t118;
+        mass[87] = t123;
+        mass[89] = -t121;
+        mass[90] = -t110;
+        mass[91] = t109;
+        mass[93] = -(r0_z * t112 + s0_z * t115 + r1_z * t118 + s1_z * t121);
+        mass[94] = -(r0_z * t113 + s0_z * t116 + r1_z * t119 + s1_z * t122);
+        mass[95] = t163 + t171 + (t165 + t172) + (t167 + t173) + (t169 + t174);
+        mass[96] = -t113;
+        mass[97] = t112;
+        mass[99] = -t116;
+        mass[100] = t115;
+        mass[102] = -t119;
+        mass[103] = t118;
+        mass[105] = -t122;
+        mass[106] = t121;
+        damping[0] = t177 + t180;
+        damping[1] = t182 + t184;
+        damping[2] = -(t186 + t188);
+        damping[15] = -(t189 + t190);
+        damping[16] = t192 + t194;
+        damping[17] = t196 + t198;
+        damping[30] = t199 + t200;
+        damping[31] = -(t201 + t202);
+        damping[32] = t203 + t204;
+        damping[45] = t209 + (s1_y * t213 + s1_z * t212);
+        damping[46] = -(t219 + (s1_y * t224 + s1_z * t223));
+        damping[47] = t228 + (s1_y * t230 - s1_z * t231);
+        damping[60] = t233 + (s1_z * t234 - s1_x * t213);
+        damping[61] = t236 + (s1_z * t237 + s1_x * t224);
+        damping[62] = -(t239 + (s1_z * t240 + s1_x * t230));
+        damping[75] = -(t241 + (s1_x * t212 + s1_y * t234));
+        damping[76] = t242 + (s1_x * t223 - s1_y * t237);
+        damping[77] = t243 + (s1_x * t231 + s1_y * t240);
+        damping[4] = -t245;
+        damping[5] = t247;
+        damping[7] = -t248;
+        damping[8] = t249;
+        damping[10] = -t245;
+        damping[11] = t247;
+        damping[13] = -t250;
+        damping[14] = t251;
+        damping[18] = t245;
+        damping[20] = -t253;
+        damping[21] = t248;
+        damping[23] = -t254;
+        damping[24] = t245;
+        damping[26] = -t253;
+        damping[27] = t250;
+        damping[29] = -t255;
+        damping[33] = -t247;
+        damping[34] = t253;
+        damping[36] = -t249;
+        damping[37] = t254;
+        damping[39] = -t247;
+        damping[40] = t253;
+        damping[42] = -t251;
+        damping[43] = t255;
+        damping[48] = -(t256 + t257);
+        damping[49] = t113 * t252;
+        damping[50] = t114 * t252;
+        damping[51] = -(t258 + t259);
+        damping[52] = t116 * t252;
+        damping[53] = t117 * t252;
+        damping[54] = -(t260 + t261);
+        damping[55] = t119 * t252;
+        damping[56] = t120 * t252;
+        damping[57] = -(t262 + t263);
+        damping[58] = t122 * t252;
+        damping[59] = t123 * t252;
+        damping[63] = t112 * t246;
+        damping[64] = -(t257 + t264);
+        damping[65] = t114 * t246;
+        damping[66] = t115 * t246;
+        damping[67] = -(t259 + t265);
+        damping[68] = t117 * t246;
+        damping[69] = t118 * t246;
+        damping[70] = -(t261 + t266);
+        damping[71] = t120 * t246;
+        damping[72] = t121 * t246;
+        damping[73] = -(t263 + t267);
+        damping[74] = t123 * t246;
+        damping[78] = t112 * t244;
+        damping[79] = t113 * t244;
+        damping[80] = -(t256 + t264);
+        damping[81] = t115 * t244;
+        damping[82] = t116 * t244;
+        damping[83] = -(t258 + t265);
+        damping[84] = t118 * t244;
+        damping[85] = t119 * t244;
+        damping[86] = -(t260 + t266);
+        damping[87] = t121 * t244;
+        damping[88] = t122 * t244;
+        damping[89] = -(t262 + t267);
+        spin[0] = t177;
+        spin[1] = t182;
+        spin[2] = -t186;
+        spin[3] = -t189;
+        spin[4] = t192;
+        spin[5] = t196;
+        spin[6] = t199;
+        spin[7] = -t201;
+        spin[8] = t203;
+        spin[9] = t232;
+        spin[10] = t235;
+        spin[11] = -t238;
+        spin[12] = -t207;
+        spin[13] = t217;
+        spin[14] = t227;
+        spin[15] = t208;
+        spin[16] = -t218;
+        spin[17] = t226;
+        spin[18] = t180;
+        spin[19] = t184;
+        spin[20] = -t188;
+        spin[21] = -t190;
+        spin[22] = t194;
+        spin[23] = t198;
+        spin[24] = t200;
+        spin[25] = -t202;
+        spin[26] = t204;
+        spin[27] = t234;
+        spin[28] = t237;
+        spin[29] = -t240;
+        spin[30] = -t212;
+        spin[31] = t223;
+        spin[32] = t231;
+        spin[33] = t213;
+        spin[34] = -t224;
+        spin[35] = t230;
+        stiffness[0] = t271;
+        stiffness[1] = t274;
+        stiffness[2] = t277;
+        stiffness[3] = -moment_s0 * t270;
+        stiffness[4] = moment_s0 * t273;
+        stiffness[5] = moment_s0 * t276;
+        stiffness[6] = t271;
+        stiffness[7] = t274;
+        stiffness[8] = t277;
+        stiffness[9] = -moment_s1 * t270;
+        stiffness[10] = moment_s1 * t273;
+        stiffness[11] = moment_s1 * t276;
+        stiffness[12] = t279;
+        stiffness[13] = t282;
+        stiffness[14] = t285;
+        stiffness[15] = moment_s0 * t278;
+        stiffness[16] = -moment_s0 * t281;
+        stiffness[17] = moment_s0 * t284;
+        stiffness[18] = t279;
+        stiffness[19] = t282;
+        stiffness[20] = t285;
+        stiffness[21] = moment_s1 * t278;
+        stiffness[22] = -moment_s1 * t281;
+        stiffness[23] = moment_s1 * t284;
+        stiffness[24] = t287;
+        stiffness[25] = t289;
+        stiffness[26] = t291;
+        stiffness[27] = moment_s0 * t286;
+        stiffness[28] = moment_s0 * t288;
+        stiffness[29] = -moment_s0 * t290;
+        stiffness[30] = t287;
+        stiffness[31] = t289;
+        stiffness[32] = t291;
+        stiffness[33] = moment_s1 * t286;
+        stiffness[34] = moment_s1 * t288;
+        stiffness[35] = -moment_s1 * t290;
+        stiffness[36] = t113 * t286 - t114 * t278;
+        stiffness[37] = t135 + (t113 * t288 + t292 + t114 * t281) + t293 + t294 + t295;
+        stiffness[38] = -(t134 + (t113 * t290 + (t114 * t284 + t296)) + t297 + t298
+            + t299);
+        stiffness[39] = t116 * t286 - t117 * t278;
+        stiffness[40] = t300 + (t116 * t288 + t301 + t117 * t281) + t302 + t303;
+        stiffness[41] = -(t304 + (t116 * t290 + (t117 * t284 + t305)) + t306 + t307);
+        stiffness[42] = t119 * t286 - t120 * t278;
+        stiffness[43] = t308 + (t119 * t288 + t309 + t120 * t281) + t310;
+        stiffness[44] = -(t311 + (t119 * t290 + (t120 * t284 + t312)) + t313);
+        stiffness[45] = t122 * t286 - t123 * t278;
+        stiffness[46] = t314 + (t122 * t288 + t315 + t123 * t281);
+        stiffness[47] = -(t316 + (t122 * t290 + (t123 * t284 + t317)));
+        stiffness[48] = -(t295
+            + (t294 + (t293 + (t135 + (t114 * t270 + (t292 + t112 * t286))))));
+        stiffness[49] = t114 * t273 - t112 * t288;
+        stiffness[50] = t133 + (t114 * t276 + t318 + t112 * t290) + t319 + t320 + t321;
+        stiffness[51] = -(t303 + (t302 + (t300 + (t117 * t270 + (t301 + t115 * t286)))));
+        stiffness[52] = t117 * t273 - t115 * t288;
+        stiffness[53] = t322 + (t117 * t276 + t323 + t115 * t290) + t324 + t325;
+        stiffness[54] = -(t310 + (t308 + (t120 * t270 + (t309 + t118 * t286))));
+        stiffness[55] = t120 * t273 - t118 * t288;
+        stiffness[56] = t326 + (t120 * t276 + t327 + t118 * t290) + t328;
+        stiffness[57] = -(t314 + (t123 * t270 + (t315 + t121 * t286)));
+        stiffness[58] = t123 * t273 - t121 * t288;
+        stiffness[59] = t329 + (t123 * t276 + t330 + t121 * t290);
+        stiffness[60] = t299
+            + (t298 + (t297 + (t134 + (t296 + t112 * t278 + t113 * t270))));
+        stiffness[61] = -(t321
+            + (t320 + (t319 + (t133 + (t112 * t281 + (t318 + t113 * t273))))));
+        stiffness[62] = t112 * t284 - t113 * t276;
+        stiffness[63] = t307 + (t306 + (t304 + (t305 + t115 * t278 + t116 * t270)));
+        stiffness[64] = -(t325 + (t324 + (t322 + (t115 * t281 + (t323 + t116 * t273)))));
+        stiffness[65] = t115 * t284 - t116 * t276;
+        stiffness[66] = t313 + (t311 + (t312 + t118 * t278 + t119 * t270));
+        stiffness[67] = -(t328 + (t326 + (t118 * t281 + (t327 + t119 * t273))));
+        stiffness[68] = t118 * t284 - t119 * t276;
+        stiffness[69] = t316 + (t317 + t121 * t278 + t122 * t270);
+        stiffness[70] = -(t329 + (t121 * t281 + (t330 + t122 * t273)));
+        stiffness[71] = t121 * t284 - t122 * t276;
     }
     /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
     ///
@@ -2152,12 +2151,12 @@ pub mod free_flight_equations {
         xi: f64,
         weights: &mut [f64; 4],
     ) {
-        let t17 = 1.0 / length;
-        let t18 = xi * 3.0;
-        weights[0] = xi * (-6.0 + xi * 6.0) * t17;
-        weights[1] = 1.0 + xi * (-4.0 + t18);
-        weights[2] = t17 * (xi * (6.0 + xi * (-6.0)));
-        weights[3] = xi * (t18 + (-2.0));
+        let t14 = 1.0 / length;
+        let t15 = xi * 3.0;
+        weights[0] = xi * (-6.0 + xi * 6.0) * t14;
+        weights[1] = 1.0 + xi * (-4.0 + t15);
+        weights[2] = t14 * (xi * (6.0 + xi * (-6.0)));
+        weights[3] = xi * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
     ///
@@ -2167,13 +2166,13 @@ pub mod free_flight_equations {
         xi: f64,
         weights: &mut [f64; 4],
     ) {
-        let t17 = 1.0 / (length * length);
-        let t18 = xi * 6.0;
-        let t19 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t17;
-        weights[1] = (-4.0 + t18) * t19;
-        weights[2] = t17 * (6.0 + xi * (-12.0));
-        weights[3] = t19 * (t18 + (-2.0));
+        let t14 = 1.0 / (length * length);
+        let t15 = xi * 6.0;
+        let t16 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t14;
+        weights[1] = (-4.0 + t15) * t16;
+        weights[2] = t14 * (6.0 + xi * (-12.0));
+        weights[3] = t16 * (t15 + (-2.0));
     }
     /// Writes the forces on the fields a, b at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -2185,24 +2184,24 @@ pub mod free_flight_equations {
         forces: &mut [f64; 6],
     ) {
         let CableSpatial { length, EA, EI, .. } = *row;
-        let t26 = fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2];
-        let t27 = fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5];
-        let t28 = 0.5 * (t26 - 1.0)
+        let t23 = fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2];
+        let t24 = fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5];
+        let t25 = 0.5 * (t23 - 1.0)
             - 0.5
                 * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
                     + stress_free[2] * stress_free[2] - 1.0);
-        let t29 = EA * t28;
-        let t30 = fields[0] * 2.0;
-        let t31 = fields[1] * 2.0;
-        let t32 = fields[2] * 2.0;
-        let t33 = (fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5])
+        let t26 = EA * t25;
+        let t27 = fields[0] * 2.0;
+        let t28 = fields[1] * 2.0;
+        let t29 = fields[2] * 2.0;
+        let t30 = (fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5])
             * 2.0;
-        forces[0] = t29 * (0.5 * t30) + EI * (0.5 * (t27 * t30 - fields[3] * t33));
-        forces[1] = t29 * (0.5 * t31) + EI * (0.5 * (t27 * t31 - fields[4] * t33));
-        forces[2] = t29 * (0.5 * t32) + EI * (0.5 * (t27 * t32 - fields[5] * t33));
-        forces[3] = EI * (0.5 * (t26 * (fields[3] * 2.0) - fields[0] * t33));
-        forces[4] = EI * (0.5 * (t26 * (fields[4] * 2.0) - fields[1] * t33));
-        forces[5] = EI * (0.5 * (t26 * (fields[5] * 2.0) - fields[2] * t33));
+        forces[0] = t26 * (0.5 * t27) + EI * (0.5 * (t24 * t27 - fields[3] * t30));
+        forces[1] = t26 * (0.5 * t28) + EI * (0.5 * (t24 * t28 - fields[4] * t30));
+        forces[2] = t26 * (0.5 * t29) + EI * (0.5 * (t24 * t29 - fields[5] * t30));
+        forces[3] = EI * (0.5 * (t23 * (fields[3] * 2.0) - fields[0] * t30));
+        forces[4] = EI * (0.5 * (t23 * (fields[4] * 2.0) - fields[1] * t30));
+        forces[5] = EI * (0.5 * (t23 * (fields[5] * 2.0) - fields[2] * t30));
     }
     /// Adds the inertia forces of a fixture on position r and slope s of its place (THEORY 5.4) in the inertial frame; e is minus gravity: mass, first moments and second moments (m, m_i; m_i, p_ij) times the accelerations plus (m, m_i) e.
     ///
@@ -2240,30 +2239,30 @@ pub mod free_flight_equations {
         let [r_x, r_y, r_z, s_x, s_y, s_z] = *q;
         let [v_r_x, v_r_y, v_r_z, v_s_x, v_s_y, v_s_z] = *v;
         let [a_r_x, a_r_y, a_r_z, a_s_x, a_s_y, a_s_z] = *a;
-        let t45 = r_z * w_y - r_y * w_z;
-        let t46 = r_x * w_z - r_z * w_x;
-        let t47 = r_y * w_x - r_x * w_y;
-        let t48 = r_z * dw_y - r_y * dw_z + (a_r_x + 2.0 * (v_r_z * w_y - v_r_y * w_z));
-        let t49 = r_x * dw_z - r_z * dw_x + (a_r_y + 2.0 * (v_r_x * w_z - v_r_z * w_x));
-        let t50 = r_y * dw_x - r_x * dw_y + (a_r_z + 2.0 * (v_r_y * w_x - v_r_x * w_y));
-        let t51 = w_y * t47 - w_z * t46 + t48;
-        let t52 = w_z * t45 - w_x * t47 + t49;
-        let t53 = w_x * t46 - w_y * t45 + t50;
-        let t54 = s_z * w_y - s_y * w_z;
-        let t55 = s_x * w_z - s_z * w_x;
-        let t56 = s_y * w_x - s_x * w_y;
-        let t57 = s_z * dw_y - s_y * dw_z + (a_s_x + 2.0 * (v_s_z * w_y - v_s_y * w_z));
-        let t58 = s_x * dw_z - s_z * dw_x + (a_s_y + 2.0 * (v_s_x * w_z - v_s_z * w_x));
-        let t59 = s_y * dw_x - s_x * dw_y + (a_s_z + 2.0 * (v_s_y * w_x - v_s_x * w_y));
-        let t60 = w_y * t56 - w_z * t55 + t57;
-        let t61 = w_z * t54 - w_x * t56 + t58;
-        let t62 = w_x * t55 - w_y * t54 + t59;
-        force[0] += m * t51 + m_x * t60 + m * e_x;
-        force[1] += m * t52 + m_x * t61 + m * e_y;
-        force[2] += m * t53 + m_x * t62 + m * e_z;
-        force[3] += m_x * t51 + p_xx * t60 + m_x * e_x;
-        force[4] += m_x * t52 + p_xx * t61 + m_x * e_y;
-        force[5] += m_x * t53 + p_xx * t62 + m_x * e_z;
+        let t42 = r_z * w_y - r_y * w_z;
+        let t43 = r_x * w_z - r_z * w_x;
+        let t44 = r_y * w_x - r_x * w_y;
+        let t45 = r_z * dw_y - r_y * dw_z + (a_r_x + 2.0 * (v_r_z * w_y - v_r_y * w_z));
+        let t46 = r_x * dw_z - r_z * dw_x + (a_r_y + 2.0 * (v_r_x * w_z - v_r_z * w_x));
+        let t47 = r_y * dw_x - r_x * dw_y + (a_r_z + 2.0 * (v_r_y * w_x - v_r_x * w_y));
+        let t48 = w_y * t44 - w_z * t43 + t45;
+        let t49 = w_z * t42 - w_x * t44 + t46;
+        let t50 = w_x * t43 - w_y * t42 + t47;
+        let t51 = s_z * w_y - s_y * w_z;
+        let t52 = s_x * w_z - s_z * w_x;
+        let t53 = s_y * w_x - s_x * w_y;
+        let t54 = s_z * dw_y - s_y * dw_z + (a_s_x + 2.0 * (v_s_z * w_y - v_s_y * w_z));
+        let t55 = s_x * dw_z - s_z * dw_x + (a_s_y + 2.0 * (v_s_x * w_z - v_s_z * w_x));
+        let t56 = s_y * dw_x - s_x * dw_y + (a_s_z + 2.0 * (v_s_y * w_x - v_s_x * w_y));
+        let t57 = w_y * t53 - w_z * t52 + t54;
+        let t58 = w_z * t51 - w_x * t53 + t55;
+        let t59 = w_x * t52 - w_y * t51 + t56;
+        force[0] += m * t48 + m_x * t57 + m * e_x;
+        force[1] += m * t49 + m_x * t58 + m * e_y;
+        force[2] += m * t50 + m_x * t59 + m * e_z;
+        force[3] += m_x * t48 + p_xx * t57 + m_x * e_x;
+        force[4] += m_x * t49 + p_xx * t58 + m_x * e_y;
+        force[5] += m_x * t50 + p_xx * t59 + m_x * e_z;
     }
     /// Adds the derivatives of a fixture's inertia forces with respect to q (Euler and centrifugal) and q' (gyroscopic).
     ///
@@ -2276,96 +2275,96 @@ pub mod free_flight_equations {
     ) {
         let [m, m_x, _, _, p_xx, _, _, _, _, _] = constants;
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
-        let t24 = w_y * w_y;
-        let t25 = w_z * w_z;
-        let t26 = t24 + t25;
-        let t27 = w_x * w_y;
-        let t28 = t27 - dw_z;
-        let t29 = w_x * w_z;
-        let t30 = dw_y + t29;
-        let t31 = dw_z + t27;
-        let t32 = w_x * w_x;
-        let t33 = t25 + t32;
-        let t34 = w_y * w_z;
-        let t35 = t34 - dw_x;
-        let t36 = t29 - dw_y;
-        let t37 = dw_x + t34;
-        let t38 = t24 + t32;
-        let t39 = w_z * 2.0;
-        let t40 = m * t39;
-        let t41 = w_y * 2.0;
-        let t42 = m * t41;
-        let t43 = m_x * t39;
-        let t44 = m_x * t41;
-        let t45 = w_x * 2.0;
-        let t46 = m * t45;
-        let t47 = m_x * t45;
-        let t48 = m_x * t39;
-        let t49 = m_x * t41;
-        let t50 = p_xx * t39;
-        let t51 = p_xx * t41;
-        let t52 = m_x * t45;
-        let t53 = p_xx * t45;
-        stiffness[0] += -m * t26;
-        stiffness[1] += m * t28;
-        stiffness[2] += m * t30;
-        stiffness[3] += -m_x * t26;
-        stiffness[4] += m_x * t28;
-        stiffness[5] += m_x * t30;
-        stiffness[6] += m * t31;
-        stiffness[7] += -m * t33;
-        stiffness[8] += m * t35;
-        stiffness[9] += m_x * t31;
-        stiffness[10] += -m_x * t33;
-        stiffness[11] += m_x * t35;
-        stiffness[12] += m * t36;
-        stiffness[13] += m * t37;
-        stiffness[14] += -m * t38;
-        stiffness[15] += m_x * t36;
-        stiffness[16] += m_x * t37;
-        stiffness[17] += -m_x * t38;
-        stiffness[18] += -m_x * t26;
-        stiffness[19] += m_x * t28;
-        stiffness[20] += m_x * t30;
-        stiffness[21] += -p_xx * t26;
-        stiffness[22] += p_xx * t28;
-        stiffness[23] += p_xx * t30;
-        stiffness[24] += m_x * t31;
-        stiffness[25] += -m_x * t33;
-        stiffness[26] += m_x * t35;
-        stiffness[27] += p_xx * t31;
-        stiffness[28] += -p_xx * t33;
-        stiffness[29] += p_xx * t35;
-        stiffness[30] += m_x * t36;
-        stiffness[31] += m_x * t37;
-        stiffness[32] += -m_x * t38;
-        stiffness[33] += p_xx * t36;
-        stiffness[34] += p_xx * t37;
-        stiffness[35] += -p_xx * t38;
-        damping_matrix[1] -= t40;
-        damping_matrix[2] += t42;
-        damping_matrix[4] -= t43;
-        damping_matrix[5] += t44;
-        damping_matrix[6] += t40;
-        damping_matrix[8] -= t46;
-        damping_matrix[9] += t43;
-        damping_matrix[11] -= t47;
-        damping_matrix[12] -= t42;
-        damping_matrix[13] += t46;
-        damping_matrix[15] -= t44;
-        damping_matrix[16] += t47;
-        damping_matrix[19] -= t48;
-        damping_matrix[20] += t49;
-        damping_matrix[22] -= t50;
-        damping_matrix[23] += t51;
-        damping_matrix[24] += t48;
-        damping_matrix[26] -= t52;
-        damping_matrix[27] += t50;
-        damping_matrix[29] -= t53;
-        damping_matrix[30] -= t49;
-        damping_matrix[31] += t52;
-        damping_matrix[33] -= t51;
-        damping_matrix[34] += t53;
+        let t21 = w_y * w_y;
+        let t22 = w_z * w_z;
+        let t23 = t21 + t22;
+        let t24 = w_x * w_y;
+        let t25 = t24 - dw_z;
+        let t26 = w_x * w_z;
+        let t27 = dw_y + t26;
+        let t28 = dw_z + t24;
+        let t29 = w_x * w_x;
+        let t30 = t22 + t29;
+        let t31 = w_y * w_z;
+        let t32 = t31 - dw_x;
+        let t33 = t26 - dw_y;
+        let t34 = dw_x + t31;
+        let t35 = t21 + t29;
+        let t36 = w_z * 2.0;
+        let t37 = m * t36;
+        let t38 = w_y * 2.0;
+        let t39 = m * t38;
+        let t40 = m_x * t36;
+        let t41 = m_x * t38;
+        let t42 = w_x * 2.0;
+        let t43 = m * t42;
+        let t44 = m_x * t42;
+        let t45 = m_x * t36;
+        let t46 = m_x * t38;
+        let t47 = p_xx * t36;
+        let t48 = p_xx * t38;
+        let t49 = m_x * t42;
+        let t50 = p_xx * t42;
+        stiffness[0] += -m * t23;
+        stiffness[1] += m * t25;
+        stiffness[2] += m * t27;
+        stiffness[3] += -m_x * t23;
+        stiffness[4] += m_x * t25;
+        stiffness[5] += m_x * t27;
+        stiffness[6] += m * t28;
+        stiffness[7] += -m * t30;
+        stiffness[8] += m * t32;
+        stiffness[9] += m_x * t28;
+        stiffness[10] += -m_x * t30;
+        stiffness[11] += m_x * t32;
+        stiffness[12] += m * t33;
+        stiffness[13] += m * t34;
+        stiffness[14] += -m * t35;
+        stiffness[15] += m_x * t33;
+        stiffness[16] += m_x * t34;
+        stiffness[17] += -m_x * t35;
+        stiffness[18] += -m_x * t23;
+        stiffness[19] += m_x * t25;
+        stiffness[20] += m_x * t27;
+        stiffness[21] += -p_xx * t23;
+        stiffness[22] += p_xx * t25;
+        stiffness[23] += p_xx * t27;
+        stiffness[24] += m_x * t28;
+        stiffness[25] += -m_x * t30;
+        stiffness[26] += m_x * t32;
+        stiffness[27] += p_xx * t28;
+        stiffness[28] += -p_xx * t30;
+        stiffness[29] += p_xx * t32;
+        stiffness[30] += m_x * t33;
+        stiffness[31] += m_x * t34;
+        stiffness[32] += -m_x * t35;
+        stiffness[33] += p_xx * t33;
+        stiffness[34] += p_xx * t34;
+        stiffness[35] += -p_xx * t35;
+        damping_matrix[1] -= t37;
+        damping_matrix[2] += t39;
+        damping_matrix[4] -= t40;
+        damping_matrix[5] += t41;
+        damping_matrix[6] += t37;
+        damping_matrix[8] -= t43;
+        damping_matrix[9] += t40;
+        damping_matrix[11] -= t44;
+        damping_matrix[12] -= t39;
+        damping_matrix[13] += t43;
+        damping_matrix[15] -= t41;
+        damping_matrix[16] += t44;
+        damping_matrix[19] -= t45;
+        damping_matrix[20] += t46;
+        damping_matrix[22] -= t47;
+        damping_matrix[23] += t48;
+        damping_matrix[24] += t45;
+        damping_matrix[26] -= t49;
+        damping_matrix[27] += t47;
+        damping_matrix[29] -= t50;
+        damping_matrix[30] -= t46;
+        damping_matrix[31] += t49;
+        damping_matrix[33] -= t48;
+        damping_matrix[34] += t50;
     }
     /// Adds force and moment about the origin that the inertia of what the frame carries needs, in frame axes (Eqs. 11, 12): F = m e + d_b a_b, T = (d_a q_a) x e + M_ab q_a x a_b, with the accelerations a = q'' + 2 w x q' + w' x q + w x (w x q) and that of the origin minus gravity, e.
     ///
@@ -2384,48 +2383,48 @@ pub mod free_flight_equations {
         let [r_x, r_y, r_z, s_x, s_y, s_z] = *q;
         let [v_r_x, v_r_y, v_r_z, v_s_x, v_s_y, v_s_z] = *v;
         let [a_r_x, a_r_y, a_r_z, a_s_x, a_s_y, a_s_z] = *a;
-        let t45 = r_z * w_y - r_y * w_z;
-        let t46 = r_x * w_z - r_z * w_x;
-        let t47 = r_y * w_x - r_x * w_y;
-        let t48 = r_z * dw_y - r_y * dw_z + (a_r_x + 2.0 * (v_r_z * w_y - v_r_y * w_z));
-        let t49 = r_x * dw_z - r_z * dw_x + (a_r_y + 2.0 * (v_r_x * w_z - v_r_z * w_x));
-        let t50 = r_y * dw_x - r_x * dw_y + (a_r_z + 2.0 * (v_r_y * w_x - v_r_x * w_y));
-        let t51 = w_y * t47 - w_z * t46 + t48;
-        let t52 = w_z * t45 - w_x * t47 + t49;
-        let t53 = w_x * t46 - w_y * t45 + t50;
-        let t54 = s_z * w_y - s_y * w_z;
-        let t55 = s_x * w_z - s_z * w_x;
-        let t56 = s_y * w_x - s_x * w_y;
-        let t57 = s_z * dw_y - s_y * dw_z + (a_s_x + 2.0 * (v_s_z * w_y - v_s_y * w_z));
-        let t58 = s_x * dw_z - s_z * dw_x + (a_s_y + 2.0 * (v_s_x * w_z - v_s_z * w_x));
-        let t59 = s_y * dw_x - s_x * dw_y + (a_s_z + 2.0 * (v_s_y * w_x - v_s_x * w_y));
-        let t60 = w_y * t56 - w_z * t55 + t57;
-        let t61 = w_z * t54 - w_x * t56 + t58;
-        let t62 = w_x * t55 - w_y * t54 + t59;
-        let t63 = m * r_x;
-        let t64 = t63 + m_x * s_x;
-        let t65 = m * r_y;
-        let t66 = t65 + m_x * s_y;
-        let t67 = m * r_z;
-        let t68 = t67 + m_x * s_z;
-        let t69 = t63 + m_x * s_x;
-        let t70 = t65 + m_x * s_y;
-        let t71 = t67 + m_x * s_z;
-        let t72 = m_x * r_x + p_xx * s_x;
-        let t73 = m_x * r_y + p_xx * s_y;
-        let t74 = m_x * r_z + p_xx * s_z;
-        let t75 = e_z * t66 - e_y * t68 + (t53 * t70 - t52 * t71)
-            + (t62 * t73 - t61 * t74);
-        let t76 = e_x * t68 - e_z * t64 + (t51 * t71 - t53 * t69)
-            + (t60 * t74 - t62 * t72);
-        let t77 = e_y * t64 - e_x * t66 + (t52 * t69 - t51 * t70)
-            + (t61 * t72 - t60 * t73);
-        out[0] += m * t51 + m_x * t60 + m * e_x;
-        out[1] += m * t52 + m_x * t61 + m * e_y;
-        out[2] += m * t53 + m_x * t62 + m * e_z;
-        out[3] += t75;
-        out[4] += t76;
-        out[5] += t77;
+        let t42 = r_z * w_y - r_y * w_z;
+        let t43 = r_x * w_z - r_z * w_x;
+        let t44 = r_y * w_x - r_x * w_y;
+        let t45 = r_z * dw_y - r_y * dw_z + (a_r_x + 2.0 * (v_r_z * w_y - v_r_y * w_z));
+        let t46 = r_x * dw_z - r_z * dw_x + (a_r_y + 2.0 * (v_r_x * w_z - v_r_z * w_x));
+        let t47 = r_y * dw_x - r_x * dw_y + (a_r_z + 2.0 * (v_r_y * w_x - v_r_x * w_y));
+        let t48 = w_y * t44 - w_z * t43 + t45;
+        let t49 = w_z * t42 - w_x * t44 + t46;
+        let t50 = w_x * t43 - w_y * t42 + t47;
+        let t51 = s_z * w_y - s_y * w_z;
+        let t52 = s_x * w_z - s_z * w_x;
+        let t53 = s_y * w_x - s_x * w_y;
+        let t54 = s_z * dw_y - s_y * dw_z + (a_s_x + 2.0 * (v_s_z * w_y - v_s_y * w_z));
+        let t55 = s_x * dw_z - s_z * dw_x + (a_s_y + 2.0 * (v_s_x * w_z - v_s_z * w_x));
+        let t56 = s_y * dw_x - s_x * dw_y + (a_s_z + 2.0 * (v_s_y * w_x - v_s_x * w_y));
+        let t57 = w_y * t53 - w_z * t52 + t54;
+        let t58 = w_z * t51 - w_x * t53 + t55;
+        let t59 = w_x * t52 - w_y * t51 + t56;
+        let t60 = m * r_x;
+        let t61 = t60 + m_x * s_x;
+        let t62 = m * r_y;
+        let t63 = t62 + m_x * s_y;
+        let t64 = m * r_z;
+        let t65 = t64 + m_x * s_z;
+        let t66 = t60 + m_x * s_x;
+        let t67 = t62 + m_x * s_y;
+        let t68 = t64 + m_x * s_z;
+        let t69 = m_x * r_x + p_xx * s_x;
+        let t70 = m_x * r_y + p_xx * s_y;
+        let t71 = m_x * r_z + p_xx * s_z;
+        let t72 = e_z * t63 - e_y * t65 + (t50 * t67 - t49 * t68)
+            + (t59 * t70 - t58 * t71);
+        let t73 = e_x * t65 - e_z * t61 + (t48 * t68 - t50 * t66)
+            + (t57 * t71 - t59 * t69);
+        let t74 = e_y * t61 - e_x * t63 + (t49 * t66 - t48 * t67)
+            + (t58 * t69 - t57 * t70);
+        out[0] += m * t48 + m_x * t57 + m * e_x;
+        out[1] += m * t49 + m_x * t58 + m * e_y;
+        out[2] += m * t50 + m_x * t59 + m * e_z;
+        out[3] += t72;
+        out[4] += t73;
+        out[5] += t74;
     }
     /// Writes the derivatives of force F and moment T on the frame, rows first (THEORY 2.1): `mass` with respect to e, w', q''; `damping` to w, q'; `stiffness` to q; and of the nodal forces with respect to w, `spin`. Entries that are always zero are left alone.
     ///
@@ -2447,285 +2446,285 @@ pub mod free_flight_equations {
         let [r_x, r_y, r_z, s_x, s_y, s_z] = *q;
         let [v_r_x, v_r_y, v_r_z, v_s_x, v_s_y, v_s_z] = *v;
         let [a_r_x, a_r_y, a_r_z, a_s_x, a_s_y, a_s_z] = *a;
-        let t45 = r_z * w_y - r_y * w_z;
-        let t46 = r_x * w_z - r_z * w_x;
-        let t47 = r_y * w_x - r_x * w_y;
-        let t48 = r_z * dw_y - r_y * dw_z + (a_r_x + 2.0 * (v_r_z * w_y - v_r_y * w_z));
-        let t49 = r_x * dw_z - r_z * dw_x + (a_r_y + 2.0 * (v_r_x * w_z - v_r_z * w_x));
-        let t50 = r_y * dw_x - r_x * dw_y + (a_r_z + 2.0 * (v_r_y * w_x - v_r_x * w_y));
-        let t51 = w_y * t47 - w_z * t46 + t48;
-        let t52 = w_z * t45 - w_x * t47 + t49;
-        let t53 = w_x * t46 - w_y * t45 + t50;
-        let t54 = s_z * w_y - s_y * w_z;
-        let t55 = s_x * w_z - s_z * w_x;
-        let t56 = s_y * w_x - s_x * w_y;
-        let t57 = s_z * dw_y - s_y * dw_z + (a_s_x + 2.0 * (v_s_z * w_y - v_s_y * w_z));
-        let t58 = s_x * dw_z - s_z * dw_x + (a_s_y + 2.0 * (v_s_x * w_z - v_s_z * w_x));
-        let t59 = s_y * dw_x - s_x * dw_y + (a_s_z + 2.0 * (v_s_y * w_x - v_s_x * w_y));
-        let t60 = w_y * t56 - w_z * t55 + t57;
-        let t61 = w_z * t54 - w_x * t56 + t58;
-        let t62 = w_x * t55 - w_y * t54 + t59;
-        let t63 = m * t51;
-        let t64 = m_x * t60;
-        let t65 = m * t52;
-        let t66 = m_x * t61;
-        let t67 = m * t53;
-        let t68 = m_x * t62;
-        let t69 = m * e_x;
-        let t70 = m * e_y;
-        let t71 = m * e_z;
-        let t72 = m * r_x;
-        let t73 = t72 + m_x * s_x;
-        let t74 = m * r_y;
-        let t75 = t74 + m_x * s_y;
-        let t76 = m * r_z;
-        let t77 = t76 + m_x * s_z;
-        let t78 = t72 + m_x * s_x;
-        let t79 = t74 + m_x * s_y;
-        let t80 = t76 + m_x * s_z;
-        let t81 = p_xx * s_x;
-        let t82 = m_x * r_x + t81;
-        let t83 = p_xx * s_y;
-        let t84 = m_x * r_y + t83;
-        let t85 = p_xx * s_z;
-        let t86 = m_x * r_z + t85;
-        let t87 = w_y * t77;
-        let t88 = w_z * t75;
+        let t42 = r_z * w_y - r_y * w_z;
+        let t43 = r_x * w_z - r_z * w_x;
+        let t44 = r_y * w_x - r_x * w_y;
+        let t45 = r_z * dw_y - r_y * dw_z + (a_r_x + 2.0 * (v_r_z * w_y - v_r_y * w_z));
+        let t46 = r_x * dw_z - r_z * dw_x + (a_r_y + 2.0 * (v_r_x * w_z - v_r_z * w_x));
+        let t47 = r_y * dw_x - r_x * dw_y + (a_r_z + 2.0 * (v_r_y * w_x - v_r_x * w_y));
+        let t48 = w_y * t44 - w_z * t43 + t45;
+        let t49 = w_z * t42 - w_x * t44 + t46;
+        let t50 = w_x * t43 - w_y * t42 + t47;
+        let t51 = s_z * w_y - s_y * w_z;
+        let t52 = s_x * w_z - s_z * w_x;
+        let t53 = s_y * w_x - s_x * w_y;
+        let t54 = s_z * dw_y - s_y * dw_z + (a_s_x + 2.0 * (v_s_z * w_y - v_s_y * w_z));
+        let t55 = s_x * dw_z - s_z * dw_x + (a_s_y + 2.0 * (v_s_x * w_z - v_s_z * w_x));
+        let t56 = s_y * dw_x - s_x * dw_y + (a_s_z + 2.0 * (v_s_y * w_x - v_s_x * w_y));
+        let t57 = w_y * t53 - w_z * t52 + t54;
+        let t58 = w_z * t51 - w_x * t53 + t55;
+        let t59 = w_x * t52 - w_y * t51 + t56;
+        let t60 = m * t48;
+        let t61 = m_x * t57;
+        let t62 = m * t49;
+        let t63 = m_x * t58;
+        let t64 = m * t50;
+        let t65 = m_x * t59;
+        let t66 = m * e_x;
+        let t67 = m * e_y;
+        let t68 = m * e_z;
+        let t69 = m * r_x;
+        let t70 = t69 + m_x * s_x;
+        let t71 = m * r_y;
+        let t72 = t71 + m_x * s_y;
+        let t73 = m * r_z;
+        let t74 = t73 + m_x * s_z;
+        let t75 = t69 + m_x * s_x;
+        let t76 = t71 + m_x * s_y;
+        let t77 = t73 + m_x * s_z;
+        let t78 = p_xx * s_x;
+        let t79 = m_x * r_x + t78;
+        let t80 = p_xx * s_y;
+        let t81 = m_x * r_y + t80;
+        let t82 = p_xx * s_z;
+        let t83 = m_x * r_z + t82;
+        let t84 = w_y * t74;
+        let t85 = w_z * t72;
+        let t86 = t84 - t85;
+        let t87 = w_z * t70;
+        let t88 = w_x * t74;
         let t89 = t87 - t88;
-        let t90 = w_z * t73;
-        let t91 = w_x * t77;
+        let t90 = w_x * t72;
+        let t91 = w_y * t70;
         let t92 = t90 - t91;
-        let t93 = w_x * t75;
-        let t94 = w_y * t73;
-        let t95 = t93 - t94;
-        let t96 = t81 + m_x * r_x;
-        let t97 = t83 + m_x * r_y;
-        let t98 = t85 + m_x * r_z;
-        let t99 = w_y * t98;
-        let t100 = w_z * t97;
+        let t93 = t78 + m_x * r_x;
+        let t94 = t80 + m_x * r_y;
+        let t95 = t82 + m_x * r_z;
+        let t96 = w_y * t95;
+        let t97 = w_z * t94;
+        let t98 = t96 - t97;
+        let t99 = w_z * t93;
+        let t100 = w_x * t95;
         let t101 = t99 - t100;
-        let t102 = w_z * t96;
-        let t103 = w_x * t98;
+        let t102 = w_x * t94;
+        let t103 = w_y * t93;
         let t104 = t102 - t103;
-        let t105 = w_x * t97;
-        let t106 = w_y * t96;
-        let t107 = t105 - t106;
-        let t108 = r_y * t79;
-        let t109 = r_z * t80;
-        let t110 = s_y * t84;
-        let t111 = s_z * t86;
-        let t112 = r_x * t78;
-        let t113 = s_x * t82;
-        let t114 = w_y * t75;
-        let t115 = w_z * t77;
-        let t116 = t114 + t115;
-        let t117 = 2.0 * (m * v_r_z + m_x * v_s_z);
-        let t118 = t117 + (t95 - t94);
-        let t119 = 2.0 * (m * v_r_y + m_x * v_s_y);
-        let t120 = t119 + (t90 + t92);
-        let t121 = t117 + (t93 + t95);
-        let t122 = w_x * t73;
-        let t123 = t115 + t122;
-        let t124 = 2.0 * (m * v_r_x + m_x * v_s_x);
-        let t125 = t124 + (t89 - t88);
-        let t126 = t119 + (t92 - t91);
-        let t127 = t124 + (t87 + t89);
-        let t128 = t114 + t122;
-        let t129 = 2.0 * (m_x * v_r_z + p_xx * v_s_z);
-        let t130 = 2.0 * (m_x * v_r_y + p_xx * v_s_y);
-        let t131 = t129 + (t105 + t107);
-        let t132 = t130 + (t104 - t103);
-        let t133 = 2.0 * (m_x * v_r_x + p_xx * v_s_x);
-        let t134 = w_z * t98;
-        let t135 = w_x * t96;
-        let t136 = t134 + t135;
-        let t137 = t133 + (t99 + t101);
-        let t138 = w_y * t97;
-        let t139 = t135 + t138;
-        let t140 = t133 + (t101 - t100);
-        let t141 = t134 + t138;
-        let t142 = t129 + (t107 - t106);
-        let t143 = t130 + (t102 + t104);
-        let t144 = w_z * 2.0;
-        let t145 = m * t144;
-        let t146 = w_y * 2.0;
-        let t147 = m * t146;
-        let t148 = m_x * t144;
-        let t149 = m_x * t146;
-        let t150 = w_x * 2.0;
-        let t151 = m * t150;
-        let t152 = m_x * t150;
-        let t153 = t79 * t146;
-        let t154 = t80 * t144;
-        let t155 = t84 * t146;
-        let t156 = t86 * t144;
-        let t157 = t78 * t150;
-        let t158 = t82 * t150;
-        let t159 = w_y * w_y;
-        let t160 = w_z * w_z;
-        let t161 = t159 + t160;
-        let t162 = w_x * w_y;
-        let t163 = t162 - dw_z;
-        let t164 = w_x * w_z;
-        let t165 = dw_y + t164;
-        let t166 = dw_z + t162;
-        let t167 = w_x * w_x;
-        let t168 = t160 + t167;
-        let t169 = w_y * w_z;
-        let t170 = t169 - dw_x;
-        let t171 = t164 - dw_y;
-        let t172 = dw_x + t169;
-        let t173 = t159 + t167;
-        let t174 = m_x * e_z + m_x * t53;
-        let t175 = p_xx * t62;
-        let t176 = m_x * e_y + m_x * t52;
-        let t177 = p_xx * t61;
-        let t178 = m_x * e_x + m_x * t51;
-        let t179 = p_xx * t60;
+        let t105 = r_y * t76;
+        let t106 = r_z * t77;
+        let t107 = s_y * t81;
+        let t108 = s_z * t83;
+        let t109 = r_x * t75;
+        let t110 = s_x * t79;
+        let t111 = w_y * t72;
+        let t112 = w_z * t74;
+        let t113 = t111 + t112;
+        let t114 = 2.0 * (m * v_r_z + m_x * v_s_z);
+        let t115 = t114 + (t92 - t91);
+        let t116 = 2.0 * (m * v_r_y + m_x * v_s_y);
+        let t117 = t116 + (t87 + t89);
+        let t118 = t114 + (t90 + t92);
+        let t119 = w_x * t70;
+        let t120 = t112 + t119;
+        let t121 = 2.0 * (m * v_r_x + m_x * v_s_x);
+        let t122 = t121 + (t86 - t85);
+        let t123 = t116 + (t89 - t88);
+        let t124 = t121 + (t84 + t86);
+        let t125 = t111 + t119;
+        let t126 = 2.0 * (m_x * v_r_z + p_xx * v_s_z);
+        let t127 = 2.0 * (m_x * v_r_y + p_xx * v_s_y);
+        let t128 = t126 + (t102 + t104);
+        let t129 = t127 + (t101 - t100);
+        let t130 = 2.0 * (m_x * v_r_x + p_xx * v_s_x);
+        let t131 = w_z * t95;
+        let t132 = w_x * t93;
+        let t133 = t131 + t132;
+        let t134 = t130 + (t96 + t98);
+        let t135 = w_y * t94;
+        let t136 = t132 + t135;
+        let t137 = t130 + (t98 - t97);
+        let t138 = t131 + t135;
+        let t139 = t126 + (t104 - t103);
+        let t140 = t127 + (t99 + t101);
+        let t141 = w_z * 2.0;
+        let t142 = m * t141;
+        let t143 = w_y * 2.0;
+        let t144 = m * t143;
+        let t145 = m_x * t141;
+        let t146 = m_x * t143;
+        let t147 = w_x * 2.0;
+        let t148 = m * t147;
+        let t149 = m_x * t147;
+        let t150 = t76 * t143;
+        let t151 = t77 * t141;
+        let t152 = t81 * t143;
+        let t153 = t83 * t141;
+        let t154 = t75 * t147;
+        let t155 = t79 * t147;
+        let t156 = w_y * w_y;
+        let t157 = w_z * w_z;
+        let t158 = t156 + t157;
+        let t159 = w_x * w_y;
+        let t160 = t159 - dw_z;
+        let t161 = w_x * w_z;
+        let t162 = dw_y + t161;
+        let t163 = dw_z + t159;
+        let t164 = w_x * w_x;
+        let t165 = t157 + t164;
+        let t166 = w_y * w_z;
+        let t167 = t166 - dw_x;
+        let t168 = t161 - dw_y;
+        let t169 = dw_x + t166;
+        let t170 = t156 + t164;
+        let t171 = m_x * e_z + m_x * t50;
+        let t172 = p_xx * t59;
+        let t173 = m_x * e_y + m_x * t49;
+        let t174 = p_xx * t58;
+        let t175 = m_x * e_x + m_x * t48;
+        let t176 = p_xx * t57;
         mass[0] = m;
-        mass[4] = t77;
-        mass[5] = -t75;
+        mass[4] = t74;
+        mass[5] = -t72;
         mass[6] = m;
         mass[9] = m_x;
         mass[13] = m;
-        mass[15] = -t77;
-        mass[17] = t73;
+        mass[15] = -t74;
+        mass[17] = t70;
         mass[19] = m;
         mass[22] = m_x;
         mass[26] = m;
-        mass[27] = t75;
-        mass[28] = -t73;
+        mass[27] = t72;
+        mass[28] = -t70;
         mass[32] = m;
         mass[35] = m_x;
-        mass[37] = -t77;
-        mass[38] = t75;
-        mass[39] = t108 + t109 + (t110 + t111);
-        mass[40] = -(r_x * t79 + s_x * t84);
-        mass[41] = -(r_x * t80 + s_x * t86);
-        mass[43] = -t80;
-        mass[44] = t79;
-        mass[46] = -t86;
-        mass[47] = t84;
-        mass[48] = t77;
-        mass[50] = -t73;
-        mass[51] = -(r_y * t78 + s_y * t82);
-        mass[52] = t109 + t112 + (t111 + t113);
-        mass[53] = -(r_y * t80 + s_y * t86);
-        mass[54] = t80;
-        mass[56] = -t78;
-        mass[57] = t86;
-        mass[59] = -t82;
-        mass[60] = -t75;
-        mass[61] = t73;
-        mass[63] = -(r_z * t78 + s_z * t82);
-        mass[64] = -(r_z * t79 + s_z * t84);
-        mass[65] = t108 + t112 + (t110 + t113);
-        mass[66] = -t79;
-        mass[67] = t78;
-        mass[69] = -t84;
-        mass[70] = t82;
-        damping[0] = t116;
-        damping[1] = t118;
-        damping[2] = -t120;
-        damping[9] = -t121;
-        damping[10] = t123;
-        damping[11] = t125;
-        damping[18] = t126;
-        damping[19] = -t127;
-        damping[20] = t128;
-        damping[27] = r_y * t126 + r_z * t121 + (s_y * t132 + s_z * t131);
-        damping[28] = -(r_y * t127 + r_z * t123 + (s_y * t137 + s_z * t136));
-        damping[29] = r_y * t128 - r_z * t125 + (s_y * t139 - s_z * t140);
-        damping[36] = r_z * t116 - r_x * t126 + (s_z * t141 - s_x * t132);
-        damping[37] = r_z * t118 + r_x * t127 + (s_z * t142 + s_x * t137);
-        damping[38] = -(r_z * t120 + r_x * t128 + (s_z * t143 + s_x * t139));
-        damping[45] = -(r_x * t121 + r_y * t116 + (s_x * t131 + s_y * t141));
-        damping[46] = r_x * t123 - r_y * t118 + (s_x * t136 - s_y * t142);
-        damping[47] = r_x * t125 + r_y * t120 + (s_x * t140 + s_y * t143);
-        damping[4] = -t145;
-        damping[5] = t147;
-        damping[7] = -t148;
-        damping[8] = t149;
-        damping[12] = t145;
-        damping[14] = -t151;
-        damping[15] = t148;
-        damping[17] = -t152;
-        damping[21] = -t147;
-        damping[22] = t151;
-        damping[24] = -t149;
-        damping[25] = t152;
-        damping[30] = -(t153 + t154);
-        damping[31] = t79 * t150;
-        damping[32] = t80 * t150;
-        damping[33] = -(t155 + t156);
-        damping[34] = t84 * t150;
-        damping[35] = t86 * t150;
-        damping[39] = t78 * t146;
-        damping[40] = -(t154 + t157);
-        damping[41] = t80 * t146;
-        damping[42] = t82 * t146;
-        damping[43] = -(t156 + t158);
-        damping[44] = t86 * t146;
-        damping[48] = t78 * t144;
-        damping[49] = t79 * t144;
-        damping[50] = -(t153 + t157);
-        damping[51] = t82 * t144;
-        damping[52] = t84 * t144;
-        damping[53] = -(t155 + t158);
-        spin[0] = t116;
-        spin[1] = t118;
-        spin[2] = -t120;
-        spin[3] = -t121;
-        spin[4] = t123;
-        spin[5] = t125;
-        spin[6] = t126;
-        spin[7] = -t127;
-        spin[8] = t128;
-        spin[9] = t141;
-        spin[10] = t142;
-        spin[11] = -t143;
-        spin[12] = -t131;
-        spin[13] = t136;
-        spin[14] = t140;
-        spin[15] = t132;
-        spin[16] = -t137;
-        spin[17] = t139;
-        stiffness[0] = -m * t161;
-        stiffness[1] = m * t163;
-        stiffness[2] = m * t165;
-        stiffness[3] = -m_x * t161;
-        stiffness[4] = m_x * t163;
-        stiffness[5] = m_x * t165;
-        stiffness[6] = m * t166;
-        stiffness[7] = -m * t168;
-        stiffness[8] = m * t170;
-        stiffness[9] = m_x * t166;
-        stiffness[10] = -m_x * t168;
-        stiffness[11] = m_x * t170;
-        stiffness[12] = m * t171;
-        stiffness[13] = m * t172;
-        stiffness[14] = -m * t173;
-        stiffness[15] = m_x * t171;
-        stiffness[16] = m_x * t172;
-        stiffness[17] = -m_x * t173;
-        stiffness[18] = t79 * t171 - t80 * t166;
-        stiffness[19] = t68 + (t71 + (t67 + t79 * t172 + t80 * t168));
-        stiffness[20] = -(t66 + (t70 + (t79 * t173 + (t65 + t80 * t170))));
-        stiffness[21] = t84 * t171 - t86 * t166;
-        stiffness[22] = t174 + (t84 * t172 + t175 + t86 * t168);
-        stiffness[23] = -(t176 + (t84 * t173 + (t86 * t170 + t177)));
-        stiffness[24] = -(t68 + (t71 + (t80 * t161 + (t67 + t78 * t171))));
-        stiffness[25] = t80 * t163 - t78 * t172;
-        stiffness[26] = t64 + (t69 + (t63 + t80 * t165 + t78 * t173));
-        stiffness[27] = -(t174 + (t86 * t161 + (t175 + t82 * t171)));
-        stiffness[28] = t86 * t163 - t82 * t172;
-        stiffness[29] = t178 + (t86 * t165 + t179 + t82 * t173);
-        stiffness[30] = t66 + (t70 + (t65 + t78 * t166 + t79 * t161));
-        stiffness[31] = -(t64 + (t69 + (t78 * t168 + (t63 + t79 * t163))));
-        stiffness[32] = t78 * t170 - t79 * t165;
-        stiffness[33] = t176 + (t177 + t82 * t166 + t84 * t161);
-        stiffness[34] = -(t178 + (t82 * t168 + (t179 + t84 * t163)));
-        stiffness[35] = t82 * t170 - t84 * t165;
+        mass[37] = -t74;
+        mass[38] = t72;
+        mass[39] = t105 + t106 + (t107 + t108);
+        mass[40] = -(r_x * t76 + s_x * t81);
+        mass[41] = -(r_x * t77 + s_x * t83);
+        mass[43] = -t77;
+        mass[44] = t76;
+        mass[46] = -t83;
+        mass[47] = t81;
+        mass[48] = t74;
+        mass[50] = -t70;
+        mass[51] = -(r_y * t75 + s_y * t79);
+        mass[52] = t106 + t109 + (t108 + t110);
+        mass[53] = -(r_y * t77 + s_y * t83);
+        mass[54] = t77;
+        mass[56] = -t75;
+        mass[57] = t83;
+        mass[59] = -t79;
+        mass[60] = -t72;
+        mass[61] = t70;
+        mass[63] = -(r_z * t75 + s_z * t79);
+        mass[64] = -(r_z * t76 + s_z * t81);
+        mass[65] = t105 + t109 + (t107 + t110);
+        mass[66] = -t76;
+        mass[67] = t75;
+        mass[69] = -t81;
+        mass[70] = t79;
+        damping[0] = t113;
+        damping[1] = t115;
+        damping[2] = -t117;
+        damping[9] = -t118;
+        damping[10] = t120;
+        damping[11] = t122;
+        damping[18] = t123;
+        damping[19] = -t124;
+        damping[20] = t125;
+        damping[27] = r_y * t123 + r_z * t118 + (s_y * t129 + s_z * t128);
+        damping[28] = -(r_y * t124 + r_z * t120 + (s_y * t134 + s_z * t133));
+        damping[29] = r_y * t125 - r_z * t122 + (s_y * t136 - s_z * t137);
+        damping[36] = r_z * t113 - r_x * t123 + (s_z * t138 - s_x * t129);
+        damping[37] = r_z * t115 + r_x * t124 + (s_z * t139 + s_x * t134);
+        damping[38] = -(r_z * t117 + r_x * t125 + (s_z * t140 + s_x * t136));
+        damping[45] = -(r_x * t118 + r_y * t113 + (s_x * t128 + s_y * t138));
+        damping[46] = r_x * t120 - r_y * t115 + (s_x * t133 - s_y * t139);
+        damping[47] = r_x * t122 + r_y * t117 + (s_x * t137 + s_y * t140);
+        damping[4] = -t142;
+        damping[5] = t144;
+        damping[7] = -t145;
+        damping[8] = t146;
+        damping[12] = t142;
+        damping[14] = -t148;
+        damping[15] = t145;
+        damping[17] = -t149;
+        damping[21] = -t144;
+        damping[22] = t148;
+        damping[24] = -t146;
+        damping[25] = t149;
+        damping[30] = -(t150 + t151);
+        damping[31] = t76 * t147;
+        damping[32] = t77 * t147;
+        damping[33] = -(t152 + t153);
+        damping[34] = t81 * t147;
+        damping[35] = t83 * t147;
+        damping[39] = t75 * t143;
+        damping[40] = -(t151 + t154);
+        damping[41] = t77 * t143;
+        damping[42] = t79 * t143;
+        damping[43] = -(t153 + t155);
+        damping[44] = t83 * t143;
+        damping[48] = t75 * t141;
+        damping[49] = t76 * t141;
+        damping[50] = -(t150 + t154);
+        damping[51] = t79 * t141;
+        damping[52] = t81 * t141;
+        damping[53] = -(t152 + t155);
+        spin[0] = t113;
+        spin[1] = t115;
+        spin[2] = -t117;
+        spin[3] = -t118;
+        spin[4] = t120;
+        spin[5] = t122;
+        spin[6] = t123;
+        spin[7] = -t124;
+        spin[8] = t125;
+        spin[9] = t138;
+        spin[10] = t139;
+        spin[11] = -t140;
+        spin[12] = -t128;
+        spin[13] = t133;
+        spin[14] = t137;
+        spin[15] = t129;
+        spin[16] = -t134;
+        spin[17] = t136;
+        stiffness[0] = -m * t158;
+        stiffness[1] = m * t160;
+        stiffness[2] = m * t162;
+        stiffness[3] = -m_x * t158;
+        stiffness[4] = m_x * t160;
+        stiffness[5] = m_x * t162;
+        stiffness[6] = m * t163;
+        stiffness[7] = -m * t165;
+        stiffness[8] = m * t167;
+        stiffness[9] = m_x * t163;
+        stiffness[10] = -m_x * t165;
+        stiffness[11] = m_x * t167;
+        stiffness[12] = m * t168;
+        stiffness[13] = m * t169;
+        stiffness[14] = -m * t170;
+        stiffness[15] = m_x * t168;
+        stiffness[16] = m_x * t169;
+        stiffness[17] = -m_x * t170;
+        stiffness[18] = t76 * t168 - t77 * t163;
+        stiffness[19] = t65 + (t68 + (t64 + t76 * t169 + t77 * t165));
+        stiffness[20] = -(t63 + (t67 + (t76 * t170 + (t62 + t77 * t167))));
+        stiffness[21] = t81 * t168 - t83 * t163;
+        stiffness[22] = t171 + (t81 * t169 + t172 + t83 * t165);
+        stiffness[23] = -(t173 + (t81 * t170 + (t83 * t167 + t174)));
+        stiffness[24] = -(t65 + (t68 + (t77 * t158 + (t64 + t75 * t168))));
+        stiffness[25] = t77 * t160 - t75 * t169;
+        stiffness[26] = t61 + (t66 + (t60 + t77 * t162 + t75 * t170));
+        stiffness[27] = -(t171 + (t83 * t158 + (t172 + t79 * t168)));
+        stiffness[28] = t83 * t160 - t79 * t169;
+        stiffness[29] = t175 + (t83 * t162 + t176 + t79 * t170);
+        stiffness[30] = t63 + (t67 + (t62 + t75 * t163 + t76 * t158));
+        stiffness[31] = -(t61 + (t66 + (t75 * t165 + (t60 + t76 * t160))));
+        stiffness[32] = t75 * t167 - t76 * t162;
+        stiffness[33] = t173 + (t174 + t79 * t163 + t81 * t158);
+        stiffness[34] = -(t175 + (t79 * t165 + (t176 + t81 * t160)));
+        stiffness[35] = t79 * t167 - t81 * t162;
     }
     /// Free frame `f`: its start relative to its parent, and its rigid parts.
     ///
@@ -2756,14 +2755,14 @@ pub mod free_flight_equations {
         position: &mut [[f64; 3]; 2],
         velocity: &mut [[f64; 3]; 2],
     ) {
-        let t17 = x / model.radius;
-        let t18 = t17.sin();
-        let t19 = t17.cos();
-        let t20 = 1.0 / model.radius;
-        position[0][0] = model.radius * t18;
-        position[0][1] = model.radius * (1.0 - t19);
-        position[1][0] = model.radius * (t19 * t20);
-        position[1][1] = model.radius * (t18 * t20);
+        let t14 = x / model.radius;
+        let t15 = t14.sin();
+        let t16 = t14.cos();
+        let t17 = 1.0 / model.radius;
+        position[0][0] = model.radius * t15;
+        position[0][1] = model.radius * (1.0 - t16);
+        position[1][0] = model.radius * (t16 * t17);
+        position[1][1] = model.radius * (t15 * t17);
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -3055,17 +3054,17 @@ pub mod free_flight_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..5];
-        let t39 = z[3][0][0] * z[1][1][0] + z[1][0][0] * z[3][1][0]
+        let t36 = z[3][0][0] * z[1][1][0] + z[1][0][0] * z[3][1][0]
             + (z[3][0][1] * z[1][1][1] + z[1][0][1] * z[3][1][1])
             + (z[3][0][2] * z[1][1][2] + z[1][0][2] * z[3][1][2]);
-        let t40 = z[4][0][0] * z[1][1][0] + z[1][0][0] * z[4][1][0]
+        let t37 = z[4][0][0] * z[1][1][0] + z[1][0][0] * z[4][1][0]
             + (z[4][0][1] * z[1][1][1] + z[1][0][1] * z[4][1][1])
             + (z[4][0][2] * z[1][1][2] + z[1][0][2] * z[4][1][2]);
         rows[0] = z[0][1][0] - z[2][1][0];
         rows[1] = z[0][1][1] - z[2][1][1];
         rows[2] = z[0][1][2] - z[2][1][2];
-        rows[3] = t39;
-        rows[4] = t40;
+        rows[3] = t36;
+        rows[4] = t37;
     }
     /// Constraint `root` (clamp in absolute coordinates): their second time derivative.
     ///
@@ -3077,23 +3076,23 @@ pub mod free_flight_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..5];
-        let t48 = z[1][1][0] * z[3][1][0];
-        let t49 = z[1][1][1] * z[3][1][1];
-        let t50 = t48 + z[3][0][0] * z[1][2][0] + (t48 + z[1][0][0] * z[3][2][0])
-            + (t49 + z[3][0][1] * z[1][2][1] + (t49 + z[1][0][1] * z[3][2][1]));
-        let t51 = z[1][1][2] * z[3][1][2];
-        let t52 = z[1][1][0] * z[4][1][0];
-        let t53 = z[1][1][1] * z[4][1][1];
-        let t54 = t52 + z[4][0][0] * z[1][2][0] + (t52 + z[1][0][0] * z[4][2][0])
-            + (t53 + z[4][0][1] * z[1][2][1] + (t53 + z[1][0][1] * z[4][2][1]));
-        let t55 = z[1][1][2] * z[4][1][2];
+        let t45 = z[1][1][0] * z[3][1][0];
+        let t46 = z[1][1][1] * z[3][1][1];
+        let t47 = t45 + z[3][0][0] * z[1][2][0] + (t45 + z[1][0][0] * z[3][2][0])
+            + (t46 + z[3][0][1] * z[1][2][1] + (t46 + z[1][0][1] * z[3][2][1]));
+        let t48 = z[1][1][2] * z[3][1][2];
+        let t49 = z[1][1][0] * z[4][1][0];
+        let t50 = z[1][1][1] * z[4][1][1];
+        let t51 = t49 + z[4][0][0] * z[1][2][0] + (t49 + z[1][0][0] * z[4][2][0])
+            + (t50 + z[4][0][1] * z[1][2][1] + (t50 + z[1][0][1] * z[4][2][1]));
+        let t52 = z[1][1][2] * z[4][1][2];
         rows[0] = z[0][2][0] - z[2][2][0];
         rows[1] = z[0][2][1] - z[2][2][1];
         rows[2] = z[0][2][2] - z[2][2][2];
-        rows[3] = t50
-            + (t51 + z[3][0][2] * z[1][2][2] + (t51 + z[1][0][2] * z[3][2][2]));
-        rows[4] = t54
-            + (t55 + z[4][0][2] * z[1][2][2] + (t55 + z[1][0][2] * z[4][2][2]));
+        rows[3] = t47
+            + (t48 + z[3][0][2] * z[1][2][2] + (t48 + z[1][0][2] * z[3][2][2]));
+        rows[4] = t51
+            + (t52 + z[4][0][2] * z[1][2][2] + (t52 + z[1][0][2] * z[4][2][2]));
     }
     /// Constraint `root` (clamp in absolute coordinates): their third time derivative.
     ///
@@ -3105,41 +3104,41 @@ pub mod free_flight_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..5];
-        let t57 = z[3][1][0] * z[1][2][0];
-        let t58 = z[1][1][0] * z[3][2][0];
+        let t54 = z[3][1][0] * z[1][2][0];
+        let t55 = z[1][1][0] * z[3][2][0];
+        let t56 = t54 + t55;
+        let t57 = z[3][1][1] * z[1][2][1];
+        let t58 = z[1][1][1] * z[3][2][1];
         let t59 = t57 + t58;
-        let t60 = z[3][1][1] * z[1][2][1];
-        let t61 = z[1][1][1] * z[3][2][1];
-        let t62 = t60 + t61;
-        let t63 = t59 + (t57 + z[3][0][0] * z[1][3][0])
-            + (t59 + (t58 + z[1][0][0] * z[3][3][0]))
-            + (t62 + (t60 + z[3][0][1] * z[1][3][1])
-                + (t62 + (t61 + z[1][0][1] * z[3][3][1])));
-        let t64 = z[3][1][2] * z[1][2][2];
-        let t65 = z[1][1][2] * z[3][2][2];
+        let t60 = t56 + (t54 + z[3][0][0] * z[1][3][0])
+            + (t56 + (t55 + z[1][0][0] * z[3][3][0]))
+            + (t59 + (t57 + z[3][0][1] * z[1][3][1])
+                + (t59 + (t58 + z[1][0][1] * z[3][3][1])));
+        let t61 = z[3][1][2] * z[1][2][2];
+        let t62 = z[1][1][2] * z[3][2][2];
+        let t63 = t61 + t62;
+        let t64 = z[4][1][0] * z[1][2][0];
+        let t65 = z[1][1][0] * z[4][2][0];
         let t66 = t64 + t65;
-        let t67 = z[4][1][0] * z[1][2][0];
-        let t68 = z[1][1][0] * z[4][2][0];
+        let t67 = z[4][1][1] * z[1][2][1];
+        let t68 = z[1][1][1] * z[4][2][1];
         let t69 = t67 + t68;
-        let t70 = z[4][1][1] * z[1][2][1];
-        let t71 = z[1][1][1] * z[4][2][1];
-        let t72 = t70 + t71;
-        let t73 = t69 + (t67 + z[4][0][0] * z[1][3][0])
-            + (t69 + (t68 + z[1][0][0] * z[4][3][0]))
-            + (t72 + (t70 + z[4][0][1] * z[1][3][1])
-                + (t72 + (t71 + z[1][0][1] * z[4][3][1])));
-        let t74 = z[4][1][2] * z[1][2][2];
-        let t75 = z[1][1][2] * z[4][2][2];
-        let t76 = t74 + t75;
+        let t70 = t66 + (t64 + z[4][0][0] * z[1][3][0])
+            + (t66 + (t65 + z[1][0][0] * z[4][3][0]))
+            + (t69 + (t67 + z[4][0][1] * z[1][3][1])
+                + (t69 + (t68 + z[1][0][1] * z[4][3][1])));
+        let t71 = z[4][1][2] * z[1][2][2];
+        let t72 = z[1][1][2] * z[4][2][2];
+        let t73 = t71 + t72;
         rows[0] = z[0][3][0] - z[2][3][0];
         rows[1] = z[0][3][1] - z[2][3][1];
         rows[2] = z[0][3][2] - z[2][3][2];
-        rows[3] = t63
-            + (t66 + (t64 + z[3][0][2] * z[1][3][2])
-                + (t66 + (t65 + z[1][0][2] * z[3][3][2])));
-        rows[4] = t73
-            + (t76 + (t74 + z[4][0][2] * z[1][3][2])
-                + (t76 + (t75 + z[1][0][2] * z[4][3][2])));
+        rows[3] = t60
+            + (t63 + (t61 + z[3][0][2] * z[1][3][2])
+                + (t63 + (t62 + z[1][0][2] * z[3][3][2])));
+        rows[4] = t70
+            + (t73 + (t71 + z[4][0][2] * z[1][3][2])
+                + (t73 + (t72 + z[1][0][2] * z[4][3][2])));
     }
     /// Constraint `root` (clamp in absolute coordinates): writes dC/dz, rows first; entries that are always zero are left alone.
     ///
@@ -3248,11 +3247,11 @@ pub mod free_flight_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..3];
-        let t33 = z[2][1][0] * (z[0][0][0] - z[1][0][0])
+        let t30 = z[2][1][0] * (z[0][0][0] - z[1][0][0])
             + z[2][0][0] * (z[0][1][0] - z[1][1][0])
             + (z[2][1][1] * (z[0][0][1] - z[1][0][1])
                 + z[2][0][1] * (z[0][1][1] - z[1][1][1]));
-        rows[0] = t33
+        rows[0] = t30
             + (z[2][1][2] * (z[0][0][2] - z[1][0][2])
                 + z[2][0][2] * (z[0][1][2] - z[1][1][2]));
     }
@@ -3266,16 +3265,16 @@ pub mod free_flight_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..3];
-        let t42 = z[2][1][0] * (z[0][1][0] - z[1][1][0]);
-        let t43 = z[2][1][1] * (z[0][1][1] - z[1][1][1]);
-        let t44 = z[2][2][0] * (z[0][0][0] - z[1][0][0]) + t42
-            + (t42 + z[2][0][0] * (z[0][2][0] - z[1][2][0]))
-            + (z[2][2][1] * (z[0][0][1] - z[1][0][1]) + t43
-                + (t43 + z[2][0][1] * (z[0][2][1] - z[1][2][1])));
-        let t45 = z[2][1][2] * (z[0][1][2] - z[1][1][2]);
-        rows[0] = t44
-            + (z[2][2][2] * (z[0][0][2] - z[1][0][2]) + t45
-                + (t45 + z[2][0][2] * (z[0][2][2] - z[1][2][2])));
+        let t39 = z[2][1][0] * (z[0][1][0] - z[1][1][0]);
+        let t40 = z[2][1][1] * (z[0][1][1] - z[1][1][1]);
+        let t41 = z[2][2][0] * (z[0][0][0] - z[1][0][0]) + t39
+            + (t39 + z[2][0][0] * (z[0][2][0] - z[1][2][0]))
+            + (z[2][2][1] * (z[0][0][1] - z[1][0][1]) + t40
+                + (t40 + z[2][0][1] * (z[0][2][1] - z[1][2][1])));
+        let t42 = z[2][1][2] * (z[0][1][2] - z[1][1][2]);
+        rows[0] = t41
+            + (z[2][2][2] * (z[0][0][2] - z[1][0][2]) + t42
+                + (t42 + z[2][0][2] * (z[0][2][2] - z[1][2][2])));
     }
     /// Constraint `twist` (hold in absolute coordinates): their third time derivative.
     ///
@@ -3287,22 +3286,22 @@ pub mod free_flight_equations {
         rows: &mut [f64],
     ) {
         let z = &z[..3];
-        let t51 = z[2][2][0] * (z[0][1][0] - z[1][1][0]);
-        let t52 = z[2][1][0] * (z[0][2][0] - z[1][2][0]);
-        let t53 = t51 + t52;
-        let t54 = z[2][3][0] * (z[0][0][0] - z[1][0][0]) + t51 + t53
-            + (t53 + (t52 + z[2][0][0] * (z[0][3][0] - z[1][3][0])));
-        let t55 = z[2][2][1] * (z[0][1][1] - z[1][1][1]);
-        let t56 = z[2][1][1] * (z[0][2][1] - z[1][2][1]);
-        let t57 = t55 + t56;
-        let t58 = z[2][3][1] * (z[0][0][1] - z[1][0][1]) + t55 + t57
-            + (t57 + (t56 + z[2][0][1] * (z[0][3][1] - z[1][3][1])));
-        let t59 = z[2][2][2] * (z[0][1][2] - z[1][1][2]);
-        let t60 = z[2][1][2] * (z[0][2][2] - z[1][2][2]);
-        let t61 = t59 + t60;
-        let t62 = z[2][3][2] * (z[0][0][2] - z[1][0][2]) + t59 + t61
-            + (t61 + (t60 + z[2][0][2] * (z[0][3][2] - z[1][3][2])));
-        rows[0] = t54 + t58 + t62;
+        let t48 = z[2][2][0] * (z[0][1][0] - z[1][1][0]);
+        let t49 = z[2][1][0] * (z[0][2][0] - z[1][2][0]);
+        let t50 = t48 + t49;
+        let t51 = z[2][3][0] * (z[0][0][0] - z[1][0][0]) + t48 + t50
+            + (t50 + (t49 + z[2][0][0] * (z[0][3][0] - z[1][3][0])));
+        let t52 = z[2][2][1] * (z[0][1][1] - z[1][1][1]);
+        let t53 = z[2][1][1] * (z[0][2][1] - z[1][2][1]);
+        let t54 = t52 + t53;
+        let t55 = z[2][3][1] * (z[0][0][1] - z[1][0][1]) + t52 + t54
+            + (t54 + (t53 + z[2][0][1] * (z[0][3][1] - z[1][3][1])));
+        let t56 = z[2][2][2] * (z[0][1][2] - z[1][1][2]);
+        let t57 = z[2][1][2] * (z[0][2][2] - z[1][2][2]);
+        let t58 = t56 + t57;
+        let t59 = z[2][3][2] * (z[0][0][2] - z[1][0][2]) + t56 + t58
+            + (t58 + (t57 + z[2][0][2] * (z[0][3][2] - z[1][3][2])));
+        rows[0] = t51 + t55 + t59;
     }
     /// Constraint `twist` (hold in absolute coordinates): writes dC/dz, rows first; entries that are always zero are left alone.
     ///
@@ -3382,7 +3381,7 @@ pub mod free_flight_equations {
         observed: &[f64],
         out: &mut [f64],
     ) {
-        let t27 = ((observed[6] - observed[7]).powi(2)
+        let t24 = ((observed[6] - observed[7]).powi(2)
             + (observed[8] - observed[9]).powi(2)
             + (observed[10] - observed[11]).powi(2))
             .sqrt();
@@ -3392,7 +3391,7 @@ pub mod free_flight_equations {
         out[3] = observed[3];
         out[4] = observed[4];
         out[5] = observed[5];
-        out[6] = t27;
+        out[6] = t24;
     }
     /// Defaults of a run (s).
     ///

@@ -123,36 +123,36 @@ pub mod heavy_top_equations {
     ) {
         let [e_x, e_y, e_z] = frame.acceleration;
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
-        let t37 = w_y * rigid.moment[2] - w_z * rigid.moment[1];
-        let t38 = w_z * rigid.moment[0] - w_x * rigid.moment[2];
-        let t39 = w_x * rigid.moment[1] - w_y * rigid.moment[0];
-        let t40 = w_y * t39 - w_z * t38
+        let t34 = w_y * rigid.moment[2] - w_z * rigid.moment[1];
+        let t35 = w_z * rigid.moment[0] - w_x * rigid.moment[2];
+        let t36 = w_x * rigid.moment[1] - w_y * rigid.moment[0];
+        let t37 = w_y * t36 - w_z * t35
             + (e_x * rigid.mass + (dw_y * rigid.moment[2] - dw_z * rigid.moment[1]));
-        let t41 = w_z * t37 - w_x * t39
+        let t38 = w_z * t34 - w_x * t36
             + (e_y * rigid.mass + (dw_z * rigid.moment[0] - dw_x * rigid.moment[2]));
-        let t42 = w_x * t38 - w_y * t37
+        let t39 = w_x * t35 - w_y * t34
             + (e_z * rigid.mass + (dw_x * rigid.moment[1] - dw_y * rigid.moment[0]));
-        let t43 = w_x * rigid.inertia[0][0] + w_y * rigid.inertia[0][1]
+        let t40 = w_x * rigid.inertia[0][0] + w_y * rigid.inertia[0][1]
             + w_z * rigid.inertia[0][2];
-        let t44 = w_x * rigid.inertia[1][0] + w_y * rigid.inertia[1][1]
+        let t41 = w_x * rigid.inertia[1][0] + w_y * rigid.inertia[1][1]
             + w_z * rigid.inertia[1][2];
-        let t45 = w_x * rigid.inertia[2][0] + w_y * rigid.inertia[2][1]
+        let t42 = w_x * rigid.inertia[2][0] + w_y * rigid.inertia[2][1]
             + w_z * rigid.inertia[2][2];
-        let t46 = e_z * rigid.moment[1] - e_y * rigid.moment[2]
+        let t43 = e_z * rigid.moment[1] - e_y * rigid.moment[2]
             + (dw_x * rigid.inertia[0][0] + dw_y * rigid.inertia[0][1]
                 + dw_z * rigid.inertia[0][2]);
-        let t47 = e_x * rigid.moment[2] - e_z * rigid.moment[0]
+        let t44 = e_x * rigid.moment[2] - e_z * rigid.moment[0]
             + (dw_x * rigid.inertia[1][0] + dw_y * rigid.inertia[1][1]
                 + dw_z * rigid.inertia[1][2]);
-        let t48 = e_y * rigid.moment[0] - e_x * rigid.moment[1]
+        let t45 = e_y * rigid.moment[0] - e_x * rigid.moment[1]
             + (dw_x * rigid.inertia[2][0] + dw_y * rigid.inertia[2][1]
                 + dw_z * rigid.inertia[2][2]);
-        out[0] += t40;
-        out[1] += t41;
-        out[2] += t42;
-        out[3] += w_y * t45 - w_z * t44 + t46;
-        out[4] += w_z * t43 - w_x * t45 + t47;
-        out[5] += w_x * t44 - w_y * t43 + t48;
+        out[0] += t37;
+        out[1] += t38;
+        out[2] += t39;
+        out[3] += w_y * t42 - w_z * t41 + t43;
+        out[4] += w_z * t40 - w_x * t42 + t44;
+        out[5] += w_x * t41 - w_y * t40 + t45;
     }
     /// Writes the derivatives of force and moment, rows first: `mass` with respect to e and w', `damping` to w. Entries that are always zero are left alone.
     ///
@@ -165,27 +165,27 @@ pub mod heavy_top_equations {
     ) {
         let [e_x, e_y, e_z] = frame.acceleration;
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
-        let t31 = w_y * rigid.moment[2];
-        let t32 = w_z * rigid.moment[1];
+        let t28 = w_y * rigid.moment[2];
+        let t29 = w_z * rigid.moment[1];
+        let t30 = t28 - t29;
+        let t31 = w_z * rigid.moment[0];
+        let t32 = w_x * rigid.moment[2];
         let t33 = t31 - t32;
-        let t34 = w_z * rigid.moment[0];
-        let t35 = w_x * rigid.moment[2];
+        let t34 = w_x * rigid.moment[1];
+        let t35 = w_y * rigid.moment[0];
         let t36 = t34 - t35;
-        let t37 = w_x * rigid.moment[1];
-        let t38 = w_y * rigid.moment[0];
-        let t39 = t37 - t38;
-        let t40 = w_y * rigid.inertia[0][1];
-        let t41 = w_z * rigid.inertia[0][2];
-        let t42 = w_x * rigid.inertia[0][0] + t40 + t41;
-        let t43 = w_x * rigid.inertia[1][0];
-        let t44 = w_z * rigid.inertia[1][2];
-        let t45 = t43 + w_y * rigid.inertia[1][1] + t44;
-        let t46 = w_x * rigid.inertia[2][0];
-        let t47 = w_y * rigid.inertia[2][1];
-        let t48 = t46 + t47 + w_z * rigid.inertia[2][2];
-        let t49 = w_y * rigid.moment[1];
-        let t50 = w_z * rigid.moment[2];
-        let t51 = w_x * rigid.moment[0];
+        let t37 = w_y * rigid.inertia[0][1];
+        let t38 = w_z * rigid.inertia[0][2];
+        let t39 = w_x * rigid.inertia[0][0] + t37 + t38;
+        let t40 = w_x * rigid.inertia[1][0];
+        let t41 = w_z * rigid.inertia[1][2];
+        let t42 = t40 + w_y * rigid.inertia[1][1] + t41;
+        let t43 = w_x * rigid.inertia[2][0];
+        let t44 = w_y * rigid.inertia[2][1];
+        let t45 = t43 + t44 + w_z * rigid.inertia[2][2];
+        let t46 = w_y * rigid.moment[1];
+        let t47 = w_z * rigid.moment[2];
+        let t48 = w_x * rigid.moment[0];
         mass[0] = rigid.mass;
         mass[4] = rigid.moment[2];
         mass[5] = -rigid.moment[1];
@@ -210,23 +210,23 @@ pub mod heavy_top_equations {
         mass[33] = rigid.inertia[2][0];
         mass[34] = rigid.inertia[2][1];
         mass[35] = rigid.inertia[2][2];
-        damping[0] = t49 + t50;
-        damping[1] = t39 - t38;
-        damping[2] = -(t34 + t36);
-        damping[3] = -(t37 + t39);
-        damping[4] = t50 + t51;
-        damping[5] = t33 - t32;
-        damping[6] = t36 - t35;
-        damping[7] = -(t31 + t33);
-        damping[8] = t49 + t51;
+        damping[0] = t46 + t47;
+        damping[1] = t36 - t35;
+        damping[2] = -(t31 + t33);
+        damping[3] = -(t34 + t36);
+        damping[4] = t47 + t48;
+        damping[5] = t30 - t29;
+        damping[6] = t33 - t32;
+        damping[7] = -(t28 + t30);
+        damping[8] = t46 + t48;
         damping[9] = w_y * rigid.inertia[2][0] - w_z * rigid.inertia[1][0];
-        damping[10] = t47 + t48 - w_z * rigid.inertia[1][1];
-        damping[11] = w_y * rigid.inertia[2][2] - (t44 + t45);
-        damping[12] = w_z * rigid.inertia[0][0] - (t46 + t48);
+        damping[10] = t44 + t45 - w_z * rigid.inertia[1][1];
+        damping[11] = w_y * rigid.inertia[2][2] - (t41 + t42);
+        damping[12] = w_z * rigid.inertia[0][0] - (t43 + t45);
         damping[13] = w_z * rigid.inertia[0][1] - w_x * rigid.inertia[2][1];
-        damping[14] = t41 + t42 - w_x * rigid.inertia[2][2];
-        damping[15] = t43 + t45 - w_y * rigid.inertia[0][0];
-        damping[16] = w_x * rigid.inertia[1][1] - (t40 + t42);
+        damping[14] = t38 + t39 - w_x * rigid.inertia[2][2];
+        damping[15] = t40 + t42 - w_y * rigid.inertia[0][0];
+        damping[16] = w_x * rigid.inertia[1][1] - (t37 + t39);
         damping[17] = w_x * rigid.inertia[1][2] - w_y * rigid.inertia[0][2];
     }
     /// Rigid body `top`: its start relative to its parent, and its rigid parts.

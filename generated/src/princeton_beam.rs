@@ -56,7 +56,8 @@ impl ::rncf::Model for PrincetonBeam {
     run { t_end = 1 s; every = 1 ms; }
 }"#;
     const NOTES: &'static [&'static str] = &[
-        "Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9917).",
+        "Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).",
+        "Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -163,7 +164,7 @@ pub mod princeton_beam_equations {
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
     ///
-    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9917).
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).
     ///
     /// The energy is integrated with 3 Gauss points.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -280,22 +281,22 @@ pub mod princeton_beam_equations {
     ) {
         let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
-        let t29 = length * EA;
-        let t30 = 0.5 * (t29 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0)));
-        let t31 = (a_x * b_x + a_y * b_y + a_z * b_z) * (length * kyGA);
-        let t32 = (a_x * c_x + a_y * c_y + a_z * c_z) * (length * kzGA);
-        let t33 = 0.5 * (t29 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0)));
-        let t34 = (b_x * c_x + b_y * c_y + b_z * c_z) * (length * GA);
-        let t35 = 0.5 * (t29 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)));
-        forces[0][0] = t30 * (a_x * 2.0) + b_x * t31 + c_x * t32;
-        forces[0][1] = t30 * (a_y * 2.0) + b_y * t31 + c_y * t32;
-        forces[0][2] = t30 * (a_z * 2.0) + b_z * t31 + c_z * t32;
-        forces[1][0] = a_x * t31 + t33 * (b_x * 2.0) + c_x * t34;
-        forces[1][1] = a_y * t31 + t33 * (b_y * 2.0) + c_y * t34;
-        forces[1][2] = a_z * t31 + t33 * (b_z * 2.0) + c_z * t34;
-        forces[2][0] = a_x * t32 + b_x * t34 + t35 * (c_x * 2.0);
-        forces[2][1] = a_y * t32 + b_y * t34 + t35 * (c_y * 2.0);
-        forces[2][2] = a_z * t32 + b_z * t34 + t35 * (c_z * 2.0);
+        let t26 = length * EA;
+        let t27 = 0.5 * (t26 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0)));
+        let t28 = (a_x * b_x + a_y * b_y + a_z * b_z) * (length * kyGA);
+        let t29 = (a_x * c_x + a_y * c_y + a_z * c_z) * (length * kzGA);
+        let t30 = 0.5 * (t26 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0)));
+        let t31 = (b_x * c_x + b_y * c_y + b_z * c_z) * (length * GA);
+        let t32 = 0.5 * (t26 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)));
+        forces[0][0] = t27 * (a_x * 2.0) + b_x * t28 + c_x * t29;
+        forces[0][1] = t27 * (a_y * 2.0) + b_y * t28 + c_y * t29;
+        forces[0][2] = t27 * (a_z * 2.0) + b_z * t28 + c_z * t29;
+        forces[1][0] = a_x * t28 + t30 * (b_x * 2.0) + c_x * t31;
+        forces[1][1] = a_y * t28 + t30 * (b_y * 2.0) + c_y * t31;
+        forces[1][2] = a_z * t28 + t30 * (b_z * 2.0) + c_z * t31;
+        forces[2][0] = a_x * t29 + b_x * t31 + t32 * (c_x * 2.0);
+        forces[2][1] = a_y * t29 + b_y * t31 + t32 * (c_y * 2.0);
+        forces[2][2] = a_z * t29 + b_z * t31 + t32 * (c_z * 2.0);
     }
     /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -307,114 +308,114 @@ pub mod princeton_beam_equations {
     ) {
         let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
-        let t29 = length * EA;
-        let t30 = length * kyGA;
-        let t31 = length * kzGA;
-        let t32 = length * GA;
-        let t33 = 0.5 * (0.5 * t29);
-        let t34 = 0.5 * (t29 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0)));
-        let t35 = (a_x * b_x + a_y * b_y + a_z * b_z) * t30;
-        let t36 = (a_x * c_x + a_y * c_y + a_z * c_z) * t31;
-        let t37 = 0.5 * (t29 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0)));
-        let t38 = (b_x * c_x + b_y * c_y + b_z * c_z) * t32;
-        let t39 = 0.5 * (t29 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)));
-        let t40 = a_x * 2.0;
-        let t41 = a_y * 2.0;
-        let t42 = a_z * 2.0;
-        let t43 = b_x * 2.0;
-        let t44 = b_y * 2.0;
-        let t45 = b_z * 2.0;
-        let t46 = c_x * 2.0;
-        let t47 = c_y * 2.0;
-        let t48 = c_z * 2.0;
-        let t49 = t33 * t41;
-        let t50 = t33 * t42;
-        let t51 = b_y * t30;
-        let t52 = b_z * t30;
-        let t53 = a_x * t30;
-        let t54 = a_y * t30;
-        let t55 = a_z * t30;
-        let t56 = c_y * t31;
-        let t57 = c_z * t31;
-        let t58 = a_x * t31;
-        let t59 = a_y * t31;
-        let t60 = a_z * t31;
-        let t61 = t33 * t44;
-        let t62 = t33 * t45;
-        let t63 = c_y * t32;
-        let t64 = c_z * t32;
-        let t65 = b_x * t32;
-        let t66 = b_y * t32;
-        let t67 = b_z * t32;
-        let t68 = t33 * t47;
-        let t69 = t33 * t48;
-        let t70 = t40 * t49 + b_x * t51 + c_x * t56;
-        let t71 = t40 * t50 + b_x * t52 + c_x * t57;
-        let t72 = t41 * t50 + b_y * t52 + c_y * t57;
-        let t73 = a_x * t54 + t43 * t61 + c_x * t63;
-        let t74 = a_x * t55 + t43 * t62 + c_x * t64;
-        let t75 = a_y * t55 + t44 * t62 + c_y * t64;
-        let t76 = a_x * t59 + b_x * t66 + t46 * t68;
-        let t77 = a_x * t60 + b_x * t67 + t46 * t69;
-        let t78 = a_y * t60 + b_y * t67 + t47 * t69;
-        let t79 = t34 * 2.0;
-        let t80 = t40 * (t33 * t40) + b_x * (b_x * t30) + c_x * (c_x * t31) + t79;
-        let t81 = t37 * 2.0;
-        let t82 = t39 * 2.0;
-        stiffness[0][0] = t80;
-        stiffness[0][1] = t70;
-        stiffness[0][2] = t71;
-        stiffness[0][3] = t70;
-        stiffness[0][4] = t41 * t49 + b_y * t51 + c_y * t56 + t79;
-        stiffness[0][5] = t72;
-        stiffness[0][6] = t71;
-        stiffness[0][7] = t72;
-        stiffness[0][8] = t42 * t50 + b_z * t52 + c_z * t57 + t79;
-        stiffness[1][0] = t35 + b_x * t53;
-        stiffness[1][1] = b_x * t54;
-        stiffness[1][2] = b_x * t55;
-        stiffness[1][3] = b_y * t53;
-        stiffness[1][4] = t35 + b_y * t54;
-        stiffness[1][5] = b_y * t55;
-        stiffness[1][6] = b_z * t53;
-        stiffness[1][7] = b_z * t54;
-        stiffness[1][8] = t35 + b_z * t55;
-        stiffness[2][0] = t36 + c_x * t58;
-        stiffness[2][1] = c_x * t59;
-        stiffness[2][2] = c_x * t60;
-        stiffness[2][3] = c_y * t58;
-        stiffness[2][4] = t36 + c_y * t59;
-        stiffness[2][5] = c_y * t60;
-        stiffness[2][6] = c_z * t58;
-        stiffness[2][7] = c_z * t59;
-        stiffness[2][8] = t36 + c_z * t60;
-        stiffness[3][0] = a_x * t53 + t43 * (t33 * t43) + c_x * (c_x * t32) + t81;
-        stiffness[3][1] = t73;
-        stiffness[3][2] = t74;
-        stiffness[3][3] = t73;
-        stiffness[3][4] = a_y * t54 + t44 * t61 + c_y * t63 + t81;
-        stiffness[3][5] = t75;
-        stiffness[3][6] = t74;
-        stiffness[3][7] = t75;
-        stiffness[3][8] = a_z * t55 + t45 * t62 + c_z * t64 + t81;
-        stiffness[4][0] = t38 + c_x * t65;
-        stiffness[4][1] = c_x * t66;
-        stiffness[4][2] = c_x * t67;
-        stiffness[4][3] = c_y * t65;
-        stiffness[4][4] = t38 + c_y * t66;
-        stiffness[4][5] = c_y * t67;
-        stiffness[4][6] = c_z * t65;
-        stiffness[4][7] = c_z * t66;
-        stiffness[4][8] = t38 + c_z * t67;
-        stiffness[5][0] = a_x * t58 + b_x * t65 + t46 * (t33 * t46) + t82;
-        stiffness[5][1] = t76;
-        stiffness[5][2] = t77;
-        stiffness[5][3] = t76;
-        stiffness[5][4] = a_y * t59 + b_y * t66 + t47 * t68 + t82;
-        stiffness[5][5] = t78;
-        stiffness[5][6] = t77;
-        stiffness[5][7] = t78;
-        stiffness[5][8] = a_z * t60 + b_z * t67 + t48 * t69 + t82;
+        let t26 = length * EA;
+        let t27 = length * kyGA;
+        let t28 = length * kzGA;
+        let t29 = length * GA;
+        let t30 = 0.5 * (0.5 * t26);
+        let t31 = 0.5 * (t26 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0)));
+        let t32 = (a_x * b_x + a_y * b_y + a_z * b_z) * t27;
+        let t33 = (a_x * c_x + a_y * c_y + a_z * c_z) * t28;
+        let t34 = 0.5 * (t26 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0)));
+        let t35 = (b_x * c_x + b_y * c_y + b_z * c_z) * t29;
+        let t36 = 0.5 * (t26 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)));
+        let t37 = a_x * 2.0;
+        let t38 = a_y * 2.0;
+        let t39 = a_z * 2.0;
+        let t40 = b_x * 2.0;
+        let t41 = b_y * 2.0;
+        let t42 = b_z * 2.0;
+        let t43 = c_x * 2.0;
+        let t44 = c_y * 2.0;
+        let t45 = c_z * 2.0;
+        let t46 = t30 * t38;
+        let t47 = t30 * t39;
+        let t48 = b_y * t27;
+        let t49 = b_z * t27;
+        let t50 = a_x * t27;
+        let t51 = a_y * t27;
+        let t52 = a_z * t27;
+        let t53 = c_y * t28;
+        let t54 = c_z * t28;
+        let t55 = a_x * t28;
+        let t56 = a_y * t28;
+        let t57 = a_z * t28;
+        let t58 = t30 * t41;
+        let t59 = t30 * t42;
+        let t60 = c_y * t29;
+        let t61 = c_z * t29;
+        let t62 = b_x * t29;
+        let t63 = b_y * t29;
+        let t64 = b_z * t29;
+        let t65 = t30 * t44;
+        let t66 = t30 * t45;
+        let t67 = t37 * t46 + b_x * t48 + c_x * t53;
+        let t68 = t37 * t47 + b_x * t49 + c_x * t54;
+        let t69 = t38 * t47 + b_y * t49 + c_y * t54;
+        let t70 = a_x * t51 + t40 * t58 + c_x * t60;
+        let t71 = a_x * t52 + t40 * t59 + c_x * t61;
+        let t72 = a_y * t52 + t41 * t59 + c_y * t61;
+        let t73 = a_x * t56 + b_x * t63 + t43 * t65;
+        let t74 = a_x * t57 + b_x * t64 + t43 * t66;
+        let t75 = a_y * t57 + b_y * t64 + t44 * t66;
+        let t76 = t31 * 2.0;
+        let t77 = t37 * (t30 * t37) + b_x * (b_x * t27) + c_x * (c_x * t28) + t76;
+        let t78 = t34 * 2.0;
+        let t79 = t36 * 2.0;
+        stiffness[0][0] = t77;
+        stiffness[0][1] = t67;
+        stiffness[0][2] = t68;
+        stiffness[0][3] = t67;
+        stiffness[0][4] = t38 * t46 + b_y * t48 + c_y * t53 + t76;
+        stiffness[0][5] = t69;
+        stiffness[0][6] = t68;
+        stiffness[0][7] = t69;
+        stiffness[0][8] = t39 * t47 + b_z * t49 + c_z * t54 + t76;
+        stiffness[1][0] = t32 + b_x * t50;
+        stiffness[1][1] = b_x * t51;
+        stiffness[1][2] = b_x * t52;
+        stiffness[1][3] = b_y * t50;
+        stiffness[1][4] = t32 + b_y * t51;
+        stiffness[1][5] = b_y * t52;
+        stiffness[1][6] = b_z * t50;
+        stiffness[1][7] = b_z * t51;
+        stiffness[1][8] = t32 + b_z * t52;
+        stiffness[2][0] = t33 + c_x * t55;
+        stiffness[2][1] = c_x * t56;
+        stiffness[2][2] = c_x * t57;
+        stiffness[2][3] = c_y * t55;
+        stiffness[2][4] = t33 + c_y * t56;
+        stiffness[2][5] = c_y * t57;
+        stiffness[2][6] = c_z * t55;
+        stiffness[2][7] = c_z * t56;
+        stiffness[2][8] = t33 + c_z * t57;
+        stiffness[3][0] = a_x * t50 + t40 * (t30 * t40) + c_x * (c_x * t29) + t78;
+        stiffness[3][1] = t70;
+        stiffness[3][2] = t71;
+        stiffness[3][3] = t70;
+        stiffness[3][4] = a_y * t51 + t41 * t58 + c_y * t60 + t78;
+        stiffness[3][5] = t72;
+        stiffness[3][6] = t71;
+        stiffness[3][7] = t72;
+        stiffness[3][8] = a_z * t52 + t42 * t59 + c_z * t61 + t78;
+        stiffness[4][0] = t35 + c_x * t62;
+        stiffness[4][1] = c_x * t63;
+        stiffness[4][2] = c_x * t64;
+        stiffness[4][3] = c_y * t62;
+        stiffness[4][4] = t35 + c_y * t63;
+        stiffness[4][5] = c_y * t64;
+        stiffness[4][6] = c_z * t62;
+        stiffness[4][7] = c_z * t63;
+        stiffness[4][8] = t35 + c_z * t64;
+        stiffness[5][0] = a_x * t55 + b_x * t62 + t43 * (t30 * t43) + t79;
+        stiffness[5][1] = t73;
+        stiffness[5][2] = t74;
+        stiffness[5][3] = t73;
+        stiffness[5][4] = a_y * t56 + b_y * t63 + t44 * t65 + t79;
+        stiffness[5][5] = t75;
+        stiffness[5][6] = t74;
+        stiffness[5][7] = t75;
+        stiffness[5][8] = a_z * t57 + b_z * t64 + t45 * t66 + t79;
     }
     /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -426,14 +427,14 @@ pub mod princeton_beam_equations {
     ) {
         let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
-        let t29 = 0.5 * (length * EA);
-        let t30 = t29 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0)).powi(2);
-        let t31 = t29 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0)).powi(2);
-        let t32 = t29 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)).powi(2);
-        let t33 = 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y + a_z * b_z).powi(2);
-        let t34 = 0.5 * (length * kzGA) * (a_x * c_x + a_y * c_y + a_z * c_z).powi(2);
-        let t35 = 0.5 * (length * GA) * (b_x * c_x + b_y * c_y + b_z * c_z).powi(2);
-        *energy = t30 + t31 + t32 + t33 + t34 + t35;
+        let t26 = 0.5 * (length * EA);
+        let t27 = t26 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0)).powi(2);
+        let t28 = t26 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0)).powi(2);
+        let t29 = t26 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)).powi(2);
+        let t30 = 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y + a_z * b_z).powi(2);
+        let t31 = 0.5 * (length * kzGA) * (a_x * c_x + a_y * c_y + a_z * c_z).powi(2);
+        let t32 = 0.5 * (length * GA) * (b_x * c_x + b_y * c_y + b_z * c_z).powi(2);
+        *energy = t27 + t28 + t29 + t30 + t31 + t32;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
@@ -453,34 +454,38 @@ pub mod princeton_beam_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t43 = (a_x * db_x + a_y * db_y + a_z * db_z) * (length * EIz);
-        let t44 = (a_x * dc_x + a_y * dc_y + a_z * dc_z) * (length * EIy);
-        let t45 = (b_x * db_x + b_y * db_y + b_z * db_z) * (length * GIz);
-        let t46 = c_x * db_x + c_y * db_y + c_z * db_z
+        let t40 = c_x * db_x + c_y * db_y + c_z * db_z
             - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t47 = length * GJ * (0.5 * t46);
-        let t48 = -0.5 * t47;
-        let t49 = 0.5 * t47;
-        let t50 = (c_x * dc_x + c_y * dc_y + c_z * dc_z) * (length * GIy);
-        forces[0][0] = db_x * t43 + dc_x * t44;
-        forces[0][1] = db_y * t43 + dc_y * t44;
-        forces[0][2] = db_z * t43 + dc_z * t44;
-        forces[1][0] = db_x * t45 + dc_x * t48;
-        forces[1][1] = db_y * t45 + dc_y * t48;
-        forces[1][2] = db_z * t45 + dc_z * t48;
-        forces[2][0] = db_x * t49 + dc_x * t50;
-        forces[2][1] = db_y * t49 + dc_y * t50;
-        forces[2][2] = db_z * t49 + dc_z * t50;
-        forces[3][0] = inverse_length * (a_x * t43 + b_x * t45 + c_x * t49);
-        forces[3][1] = inverse_length * (a_y * t43 + b_y * t45 + c_y * t49);
-        forces[3][2] = inverse_length * (a_z * t43 + b_z * t45 + c_z * t49);
-        forces[4][0] = inverse_length * (a_x * t44 + b_x * t48 + c_x * t50);
-        forces[4][1] = inverse_length * (a_y * t44 + b_y * t48 + c_y * t50);
-        forces[4][2] = inverse_length * (a_z * t44 + b_z * t48 + c_z * t50);
+        let t41 = length * GJ * (0.5 * t40);
+        let t42 = inverse_length
+            * ((a_x * db_x + a_y * db_y + a_z * db_z) * (length * EIz));
+        let t43 = inverse_length
+            * ((a_x * dc_x + a_y * dc_y + a_z * dc_z) * (length * EIy));
+        let t44 = inverse_length
+            * ((b_x * db_x + b_y * db_y + b_z * db_z) * (length * GIz));
+        let t45 = inverse_length * (-0.5 * t41);
+        let t46 = inverse_length * (0.5 * t41);
+        let t47 = inverse_length
+            * ((c_x * dc_x + c_y * dc_y + c_z * dc_z) * (length * GIy));
+        forces[0][0] = unit_db_x * t42 + unit_dc_x * t43;
+        forces[0][1] = unit_db_y * t42 + unit_dc_y * t43;
+        forces[0][2] = unit_db_z * t42 + unit_dc_z * t43;
+        forces[1][0] = unit_db_x * t44 + unit_dc_x * t45;
+        forces[1][1] = unit_db_y * t44 + unit_dc_y * t45;
+        forces[1][2] = unit_db_z * t44 + unit_dc_z * t45;
+        forces[2][0] = unit_db_x * t46 + unit_dc_x * t47;
+        forces[2][1] = unit_db_y * t46 + unit_dc_y * t47;
+        forces[2][2] = unit_db_z * t46 + unit_dc_z * t47;
+        forces[3][0] = a_x * t42 + b_x * t44 + c_x * t46;
+        forces[3][1] = a_y * t42 + b_y * t44 + c_y * t46;
+        forces[3][2] = a_z * t42 + b_z * t44 + c_z * t46;
+        forces[4][0] = a_x * t43 + b_x * t45 + c_x * t47;
+        forces[4][1] = a_y * t43 + b_y * t45 + c_y * t47;
+        forces[4][2] = a_z * t43 + b_z * t45 + c_z * t47;
     }
     /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 136 additions, 425 multiplications, 1 divisions.
+    /// Operations: 136 additions, 340 multiplications, 1 divisions.
     pub fn beam_spatial_points2_tangent(
         row: &BeamSpatial,
         fields: &[[f64; 3]; 5],
@@ -496,210 +501,214 @@ pub mod princeton_beam_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t43 = length * EIz;
-        let t44 = length * EIy;
-        let t45 = length * GJ;
-        let t46 = 0.5 * t45;
-        let t47 = length * GIz;
-        let t48 = length * GIy;
-        let t49 = t45 * (-0.5);
-        let t50 = -0.5 * t49;
-        let t51 = -0.5 * t46;
-        let t52 = 0.5 * t49;
-        let t53 = 0.5 * t46;
-        let t54 = (a_x * db_x + a_y * db_y + a_z * db_z) * t43;
-        let t55 = (a_x * dc_x + a_y * dc_y + a_z * dc_z) * t44;
-        let t56 = (b_x * db_x + b_y * db_y + b_z * db_z) * t47;
-        let t57 = c_x * db_x + c_y * db_y + c_z * db_z
+        let t40 = length * EIz;
+        let t41 = length * EIy;
+        let t42 = length * GJ;
+        let t43 = 0.5 * t42;
+        let t44 = length * GIz;
+        let t45 = length * GIy;
+        let t46 = t42 * (-0.5);
+        let t47 = c_x * db_x + c_y * db_y + c_z * db_z
             - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t58 = t45 * (0.5 * t57);
-        let t59 = -0.5 * t58;
-        let t60 = 0.5 * t58;
-        let t61 = (c_x * dc_x + c_y * dc_y + c_z * dc_z) * t48;
-        let t62 = db_x * t43;
-        let t63 = db_y * t43;
-        let t64 = db_z * t43;
-        let t65 = a_x * t43;
-        let t66 = a_y * t43;
-        let t67 = a_z * t43;
-        let t68 = dc_x * t44;
-        let t69 = dc_y * t44;
-        let t70 = dc_z * t44;
-        let t71 = a_x * t44;
-        let t72 = a_y * t44;
-        let t73 = a_z * t44;
-        let t74 = db_x * t47;
-        let t75 = db_y * t47;
-        let t76 = db_z * t47;
-        let t77 = b_x * t47;
-        let t78 = b_y * t47;
-        let t79 = b_z * t47;
-        let t80 = dc_x * t50;
-        let t81 = dc_y * t50;
-        let t82 = dc_z * t50;
-        let t83 = db_x * t51;
-        let t84 = db_y * t51;
-        let t85 = db_z * t51;
-        let t86 = c_x * t51;
-        let t87 = c_y * t51;
-        let t88 = c_z * t51;
-        let t89 = b_x * t50;
-        let t90 = b_y * t50;
-        let t91 = b_z * t50;
-        let t92 = dc_x * t52;
-        let t93 = dc_y * t52;
-        let t94 = dc_z * t52;
-        let t95 = db_x * t53;
-        let t96 = db_y * t53;
-        let t97 = db_z * t53;
-        let t98 = c_x * t53;
-        let t99 = c_y * t53;
-        let t100 = c_z * t53;
-        let t101 = b_x * t52;
-        let t102 = b_y * t52;
-        let t103 = b_z * t52;
-        let t104 = dc_x * t48;
-        let t105 = dc_y * t48;
-        let t106 = dc_z * t48;
-        let t107 = c_x * t48;
-        let t108 = c_y * t48;
-        let t109 = c_z * t48;
-        let t110 = inverse_length * inverse_length;
-        stiffness[0][0] = db_x * t62 + dc_x * t68;
-        stiffness[0][1] = db_x * t63 + dc_x * t69;
-        stiffness[0][2] = db_x * t64 + dc_x * t70;
-        stiffness[0][3] = db_y * t62 + dc_y * t68;
-        stiffness[0][4] = db_y * t63 + dc_y * t69;
-        stiffness[0][5] = db_y * t64 + dc_y * t70;
-        stiffness[0][6] = db_z * t62 + dc_z * t68;
-        stiffness[0][7] = db_z * t63 + dc_z * t69;
-        stiffness[0][8] = db_z * t64 + dc_z * t70;
-        stiffness[1][0] = inverse_length * (t54 + db_x * t65);
-        stiffness[1][1] = inverse_length * (db_x * t66);
-        stiffness[1][2] = inverse_length * (db_x * t67);
-        stiffness[1][3] = inverse_length * (db_y * t65);
-        stiffness[1][4] = inverse_length * (t54 + db_y * t66);
-        stiffness[1][5] = inverse_length * (db_y * t67);
-        stiffness[1][6] = inverse_length * (db_z * t65);
-        stiffness[1][7] = inverse_length * (db_z * t66);
-        stiffness[1][8] = inverse_length * (t54 + db_z * t67);
-        stiffness[2][0] = inverse_length * (t55 + dc_x * t71);
-        stiffness[2][1] = inverse_length * (dc_x * t72);
-        stiffness[2][2] = inverse_length * (dc_x * t73);
-        stiffness[2][3] = inverse_length * (dc_y * t71);
-        stiffness[2][4] = inverse_length * (t55 + dc_y * t72);
-        stiffness[2][5] = inverse_length * (dc_y * t73);
-        stiffness[2][6] = inverse_length * (dc_z * t71);
-        stiffness[2][7] = inverse_length * (dc_z * t72);
-        stiffness[2][8] = inverse_length * (t55 + dc_z * t73);
-        stiffness[3][0] = db_x * t74 + dc_x * t80;
-        stiffness[3][1] = db_x * t75 + dc_x * t81;
-        stiffness[3][2] = db_x * t76 + dc_x * t82;
-        stiffness[3][3] = db_y * t74 + dc_y * t80;
-        stiffness[3][4] = db_y * t75 + dc_y * t81;
-        stiffness[3][5] = db_y * t76 + dc_y * t82;
-        stiffness[3][6] = db_z * t74 + dc_z * t80;
-        stiffness[3][7] = db_z * t75 + dc_z * t81;
-        stiffness[3][8] = db_z * t76 + dc_z * t82;
-        stiffness[4][0] = inverse_length * (t56 + (db_x * t77 + dc_x * t86));
-        stiffness[4][1] = inverse_length * (db_x * t78 + dc_x * t87);
-        stiffness[4][2] = inverse_length * (db_x * t79 + dc_x * t88);
-        stiffness[4][3] = inverse_length * (db_y * t77 + dc_y * t86);
-        stiffness[4][4] = inverse_length * (t56 + (db_y * t78 + dc_y * t87));
-        stiffness[4][5] = inverse_length * (db_y * t79 + dc_y * t88);
-        stiffness[4][6] = inverse_length * (db_z * t77 + dc_z * t86);
-        stiffness[4][7] = inverse_length * (db_z * t78 + dc_z * t87);
-        stiffness[4][8] = inverse_length * (t56 + (db_z * t79 + dc_z * t88));
-        stiffness[5][0] = inverse_length * (t56 + (b_x * t74 + c_x * t92));
-        stiffness[5][1] = inverse_length * (b_x * t75 + c_x * t93);
-        stiffness[5][2] = inverse_length * (b_x * t76 + c_x * t94);
-        stiffness[5][3] = inverse_length * (b_y * t74 + c_y * t92);
-        stiffness[5][4] = inverse_length * (t56 + (b_y * t75 + c_y * t93));
-        stiffness[5][5] = inverse_length * (b_y * t76 + c_y * t94);
-        stiffness[5][6] = inverse_length * (b_z * t74 + c_z * t92);
-        stiffness[5][7] = inverse_length * (b_z * t75 + c_z * t93);
-        stiffness[5][8] = inverse_length * (t56 + (b_z * t76 + c_z * t94));
-        stiffness[6][0] = (a_x * t65 + b_x * t77 + c_x * t98) * t110;
-        stiffness[6][1] = (a_x * t66 + b_x * t78 + c_x * t99) * t110;
-        stiffness[6][2] = (a_x * t67 + b_x * t79 + c_x * t100) * t110;
-        stiffness[6][3] = (a_y * t65 + b_y * t77 + c_y * t98) * t110;
-        stiffness[6][4] = (a_y * t66 + b_y * t78 + c_y * t99) * t110;
-        stiffness[6][5] = (a_y * t67 + b_y * t79 + c_y * t100) * t110;
-        stiffness[6][6] = (a_z * t65 + b_z * t77 + c_z * t98) * t110;
-        stiffness[6][7] = (a_z * t66 + b_z * t78 + c_z * t99) * t110;
-        stiffness[6][8] = (a_z * t67 + b_z * t79 + c_z * t100) * t110;
-        stiffness[7][0] = dc_x * t83;
-        stiffness[7][1] = dc_x * t84;
-        stiffness[7][2] = dc_x * t85;
-        stiffness[7][3] = dc_y * t83;
-        stiffness[7][4] = dc_y * t84;
-        stiffness[7][5] = dc_y * t85;
-        stiffness[7][6] = dc_z * t83;
-        stiffness[7][7] = dc_z * t84;
-        stiffness[7][8] = dc_z * t85;
-        stiffness[8][0] = inverse_length * (t59 + dc_x * t89);
-        stiffness[8][1] = inverse_length * (dc_x * t90);
-        stiffness[8][2] = inverse_length * (dc_x * t91);
-        stiffness[8][3] = inverse_length * (dc_y * t89);
-        stiffness[8][4] = inverse_length * (t59 + dc_y * t90);
-        stiffness[8][5] = inverse_length * (dc_y * t91);
-        stiffness[8][6] = inverse_length * (dc_z * t89);
-        stiffness[8][7] = inverse_length * (dc_z * t90);
-        stiffness[8][8] = inverse_length * (t59 + dc_z * t91);
-        stiffness[9][0] = inverse_length * (t60 + c_x * t95);
-        stiffness[9][1] = inverse_length * (c_x * t96);
-        stiffness[9][2] = inverse_length * (c_x * t97);
-        stiffness[9][3] = inverse_length * (c_y * t95);
-        stiffness[9][4] = inverse_length * (t60 + c_y * t96);
-        stiffness[9][5] = inverse_length * (c_y * t97);
-        stiffness[9][6] = inverse_length * (c_z * t95);
-        stiffness[9][7] = inverse_length * (c_z * t96);
-        stiffness[9][8] = inverse_length * (t60 + c_z * t97);
-        stiffness[10][0] = c_x * t101 * t110;
-        stiffness[10][1] = c_x * t102 * t110;
-        stiffness[10][2] = c_x * t103 * t110;
-        stiffness[10][3] = c_y * t101 * t110;
-        stiffness[10][4] = c_y * t102 * t110;
-        stiffness[10][5] = c_y * t103 * t110;
-        stiffness[10][6] = c_z * t101 * t110;
-        stiffness[10][7] = c_z * t102 * t110;
-        stiffness[10][8] = c_z * t103 * t110;
-        stiffness[11][0] = db_x * t95 + dc_x * t104;
-        stiffness[11][1] = db_x * t96 + dc_x * t105;
-        stiffness[11][2] = db_x * t97 + dc_x * t106;
-        stiffness[11][3] = db_y * t95 + dc_y * t104;
-        stiffness[11][4] = db_y * t96 + dc_y * t105;
-        stiffness[11][5] = db_y * t97 + dc_y * t106;
-        stiffness[11][6] = db_z * t95 + dc_z * t104;
-        stiffness[11][7] = db_z * t96 + dc_z * t105;
-        stiffness[11][8] = db_z * t97 + dc_z * t106;
-        stiffness[12][0] = inverse_length * (t61 + (db_x * t101 + dc_x * t107));
-        stiffness[12][1] = inverse_length * (db_x * t102 + dc_x * t108);
-        stiffness[12][2] = inverse_length * (db_x * t103 + dc_x * t109);
-        stiffness[12][3] = inverse_length * (db_y * t101 + dc_y * t107);
-        stiffness[12][4] = inverse_length * (t61 + (db_y * t102 + dc_y * t108));
-        stiffness[12][5] = inverse_length * (db_y * t103 + dc_y * t109);
-        stiffness[12][6] = inverse_length * (db_z * t101 + dc_z * t107);
-        stiffness[12][7] = inverse_length * (db_z * t102 + dc_z * t108);
-        stiffness[12][8] = inverse_length * (t61 + (db_z * t103 + dc_z * t109));
-        stiffness[13][0] = inverse_length * (t61 + (b_x * t83 + c_x * t104));
-        stiffness[13][1] = inverse_length * (b_x * t84 + c_x * t105);
-        stiffness[13][2] = inverse_length * (b_x * t85 + c_x * t106);
-        stiffness[13][3] = inverse_length * (b_y * t83 + c_y * t104);
-        stiffness[13][4] = inverse_length * (t61 + (b_y * t84 + c_y * t105));
-        stiffness[13][5] = inverse_length * (b_y * t85 + c_y * t106);
-        stiffness[13][6] = inverse_length * (b_z * t83 + c_z * t104);
-        stiffness[13][7] = inverse_length * (b_z * t84 + c_z * t105);
-        stiffness[13][8] = inverse_length * (t61 + (b_z * t85 + c_z * t106));
-        stiffness[14][0] = (a_x * t71 + b_x * t89 + c_x * t107) * t110;
-        stiffness[14][1] = (a_x * t72 + b_x * t90 + c_x * t108) * t110;
-        stiffness[14][2] = (a_x * t73 + b_x * t91 + c_x * t109) * t110;
-        stiffness[14][3] = (a_y * t71 + b_y * t89 + c_y * t107) * t110;
-        stiffness[14][4] = (a_y * t72 + b_y * t90 + c_y * t108) * t110;
-        stiffness[14][5] = (a_y * t73 + b_y * t91 + c_y * t109) * t110;
-        stiffness[14][6] = (a_z * t71 + b_z * t89 + c_z * t107) * t110;
-        stiffness[14][7] = (a_z * t72 + b_z * t90 + c_z * t108) * t110;
-        stiffness[14][8] = (a_z * t73 + b_z * t91 + c_z * t109) * t110;
+        let t48 = t42 * (0.5 * t47);
+        let t49 = inverse_length * ((a_x * db_x + a_y * db_y + a_z * db_z) * t40);
+        let t50 = inverse_length * inverse_length;
+        let t51 = t40 * t50;
+        let t52 = inverse_length * ((a_x * dc_x + a_y * dc_y + a_z * dc_z) * t41);
+        let t53 = t41 * t50;
+        let t54 = inverse_length * ((b_x * db_x + b_y * db_y + b_z * db_z) * t44);
+        let t55 = t44 * t50;
+        let t56 = inverse_length * (-0.5 * t48);
+        let t57 = -0.5 * t46 * t50;
+        let t58 = -0.5 * t43 * t50;
+        let t59 = inverse_length * (0.5 * t48);
+        let t60 = 0.5 * t46 * t50;
+        let t61 = 0.5 * t43 * t50;
+        let t62 = inverse_length * ((c_x * dc_x + c_y * dc_y + c_z * dc_z) * t45);
+        let t63 = t45 * t50;
+        let t64 = unit_db_x * t51;
+        let t65 = unit_db_y * t51;
+        let t66 = unit_db_z * t51;
+        let t67 = a_x * t51;
+        let t68 = a_y * t51;
+        let t69 = a_z * t51;
+        let t70 = unit_dc_x * t53;
+        let t71 = unit_dc_y * t53;
+        let t72 = unit_dc_z * t53;
+        let t73 = a_x * t53;
+        let t74 = a_y * t53;
+        let t75 = a_z * t53;
+        let t76 = unit_db_x * t55;
+        let t77 = unit_db_y * t55;
+        let t78 = unit_db_z * t55;
+        let t79 = b_x * t55;
+        let t80 = b_y * t55;
+        let t81 = b_z * t55;
+        let t82 = unit_dc_x * t57;
+        let t83 = unit_dc_y * t57;
+        let t84 = unit_dc_z * t57;
+        let t85 = unit_db_x * t58;
+        let t86 = unit_db_y * t58;
+        let t87 = unit_db_z * t58;
+        let t88 = c_x * t58;
+        let t89 = c_y * t58;
+        let t90 = c_z * t58;
+        let t91 = b_x * t57;
+        let t92 = b_y * t57;
+        let t93 = b_z * t57;
+        let t94 = unit_dc_x * t60;
+        let t95 = unit_dc_y * t60;
+        let t96 = unit_dc_z * t60;
+        let t97 = unit_db_x * t61;
+        let t98 = unit_db_y * t61;
+        let t99 = unit_db_z * t61;
+        let t100 = c_x * t61;
+        let t101 = c_y * t61;
+        let t102 = c_z * t61;
+        let t103 = b_x * t60;
+        let t104 = b_y * t60;
+        let t105 = b_z * t60;
+        let t106 = unit_dc_x * t63;
+        let t107 = unit_dc_y * t63;
+        let t108 = unit_dc_z * t63;
+        let t109 = c_x * t63;
+        let t110 = c_y * t63;
+        let t111 = c_z * t63;
+        stiffness[0][0] = unit_db_x * t64 + unit_dc_x * t70;
+        stiffness[0][1] = unit_db_x * t65 + unit_dc_x * t71;
+        stiffness[0][2] = unit_db_x * t66 + unit_dc_x * t72;
+        stiffness[0][3] = unit_db_y * t64 + unit_dc_y * t70;
+        stiffness[0][4] = unit_db_y * t65 + unit_dc_y * t71;
+        stiffness[0][5] = unit_db_y * t66 + unit_dc_y * t72;
+        stiffness[0][6] = unit_db_z * t64 + unit_dc_z * t70;
+        stiffness[0][7] = unit_db_z * t65 + unit_dc_z * t71;
+        stiffness[0][8] = unit_db_z * t66 + unit_dc_z * t72;
+        stiffness[1][0] = t49 + unit_db_x * t67;
+        stiffness[1][1] = unit_db_x * t68;
+        stiffness[1][2] = unit_db_x * t69;
+        stiffness[1][3] = unit_db_y * t67;
+        stiffness[1][4] = t49 + unit_db_y * t68;
+        stiffness[1][5] = unit_db_y * t69;
+        stiffness[1][6] = unit_db_z * t67;
+        stiffness[1][7] = unit_db_z * t68;
+        stiffness[1][8] = t49 + unit_db_z * t69;
+        stiffness[2][0] = t52 + unit_dc_x * t73;
+        stiffness[2][1] = unit_dc_x * t74;
+        stiffness[2][2] = unit_dc_x * t75;
+        stiffness[2][3] = unit_dc_y * t73;
+        stiffness[2][4] = t52 + unit_dc_y * t74;
+        stiffness[2][5] = unit_dc_y * t75;
+        stiffness[2][6] = unit_dc_z * t73;
+        stiffness[2][7] = unit_dc_z * t74;
+        stiffness[2][8] = t52 + unit_dc_z * t75;
+        stiffness[3][0] = unit_db_x * t76 + unit_dc_x * t82;
+        stiffness[3][1] = unit_db_x * t77 + unit_dc_x * t83;
+        stiffness[3][2] = unit_db_x * t78 + unit_dc_x * t84;
+        stiffness[3][3] = unit_db_y * t76 + unit_dc_y * t82;
+        stiffness[3][4] = unit_db_y * t77 + unit_dc_y * t83;
+        stiffness[3][5] = unit_db_y * t78 + unit_dc_y * t84;
+        stiffness[3][6] = unit_db_z * t76 + unit_dc_z * t82;
+        stiffness[3][7] = unit_db_z * t77 + unit_dc_z * t83;
+        stiffness[3][8] = unit_db_z * t78 + unit_dc_z * t84;
+        stiffness[4][0] = t54 + (unit_db_x * t79 + unit_dc_x * t88);
+        stiffness[4][1] = unit_db_x * t80 + unit_dc_x * t89;
+        stiffness[4][2] = unit_db_x * t81 + unit_dc_x * t90;
+        stiffness[4][3] = unit_db_y * t79 + unit_dc_y * t88;
+        stiffness[4][4] = t54 + (unit_db_y * t80 + unit_dc_y * t89);
+        stiffness[4][5] = unit_db_y * t81 + unit_dc_y * t90;
+        stiffness[4][6] = unit_db_z * t79 + unit_dc_z * t88;
+        stiffness[4][7] = unit_db_z * t80 + unit_dc_z * t89;
+        stiffness[4][8] = t54 + (unit_db_z * t81 + unit_dc_z * t90);
+        stiffness[5][0] = t54 + (b_x * t76 + c_x * t94);
+        stiffness[5][1] = b_x * t77 + c_x * t95;
+        stiffness[5][2] = b_x * t78 + c_x * t96;
+        stiffness[5][3] = b_y * t76 + c_y * t94;
+        stiffness[5][4] = t54 + (b_y * t77 + c_y * t95);
+        stiffness[5][5] = b_y * t78 + c_y * t96;
+        stiffness[5][6] = b_z * t76 + c_z * t94;
+        stiffness[5][7] = b_z * t77 + c_z * t95;
+        stiffness[5][8] = t54 + (b_z * t78 + c_z * t96);
+        stiffness[6][0] = a_x * t67 + b_x * t79 + c_x * t100;
+        stiffness[6][1] = a_x * t68 + b_x * t80 + c_x * t101;
+        stiffness[6][2] = a_x * t69 + b_x * t81 + c_x * t102;
+        stiffness[6][3] = a_y * t67 + b_y * t79 + c_y * t100;
+        stiffness[6][4] = a_y * t68 + b_y * t80 + c_y * t101;
+        stiffness[6][5] = a_y * t69 + b_y * t81 + c_y * t102;
+        stiffness[6][6] = a_z * t67 + b_z * t79 + c_z * t100;
+        stiffness[6][7] = a_z * t68 + b_z * t80 + c_z * t101;
+        stiffness[6][8] = a_z * t69 + b_z * t81 + c_z * t102;
+        stiffness[7][0] = unit_dc_x * t85;
+        stiffness[7][1] = unit_dc_x * t86;
+        stiffness[7][2] = unit_dc_x * t87;
+        stiffness[7][3] = unit_dc_y * t85;
+        stiffness[7][4] = unit_dc_y * t86;
+        stiffness[7][5] = unit_dc_y * t87;
+        stiffness[7][6] = unit_dc_z * t85;
+        stiffness[7][7] = unit_dc_z * t86;
+        stiffness[7][8] = unit_dc_z * t87;
+        stiffness[8][0] = t56 + unit_dc_x * t91;
+        stiffness[8][1] = unit_dc_x * t92;
+        stiffness[8][2] = unit_dc_x * t93;
+        stiffness[8][3] = unit_dc_y * t91;
+        stiffness[8][4] = t56 + unit_dc_y * t92;
+        stiffness[8][5] = unit_dc_y * t93;
+        stiffness[8][6] = unit_dc_z * t91;
+        stiffness[8][7] = unit_dc_z * t92;
+        stiffness[8][8] = t56 + unit_dc_z * t93;
+        stiffness[9][0] = t59 + c_x * t97;
+        stiffness[9][1] = c_x * t98;
+        stiffness[9][2] = c_x * t99;
+        stiffness[9][3] = c_y * t97;
+        stiffness[9][4] = t59 + c_y * t98;
+        stiffness[9][5] = c_y * t99;
+        stiffness[9][6] = c_z * t97;
+        stiffness[9][7] = c_z * t98;
+        stiffness[9][8] = t59 + c_z * t99;
+        stiffness[10][0] = c_x * t103;
+        stiffness[10][1] = c_x * t104;
+        stiffness[10][2] = c_x * t105;
+        stiffness[10][3] = c_y * t103;
+        stiffness[10][4] = c_y * t104;
+        stiffness[10][5] = c_y * t105;
+        stiffness[10][6] = c_z * t103;
+        stiffness[10][7] = c_z * t104;
+        stiffness[10][8] = c_z * t105;
+        stiffness[11][0] = unit_db_x * t97 + unit_dc_x * t106;
+        stiffness[11][1] = unit_db_x * t98 + unit_dc_x * t107;
+        stiffness[11][2] = unit_db_x * t99 + unit_dc_x * t108;
+        stiffness[11][3] = unit_db_y * t97 + unit_dc_y * t106;
+        stiffness[11][4] = unit_db_y * t98 + unit_dc_y * t107;
+        stiffness[11][5] = unit_db_y * t99 + unit_dc_y * t108;
+        stiffness[11][6] = unit_db_z * t97 + unit_dc_z * t106;
+        stiffness[11][7] = unit_db_z * t98 + unit_dc_z * t107;
+        stiffness[11][8] = unit_db_z * t99 + unit_dc_z * t108;
+        stiffness[12][0] = t62 + (unit_db_x * t103 + unit_dc_x * t109);
+        stiffness[12][1] = unit_db_x * t104 + unit_dc_x * t110;
+        stiffness[12][2] = unit_db_x * t105 + unit_dc_x * t111;
+        stiffness[12][3] = unit_db_y * t103 + unit_dc_y * t109;
+        stiffness[12][4] = t62 + (unit_db_y * t104 + unit_dc_y * t110);
+        stiffness[12][5] = unit_db_y * t105 + unit_dc_y * t111;
+        stiffness[12][6] = unit_db_z * t103 + unit_dc_z * t109;
+        stiffness[12][7] = unit_db_z * t104 + unit_dc_z * t110;
+        stiffness[12][8] = t62 + (unit_db_z * t105 + unit_dc_z * t111);
+        stiffness[13][0] = t62 + (b_x * t85 + c_x * t106);
+        stiffness[13][1] = b_x * t86 + c_x * t107;
+        stiffness[13][2] = b_x * t87 + c_x * t108;
+        stiffness[13][3] = b_y * t85 + c_y * t106;
+        stiffness[13][4] = t62 + (b_y * t86 + c_y * t107);
+        stiffness[13][5] = b_y * t87 + c_y * t108;
+        stiffness[13][6] = b_z * t85 + c_z * t106;
+        stiffness[13][7] = b_z * t86 + c_z * t107;
+        stiffness[13][8] = t62 + (b_z * t87 + c_z * t108);
+        stiffness[14][0] = a_x * t73 + b_x * t91 + c_x * t109;
+        stiffness[14][1] = a_x * t74 + b_x * t92 + c_x * t110;
+        stiffness[14][2] = a_x * t75 + b_x * t93 + c_x * t111;
+        stiffness[14][3] = a_y * t73 + b_y * t91 + c_y * t109;
+        stiffness[14][4] = a_y * t74 + b_y * t92 + c_y * t110;
+        stiffness[14][5] = a_y * t75 + b_y * t93 + c_y * t111;
+        stiffness[14][6] = a_z * t73 + b_z * t91 + c_z * t109;
+        stiffness[14][7] = a_z * t74 + b_z * t92 + c_z * t110;
+        stiffness[14][8] = a_z * t75 + b_z * t93 + c_z * t111;
     }
     /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
@@ -719,14 +728,14 @@ pub mod princeton_beam_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t43 = c_x * db_x + c_y * db_y + c_z * db_z
+        let t40 = c_x * db_x + c_y * db_y + c_z * db_z
             - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t44 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y + a_z * db_z).powi(2);
-        let t45 = 0.5 * (length * EIy) * (a_x * dc_x + a_y * dc_y + a_z * dc_z).powi(2);
-        let t46 = 0.5 * (length * GIz) * (b_x * db_x + b_y * db_y + b_z * db_z).powi(2);
-        let t47 = 0.5 * (length * GIy) * (c_x * dc_x + c_y * dc_y + c_z * dc_z).powi(2);
-        let t48 = t44 + t45 + 0.5 * (length * GJ) * (0.5 * t43).powi(2) + t46 + t47;
-        *energy = t48;
+        let t41 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y + a_z * db_z).powi(2);
+        let t42 = 0.5 * (length * EIy) * (a_x * dc_x + a_y * dc_y + a_z * dc_z).powi(2);
+        let t43 = 0.5 * (length * GIz) * (b_x * db_x + b_y * db_y + b_z * db_z).powi(2);
+        let t44 = 0.5 * (length * GIy) * (c_x * dc_x + c_y * dc_y + c_z * dc_z).powi(2);
+        let t45 = t41 + t42 + 0.5 * (length * GJ) * (0.5 * t40).powi(2) + t43 + t44;
+        *energy = t45;
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
@@ -772,7 +781,7 @@ pub mod princeton_beam_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 4538 additions, 5377 multiplications, 2 divisions.
+    /// Operations: 4538 additions, 5207 multiplications, 2 divisions.
     pub fn beam_spatial_elastic_tangent(
         row: &BeamSpatial,
         q: &[f64; 30],
@@ -847,14 +856,14 @@ pub mod princeton_beam_equations {
         let section_y_mass = length * rhoIz;
         let section_z_mass = length * rhoIy;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t23 = length * element_mass;
-        let mass_r0_r0x = t23 * 0.05238095238095238;
+        let t20 = length * element_mass;
+        let mass_r0_r0x = t20 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t23 * (-0.030952380952380953);
-        let t27 = element_mass * (length * length);
-        let mass_r0x_r0x = t27 * 0.009523809523809525;
-        let mass_r0x_r1 = t23 * 0.030952380952380953;
-        let mass_r0x_r1x = t27 * (-0.007142857142857143);
+        let mass_r0_r1x = t20 * (-0.030952380952380953);
+        let t24 = element_mass * (length * length);
+        let mass_r0x_r0x = t24 * 0.009523809523809525;
+        let mass_r0x_r1 = t20 * 0.030952380952380953;
+        let mass_r0x_r1x = t24 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
@@ -863,7 +872,7 @@ pub mod princeton_beam_equations {
         let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
         let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
-        let mass_r1_r1x = t23 * (-0.05238095238095238);
+        let mass_r1_r1x = t20 * (-0.05238095238095238);
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_r0x;
         mass[2] = 0.0;
@@ -992,29 +1001,29 @@ pub mod princeton_beam_equations {
         let total_r1_y = a_r1_y + e_y;
         let total_r1_z = a_r1_z + e_z;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t62 = length * element_mass;
-        let mass_r0_r0x = t62 * 0.05238095238095238;
+        let t59 = length * element_mass;
+        let mass_r0_r0x = t59 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t62 * (-0.030952380952380953);
-        let t66 = element_mass * (length * length);
-        let mass_r0x_r0x = t66 * 0.009523809523809525;
-        let mass_r0x_r1 = t62 * 0.030952380952380953;
-        let mass_r0x_r1x = t66 * (-0.007142857142857143);
+        let mass_r0_r1x = t59 * (-0.030952380952380953);
+        let t63 = element_mass * (length * length);
+        let mass_r0x_r0x = t63 * 0.009523809523809525;
+        let mass_r0x_r1 = t59 * 0.030952380952380953;
+        let mass_r0x_r1x = t63 * (-0.007142857142857143);
         let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
         let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
         let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
-        let t73 = a_ry_half_x * mass_r0y_ry_half;
-        let t74 = a_ry_half_y * mass_r0y_ry_half;
-        let t75 = a_ry_half_z * mass_r0y_ry_half;
+        let t70 = a_ry_half_x * mass_r0y_ry_half;
+        let t71 = a_ry_half_y * mass_r0y_ry_half;
+        let t72 = a_ry_half_z * mass_r0y_ry_half;
         let mass_r0z_r0z = section_z_mass * 0.13333333333333333;
         let mass_r0z_rz_half = section_z_mass * 0.06666666666666667;
         let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
-        let t79 = a_rz_half_x * mass_r0z_rz_half;
-        let t80 = a_rz_half_y * mass_r0z_rz_half;
-        let t81 = a_rz_half_z * mass_r0z_rz_half;
+        let t76 = a_rz_half_x * mass_r0z_rz_half;
+        let t77 = a_rz_half_y * mass_r0z_rz_half;
+        let t78 = a_rz_half_z * mass_r0z_rz_half;
         let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
         let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
-        let mass_r1_r1x = t62 * (-0.05238095238095238);
+        let mass_r1_r1x = t59 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + a_r0x_x * mass_r0_r0x + total_r1_x * mass_r0_r1
                 + a_r1x_x * mass_r0_r1x;
@@ -1033,12 +1042,12 @@ pub mod princeton_beam_equations {
         force[5]
             += total_r0_z * mass_r0_r0x + a_r0x_z * mass_r0x_r0x
                 + total_r1_z * mass_r0x_r1 + a_r1x_z * mass_r0x_r1x;
-        force[6] += a_r0y_x * mass_r0y_r0y + t73 + a_r1y_x * mass_r0y_r1y;
-        force[7] += a_r0y_y * mass_r0y_r0y + t74 + a_r1y_y * mass_r0y_r1y;
-        force[8] += a_r0y_z * mass_r0y_r0y + t75 + a_r1y_z * mass_r0y_r1y;
-        force[9] += a_r0z_x * mass_r0z_r0z + t79 + a_r1z_x * mass_r0z_r1z;
-        force[10] += a_r0z_y * mass_r0z_r0z + t80 + a_r1z_y * mass_r0z_r1z;
-        force[11] += a_r0z_z * mass_r0z_r0z + t81 + a_r1z_z * mass_r0z_r1z;
+        force[6] += a_r0y_x * mass_r0y_r0y + t70 + a_r1y_x * mass_r0y_r1y;
+        force[7] += a_r0y_y * mass_r0y_r0y + t71 + a_r1y_y * mass_r0y_r1y;
+        force[8] += a_r0y_z * mass_r0y_r0y + t72 + a_r1y_z * mass_r0y_r1y;
+        force[9] += a_r0z_x * mass_r0z_r0z + t76 + a_r1z_x * mass_r0z_r1z;
+        force[10] += a_r0z_y * mass_r0z_r0z + t77 + a_r1z_y * mass_r0z_r1z;
+        force[11] += a_r0z_z * mass_r0z_r0z + t78 + a_r1z_z * mass_r0z_r1z;
         force[12]
             += a_r0y_x * mass_r0y_ry_half + a_ry_half_x * mass_ry_half_ry_half
                 + a_r1y_x * mass_r0y_ry_half;
@@ -1075,12 +1084,12 @@ pub mod princeton_beam_equations {
         force[23]
             += total_r0_z * mass_r0_r1x + a_r0x_z * mass_r0x_r1x
                 + total_r1_z * mass_r1_r1x + a_r1x_z * mass_r0x_r0x;
-        force[24] += t73 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
-        force[25] += t74 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
-        force[26] += t75 + a_r0y_z * mass_r0y_r1y + a_r1y_z * mass_r0y_r0y;
-        force[27] += t79 + a_r0z_x * mass_r0z_r1z + a_r1z_x * mass_r0z_r0z;
-        force[28] += t80 + a_r0z_y * mass_r0z_r1z + a_r1z_y * mass_r0z_r0z;
-        force[29] += t81 + a_r0z_z * mass_r0z_r1z + a_r1z_z * mass_r0z_r0z;
+        force[24] += t70 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
+        force[25] += t71 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
+        force[26] += t72 + a_r0y_z * mass_r0y_r1y + a_r1y_z * mass_r0y_r0y;
+        force[27] += t76 + a_r0z_x * mass_r0z_r1z + a_r1z_x * mass_r0z_r0z;
+        force[28] += t77 + a_r0z_y * mass_r0z_r1z + a_r1z_y * mass_r0z_r0z;
+        force[29] += t78 + a_r0z_z * mass_r0z_r1z + a_r1z_z * mass_r0z_r0z;
     }
     /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
     ///
@@ -1103,12 +1112,12 @@ pub mod princeton_beam_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t17 = 1.0 / length;
-        let t18 = xi * 3.0;
-        weights[0] = xi * (-6.0 + xi * 6.0) * t17;
-        weights[1] = 1.0 + xi * (-4.0 + t18);
-        weights[6] = t17 * (xi * (6.0 + xi * (-6.0)));
-        weights[7] = xi * (t18 + (-2.0));
+        let t14 = 1.0 / length;
+        let t15 = xi * 3.0;
+        weights[0] = xi * (-6.0 + xi * 6.0) * t14;
+        weights[1] = 1.0 + xi * (-4.0 + t15);
+        weights[6] = t14 * (xi * (6.0 + xi * (-6.0)));
+        weights[7] = xi * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
     ///
@@ -1118,13 +1127,13 @@ pub mod princeton_beam_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t17 = 1.0 / (length * length);
-        let t18 = xi * 6.0;
-        let t19 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t17;
-        weights[1] = (-4.0 + t18) * t19;
-        weights[6] = t17 * (6.0 + xi * (-12.0));
-        weights[7] = t19 * (t18 + (-2.0));
+        let t14 = 1.0 / (length * length);
+        let t15 = xi * 6.0;
+        let t16 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t14;
+        weights[1] = (-4.0 + t15) * t16;
+        weights[6] = t14 * (6.0 + xi * (-12.0));
+        weights[7] = t16 * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1134,10 +1143,10 @@ pub mod princeton_beam_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t16 = xi * 2.0;
-        weights[2] = 1.0 + xi * (-3.0 + t16);
+        let t13 = xi * 2.0;
+        weights[2] = 1.0 + xi * (-3.0 + t13);
         weights[4] = xi * (4.0 + xi * (-4.0));
-        weights[8] = xi * (t16 + (-1.0));
+        weights[8] = xi * (t13 + (-1.0));
     }
     /// Weights of the nodal vectors in d/dx of the section's y axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1147,11 +1156,11 @@ pub mod princeton_beam_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t17 = xi * 4.0;
-        let t18 = 1.0 / length;
-        weights[2] = (-3.0 + t17) * t18;
-        weights[4] = t18 * (4.0 + xi * (-8.0));
-        weights[8] = t18 * (t17 + (-1.0));
+        let t14 = xi * 4.0;
+        let t15 = 1.0 / length;
+        weights[2] = (-3.0 + t14) * t15;
+        weights[4] = t15 * (4.0 + xi * (-8.0));
+        weights[8] = t15 * (t14 + (-1.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1161,11 +1170,11 @@ pub mod princeton_beam_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t16 = 1.0 / (length * length);
-        let t17 = 4.0 * t16;
-        weights[2] = t17;
-        weights[4] = t16 * (-8.0);
-        weights[8] = t17;
+        let t13 = 1.0 / (length * length);
+        let t14 = 4.0 * t13;
+        weights[2] = t14;
+        weights[4] = t13 * (-8.0);
+        weights[8] = t14;
     }
     /// Weights of the nodal vectors in the section's z axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1175,10 +1184,10 @@ pub mod princeton_beam_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t16 = xi * 2.0;
-        weights[3] = 1.0 + xi * (-3.0 + t16);
+        let t13 = xi * 2.0;
+        weights[3] = 1.0 + xi * (-3.0 + t13);
         weights[5] = xi * (4.0 + xi * (-4.0));
-        weights[9] = xi * (t16 + (-1.0));
+        weights[9] = xi * (t13 + (-1.0));
     }
     /// Weights of the nodal vectors in d/dx of the section's z axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1188,11 +1197,11 @@ pub mod princeton_beam_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t17 = xi * 4.0;
-        let t18 = 1.0 / length;
-        weights[3] = (-3.0 + t17) * t18;
-        weights[5] = t18 * (4.0 + xi * (-8.0));
-        weights[9] = t18 * (t17 + (-1.0));
+        let t14 = xi * 4.0;
+        let t15 = 1.0 / length;
+        weights[3] = (-3.0 + t14) * t15;
+        weights[5] = t15 * (4.0 + xi * (-8.0));
+        weights[9] = t15 * (t14 + (-1.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the section's z axis at xi in [0, 1]; the others are left alone.
     ///
@@ -1202,11 +1211,11 @@ pub mod princeton_beam_equations {
         xi: f64,
         weights: &mut [f64; 10],
     ) {
-        let t16 = 1.0 / (length * length);
-        let t17 = 4.0 * t16;
-        weights[3] = t17;
-        weights[5] = t16 * (-8.0);
-        weights[9] = t17;
+        let t13 = 1.0 / (length * length);
+        let t14 = 4.0 * t13;
+        weights[3] = t14;
+        weights[5] = t13 * (-8.0);
+        weights[9] = t14;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -1218,97 +1227,97 @@ pub mod princeton_beam_equations {
         forces: &mut [f64; 15],
     ) {
         let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
-        let t54 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
+        let t51 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
             - (fields[3] * fields[12] + fields[4] * fields[13] + fields[5] * fields[14]);
-        let t55 = 0.5
+        let t52 = 0.5
             * (fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2]
                 - 1.0)
             - 0.5
                 * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
                     + stress_free[2] * stress_free[2] - 1.0);
-        let t56 = EA * t55;
-        let t57 = 0.5
+        let t53 = EA * t52;
+        let t54 = 0.5
             * (fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5]
                 - 1.0)
             - 0.5
                 * (stress_free[3] * stress_free[3] + stress_free[4] * stress_free[4]
                     + stress_free[5] * stress_free[5] - 1.0);
-        let t58 = EA * t57;
-        let t59 = 0.5
+        let t55 = EA * t54;
+        let t56 = 0.5
             * (fields[6] * fields[6] + fields[7] * fields[7] + fields[8] * fields[8]
                 - 1.0)
             - 0.5
                 * (stress_free[6] * stress_free[6] + stress_free[7] * stress_free[7]
                     + stress_free[8] * stress_free[8] - 1.0);
-        let t60 = EA * t59;
-        let t61 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
+        let t57 = EA * t56;
+        let t58 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
             - (stress_free[0] * stress_free[3] + stress_free[1] * stress_free[4]
                 + stress_free[2] * stress_free[5]);
-        let t62 = kyGA * t61;
-        let t63 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
+        let t59 = kyGA * t58;
+        let t60 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
             - (stress_free[0] * stress_free[6] + stress_free[1] * stress_free[7]
                 + stress_free[2] * stress_free[8]);
-        let t64 = kzGA * t63;
-        let t65 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
+        let t61 = kzGA * t60;
+        let t62 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
             - (stress_free[3] * stress_free[6] + stress_free[4] * stress_free[7]
                 + stress_free[5] * stress_free[8]);
-        let t66 = GA * t65;
-        let t67 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
+        let t63 = GA * t62;
+        let t64 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
             - (stress_free[0] * stress_free[9] + stress_free[1] * stress_free[10]
                 + stress_free[2] * stress_free[11]);
-        let t68 = EIz * t67;
-        let t69 = t56 * (0.5 * (fields[0] * 2.0)) + fields[3] * t62 + fields[6] * t64
-            + fields[9] * t68;
-        let t70 = t56 * (0.5 * (fields[1] * 2.0)) + fields[4] * t62 + fields[7] * t64
-            + fields[10] * t68;
-        let t71 = t56 * (0.5 * (fields[2] * 2.0)) + fields[5] * t62 + fields[8] * t64
-            + fields[11] * t68;
-        let t72 = fields[0] * fields[12] + fields[1] * fields[13]
+        let t65 = EIz * t64;
+        let t66 = t53 * (0.5 * (fields[0] * 2.0)) + fields[3] * t59 + fields[6] * t61
+            + fields[9] * t65;
+        let t67 = t53 * (0.5 * (fields[1] * 2.0)) + fields[4] * t59 + fields[7] * t61
+            + fields[10] * t65;
+        let t68 = t53 * (0.5 * (fields[2] * 2.0)) + fields[5] * t59 + fields[8] * t61
+            + fields[11] * t65;
+        let t69 = fields[0] * fields[12] + fields[1] * fields[13]
             + fields[2] * fields[14]
             - (stress_free[0] * stress_free[12] + stress_free[1] * stress_free[13]
                 + stress_free[2] * stress_free[14]);
-        let t73 = EIy * t72;
-        let t74 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
+        let t70 = EIy * t69;
+        let t71 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
             + stress_free[8] * stress_free[11]
             - (stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
                 + stress_free[5] * stress_free[14]);
-        let t75 = GJ * (0.5 * t54 - 0.5 * t74);
-        let t76 = t58 * (0.5 * (fields[3] * 2.0)) + fields[0] * t62 + fields[6] * t66
-            - t75 * (fields[12] * 0.5);
-        let t77 = t58 * (0.5 * (fields[4] * 2.0)) + fields[1] * t62 + fields[7] * t66
-            - t75 * (fields[13] * 0.5);
-        let t78 = t58 * (0.5 * (fields[5] * 2.0)) + fields[2] * t62 + fields[8] * t66
-            - t75 * (fields[14] * 0.5);
-        let t79 = t60 * (0.5 * (fields[6] * 2.0)) + fields[0] * t64 + fields[3] * t66
-            + t75 * (fields[9] * 0.5);
-        let t80 = t60 * (0.5 * (fields[7] * 2.0)) + fields[1] * t64 + fields[4] * t66
-            + t75 * (fields[10] * 0.5);
-        let t81 = t60 * (0.5 * (fields[8] * 2.0)) + fields[2] * t64 + fields[5] * t66
-            + t75 * (fields[11] * 0.5);
-        let t82 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
+        let t72 = GJ * (0.5 * t51 - 0.5 * t71);
+        let t73 = t55 * (0.5 * (fields[3] * 2.0)) + fields[0] * t59 + fields[6] * t63
+            - t72 * (fields[12] * 0.5);
+        let t74 = t55 * (0.5 * (fields[4] * 2.0)) + fields[1] * t59 + fields[7] * t63
+            - t72 * (fields[13] * 0.5);
+        let t75 = t55 * (0.5 * (fields[5] * 2.0)) + fields[2] * t59 + fields[8] * t63
+            - t72 * (fields[14] * 0.5);
+        let t76 = t57 * (0.5 * (fields[6] * 2.0)) + fields[0] * t61 + fields[3] * t63
+            + t72 * (fields[9] * 0.5);
+        let t77 = t57 * (0.5 * (fields[7] * 2.0)) + fields[1] * t61 + fields[4] * t63
+            + t72 * (fields[10] * 0.5);
+        let t78 = t57 * (0.5 * (fields[8] * 2.0)) + fields[2] * t61 + fields[5] * t63
+            + t72 * (fields[11] * 0.5);
+        let t79 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
             - (stress_free[3] * stress_free[9] + stress_free[4] * stress_free[10]
                 + stress_free[5] * stress_free[11]);
-        let t83 = GIz * t82;
-        let t84 = fields[6] * fields[12] + fields[7] * fields[13]
+        let t80 = GIz * t79;
+        let t81 = fields[6] * fields[12] + fields[7] * fields[13]
             + fields[8] * fields[14]
             - (stress_free[6] * stress_free[12] + stress_free[7] * stress_free[13]
                 + stress_free[8] * stress_free[14]);
-        let t85 = GIy * t84;
-        forces[0] = t69 + fields[12] * t73;
-        forces[1] = t70 + fields[13] * t73;
-        forces[2] = t71 + fields[14] * t73;
-        forces[3] = t76 + fields[9] * t83;
-        forces[4] = t77 + fields[10] * t83;
-        forces[5] = t78 + fields[11] * t83;
-        forces[6] = t79 + fields[12] * t85;
-        forces[7] = t80 + fields[13] * t85;
-        forces[8] = t81 + fields[14] * t85;
-        forces[9] = fields[0] * t68 + t75 * (fields[6] * 0.5) + fields[3] * t83;
-        forces[10] = fields[1] * t68 + t75 * (fields[7] * 0.5) + fields[4] * t83;
-        forces[11] = fields[2] * t68 + t75 * (fields[8] * 0.5) + fields[5] * t83;
-        forces[12] = fields[0] * t73 - t75 * (fields[3] * 0.5) + fields[6] * t85;
-        forces[13] = fields[1] * t73 - t75 * (fields[4] * 0.5) + fields[7] * t85;
-        forces[14] = fields[2] * t73 - t75 * (fields[5] * 0.5) + fields[8] * t85;
+        let t82 = GIy * t81;
+        forces[0] = t66 + fields[12] * t70;
+        forces[1] = t67 + fields[13] * t70;
+        forces[2] = t68 + fields[14] * t70;
+        forces[3] = t73 + fields[9] * t80;
+        forces[4] = t74 + fields[10] * t80;
+        forces[5] = t75 + fields[11] * t80;
+        forces[6] = t76 + fields[12] * t82;
+        forces[7] = t77 + fields[13] * t82;
+        forces[8] = t78 + fields[14] * t82;
+        forces[9] = fields[0] * t65 + t72 * (fields[6] * 0.5) + fields[3] * t80;
+        forces[10] = fields[1] * t65 + t72 * (fields[7] * 0.5) + fields[4] * t80;
+        forces[11] = fields[2] * t65 + t72 * (fields[8] * 0.5) + fields[5] * t80;
+        forces[12] = fields[0] * t70 - t72 * (fields[3] * 0.5) + fields[6] * t82;
+        forces[13] = fields[1] * t70 - t72 * (fields[4] * 0.5) + fields[7] * t82;
+        forces[14] = fields[2] * t70 - t72 * (fields[5] * 0.5) + fields[8] * t82;
     }
     /// Load `weight` in its frame's axes.
     ///

@@ -219,63 +219,63 @@ pub mod rotating_cantilever_equations {
         let strain_dot_d_s1 = dot_d_s1 - 1.0;
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y + s1_z * s1_z;
         let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
-        let t46 = length * EA;
-        let t47 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t48 = strain_dot_d_d * 0.02142857142857143;
-        let t49 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t47 + t48
+        let t43 = length * EA;
+        let t44 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t45 = strain_dot_d_d * 0.02142857142857143;
+        let t46 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t44 + t45
             + strain_dot_d_s1 * (-0.0035714285714285713)
             + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t50 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t51 = strain_dot_d_d * (-0.12857142857142856);
-        let t52 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let t53 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let t54 = strain_dot_s0_s0 * 0.02142857142857143
+        let t47 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t48 = strain_dot_d_d * (-0.12857142857142856);
+        let t49 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t50 = strain_dot_s0_s0 * (-0.0035714285714285713);
+        let t51 = strain_dot_s0_s0 * 0.02142857142857143
             + strain_dot_s0_d * (-0.12857142857142856)
             + strain_dot_d_d * 0.5142857142857142
             + strain_dot_d_s1 * (-0.12857142857142856)
             + strain_dot_s1_s1 * 0.02142857142857143;
-        let t55 = t48
-            + (t47
+        let t52 = t45
+            + (t44
                 + (strain_dot_s0_s0 * 0.0011904761904761906
                     + strain_dot_s0_d * (-0.0035714285714285713)))
             + strain_dot_d_s1 * 0.0035714285714285713
             + strain_dot_s1_s1 * 0.014285714285714285;
-        let t56 = inverse_length * EI;
-        let t57 = dot_d_d * 3.6;
-        let stress_dot_s0_s0 = t46 * t49
-            + t56 * (t57 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6);
-        let t59 = dot_s0_s1 * 2.2;
-        let stress_dot_s0_d = t46
+        let t53 = inverse_length * EI;
+        let t54 = dot_d_d * 3.6;
+        let stress_dot_s0_s0 = t43 * t46
+            + t53 * (t54 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6);
+        let t56 = dot_s0_s1 * 2.2;
+        let stress_dot_s0_d = t43
             * (strain_dot_s0_s0 * 0.0035714285714285713
-                + strain_dot_s0_d * 0.08571428571428572 + t50 + t51 + t52)
-            + t56 * (dot_s0_d * (-7.2) + t59 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2));
-        let t61 = dot_s0_s1 * (-1.2);
-        let stress_dot_s0_s1 = t46
-            * (t52
-                + (t53 + strain_dot_s0_d * (-0.007142857142857143)
+                + strain_dot_s0_d * 0.08571428571428572 + t47 + t48 + t49)
+            + t53 * (dot_s0_d * (-7.2) + t56 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2));
+        let t58 = dot_s0_s1 * (-1.2);
+        let stress_dot_s0_s1 = t43
+            * (t49
+                + (t50 + strain_dot_s0_d * (-0.007142857142857143)
                     + strain_dot_s0_s1 * 0.004761904761904762
                     + strain_dot_d_s1 * (-0.007142857142857143)))
-            + t56 * (dot_s0_d * 2.2 + t61 + dot_d_d * (-1.2) + dot_d_s1 * 2.2);
-        let stress_dot_d_d = t46 * t54 + t56 * (t61 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6);
-        let stress_dot_d_s1 = t46
-            * (t51 + (t50 + t53) + strain_dot_d_s1 * 0.08571428571428572
+            + t53 * (dot_s0_d * 2.2 + t58 + dot_d_d * (-1.2) + dot_d_s1 * 2.2);
+        let stress_dot_d_d = t43 * t51 + t53 * (t58 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6);
+        let stress_dot_d_s1 = t43
+            * (t48 + (t47 + t50) + strain_dot_d_s1 * 0.08571428571428572
                 + strain_dot_s1_s1 * 0.0035714285714285713)
-            + t56 * (t59 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2));
-        let stress_dot_s1_s1 = t46 * t55
-            + t56 * (t57 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2)));
-        let t66 = inverse_length
+            + t53 * (t56 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2));
+        let stress_dot_s1_s1 = t43 * t52
+            + t53 * (t54 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2)));
+        let t63 = inverse_length
             * (s0_x * stress_dot_s0_d + stress_dot_d_d * (d_x * 2.0)
                 + s1_x * stress_dot_d_s1);
-        let t67 = inverse_length
+        let t64 = inverse_length
             * (s0_y * stress_dot_s0_d + stress_dot_d_d * (d_y * 2.0)
                 + s1_y * stress_dot_d_s1);
-        let t68 = inverse_length
+        let t65 = inverse_length
             * (s0_z * stress_dot_s0_d + stress_dot_d_d * (d_z * 2.0)
                 + s1_z * stress_dot_d_s1);
-        force[0] -= t66;
-        force[1] -= t67;
-        force[2] -= t68;
+        force[0] -= t63;
+        force[1] -= t64;
+        force[2] -= t65;
         force[3]
             += stress_dot_s0_s0 * (s0_x * 2.0) + d_x * stress_dot_s0_d
                 + s1_x * stress_dot_s0_s1;
@@ -285,9 +285,9 @@ pub mod rotating_cantilever_equations {
         force[5]
             += stress_dot_s0_s0 * (s0_z * 2.0) + d_z * stress_dot_s0_d
                 + s1_z * stress_dot_s0_s1;
-        force[6] += t66;
-        force[7] += t67;
-        force[8] += t68;
+        force[6] += t63;
+        force[7] += t64;
+        force[8] += t65;
         force[9]
             += s0_x * stress_dot_s0_s1 + d_x * stress_dot_d_s1
                 + stress_dot_s1_s1 * (s1_x * 2.0);
@@ -328,328 +328,327 @@ pub mod rotating_cantilever_equations {
         let strain_dot_d_s1 = dot_d_s1 - 1.0;
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y + s1_z * s1_z;
         let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
-        let t46 = length * EA;
-        let t47 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t48 = strain_dot_d_d * 0.02142857142857143;
-        let t49 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t47 + t48
+        let t43 = length * EA;
+        let t44 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t45 = strain_dot_d_d * 0.02142857142857143;
+        let t46 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t44 + t45
             + strain_dot_d_s1 * (-0.0035714285714285713)
             + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t50 = t46 * 0.014285714285714285;
-        let t51 = t46 * 0.0035714285714285713;
-        let t52 = t46 * (-0.0035714285714285713);
-        let t53 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t54 = strain_dot_d_d * (-0.12857142857142856);
-        let t55 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let t56 = t46 * (-0.12857142857142856);
-        let t57 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let t58 = strain_dot_s0_s0 * 0.02142857142857143
+        let t47 = t43 * 0.014285714285714285;
+        let t48 = t43 * 0.0035714285714285713;
+        let t49 = t43 * (-0.0035714285714285713);
+        let t50 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t51 = strain_dot_d_d * (-0.12857142857142856);
+        let t52 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t53 = t43 * (-0.12857142857142856);
+        let t54 = strain_dot_s0_s0 * (-0.0035714285714285713);
+        let t55 = strain_dot_s0_s0 * 0.02142857142857143
             + strain_dot_s0_d * (-0.12857142857142856)
             + strain_dot_d_d * 0.5142857142857142
             + strain_dot_d_s1 * (-0.12857142857142856)
             + strain_dot_s1_s1 * 0.02142857142857143;
-        let t59 = t46 * 0.5142857142857142;
-        let t60 = t48
-            + (t47
+        let t56 = t43 * 0.5142857142857142;
+        let t57 = t45
+            + (t44
                 + (strain_dot_s0_s0 * 0.0011904761904761906
                     + strain_dot_s0_d * (-0.0035714285714285713)))
             + strain_dot_d_s1 * 0.0035714285714285713
             + strain_dot_s1_s1 * 0.014285714285714285;
-        let t61 = inverse_length * EI;
-        let t62 = dot_d_d * 3.6;
-        let stress_dot_s0_s0 = t46 * t49
-            + t61 * (t62 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6);
-        let t64 = t46 * 0.02142857142857143 + t61 * 3.6;
-        let t65 = t52 + t61 * (-2.2);
-        let t66 = t46 * 0.0011904761904761906 + t61 * 0.6;
-        let t67 = dot_s0_s1 * 2.2;
-        let stress_dot_s0_d = t46
+        let t58 = inverse_length * EI;
+        let t59 = dot_d_d * 3.6;
+        let stress_dot_s0_s0 = t43 * t46
+            + t58 * (t59 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6);
+        let t61 = t43 * 0.02142857142857143 + t58 * 3.6;
+        let t62 = t49 + t58 * (-2.2);
+        let t63 = t43 * 0.0011904761904761906 + t58 * 0.6;
+        let t64 = dot_s0_s1 * 2.2;
+        let stress_dot_s0_d = t43
             * (strain_dot_s0_s0 * 0.0035714285714285713
-                + strain_dot_s0_d * 0.08571428571428572 + t53 + t54 + t55)
-            + t61 * (dot_s0_d * (-7.2) + t67 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2));
-        let t69 = t46 * 0.08571428571428572 + t61 * (-7.2);
-        let t70 = t46 * (-0.007142857142857143) + t61 * 2.2;
-        let t71 = t61 * 1.2;
-        let t72 = dot_s0_s1 * (-1.2);
-        let stress_dot_s0_s1 = t46
-            * (t55
-                + (t57 + strain_dot_s0_d * (-0.007142857142857143)
+                + strain_dot_s0_d * 0.08571428571428572 + t50 + t51 + t52)
+            + t58 * (dot_s0_d * (-7.2) + t64 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2));
+        let t66 = t43 * 0.08571428571428572 + t58 * (-7.2);
+        let t67 = t43 * (-0.007142857142857143) + t58 * 2.2;
+        let t68 = t58 * 1.2;
+        let t69 = dot_s0_s1 * (-1.2);
+        let stress_dot_s0_s1 = t43
+            * (t52
+                + (t54 + strain_dot_s0_d * (-0.007142857142857143)
                     + strain_dot_s0_s1 * 0.004761904761904762
                     + strain_dot_d_s1 * (-0.007142857142857143)))
-            + t61 * (dot_s0_d * 2.2 + t72 + dot_d_d * (-1.2) + dot_d_s1 * 2.2);
-        let t74 = t61 * (-1.2);
-        let t75 = t46 * 0.004761904761904762 + t74;
-        let stress_dot_d_d = t46 * t58 + t61 * (t72 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6);
-        let stress_dot_d_s1 = t46
-            * (t54 + (t53 + t57) + strain_dot_d_s1 * 0.08571428571428572
+            + t58 * (dot_s0_d * 2.2 + t69 + dot_d_d * (-1.2) + dot_d_s1 * 2.2);
+        let t71 = t58 * (-1.2);
+        let t72 = t43 * 0.004761904761904762 + t71;
+        let stress_dot_d_d = t43 * t55 + t58 * (t69 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6);
+        let stress_dot_d_s1 = t43
+            * (t51 + (t50 + t54) + strain_dot_d_s1 * 0.08571428571428572
                 + strain_dot_s1_s1 * 0.0035714285714285713)
-            + t61 * (t67 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2));
-        let stress_dot_s1_s1 = t46 * t60
-            + t61 * (t62 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2)));
-        let t79 = s0_x * 2.0;
-        let t80 = s0_y * 2.0;
-        let t81 = s0_z * 2.0;
-        let t82 = d_x * 2.0;
-        let t83 = d_y * 2.0;
-        let t84 = d_z * 2.0;
-        let t85 = s1_x * 2.0;
-        let t86 = s1_y * 2.0;
-        let t87 = s1_z * 2.0;
-        let t88 = d_x * t51;
-        let t89 = d_y * t51;
-        let t90 = d_z * t51;
-        let t91 = t50 * t80 + t89 + s1_y * t52;
-        let t92 = t50 * t81 + t90 + s1_z * t52;
-        let t93 = s0_x * t51 + t64 * t82 + s1_x * t65;
-        let t94 = s0_y * t51 + t64 * t83 + s1_y * t65;
-        let t95 = s0_z * t51 + t64 * t84 + s1_z * t65;
-        let t96 = s0_x * t52;
-        let t97 = s0_y * t52;
-        let t98 = s0_z * t52;
-        let t99 = t96 + d_x * t65 + t66 * t85;
-        let t100 = t97 + d_y * t65 + t66 * t86;
-        let t101 = t98 + d_z * t65 + t66 * t87;
-        let t102 = d_x * t69;
-        let t103 = d_y * t69;
-        let t104 = d_z * t69;
-        let t105 = s1_x * t70;
-        let t106 = s1_y * t70;
-        let t107 = s1_z * t70;
-        let t108 = t51 * t80 + t103 + t106;
-        let t109 = t51 * t81 + t104 + t107;
-        let t110 = t56 * t82;
-        let t111 = t56 * t83;
-        let t112 = t56 * t84;
-        let t113 = s0_x * t69 + t110 + s1_x * t71;
-        let t114 = s0_y * t69 + t111 + s1_y * t71;
-        let t115 = s0_z * t69 + t112 + s1_z * t71;
-        let t116 = s0_x * t70;
-        let t117 = s0_y * t70;
-        let t118 = s0_z * t70;
-        let t119 = t116 + d_x * t71 + t65 * t85;
-        let t120 = t117 + d_y * t71 + t65 * t86;
-        let t121 = t118 + d_z * t71 + t65 * t87;
-        let t122 = d_x * t70;
-        let t123 = d_y * t70;
-        let t124 = d_z * t70;
-        let t125 = t52 * t80 + t123 + s1_y * t75;
-        let t126 = t52 * t81 + t124 + s1_z * t75;
-        let t127 = t105 + (t116 + t74 * t82);
-        let t128 = t106 + (t117 + t74 * t83);
-        let t129 = t107 + (t118 + t74 * t84);
-        let t130 = t122 + s0_x * t75 + t52 * t85;
-        let t131 = t123 + s0_y * t75 + t52 * t86;
-        let t132 = t124 + s0_z * t75 + t52 * t87;
-        let t133 = s0_y * t56 + t59 * t83 + s1_y * t56;
-        let t134 = s0_z * t56 + t59 * t84 + s1_z * t56;
-        let t135 = d_x * t56 + s0_x * t74 + t64 * t85;
-        let t136 = d_y * t56 + s0_y * t74 + t64 * t86;
-        let t137 = d_z * t56 + s0_z * t74 + t64 * t87;
-        let t138 = t111 + s0_y * t71 + s1_y * t69;
-        let t139 = t112 + s0_z * t71 + s1_z * t69;
-        let t140 = t102 + t116 + t51 * t85;
-        let t141 = t103 + t117 + t51 * t86;
-        let t142 = t104 + t118 + t51 * t87;
-        let t143 = t89 + t97 + t50 * t86;
-        let t144 = t90 + t98 + t50 * t87;
-        let t145 = t79 * (t50 * t79 + t88 + s1_x * t52)
-            + d_x * (t51 * t79 + t102 + t105);
-        let t146 = t79 * t91 + d_x * t108 + s1_x * t125;
-        let t147 = t79 * t92 + d_x * t109 + s1_x * t126;
-        let t148 = t80 * t92 + d_y * t109 + s1_y * t126;
-        let t149 = t79 * t100 + d_x * t120 + s1_x * t131;
-        let t150 = t79 * t101 + d_x * t121 + s1_x * t132;
-        let t151 = t80 * t99 + d_y * t119 + s1_y * t130;
-        let t152 = t80 * t101 + d_y * t121 + s1_y * t132;
-        let t153 = t81 * t99 + d_z * t119 + s1_z * t130;
-        let t154 = t81 * t100 + d_z * t120 + s1_z * t131;
-        let t155 = s0_x * t113 + t82 * (s0_x * t56 + t59 * t82 + s1_x * t56)
-            + s1_x * (t110 + s0_x * t71 + s1_x * t69);
-        let t156 = s0_x * t131 + d_x * t141 + t85 * t143;
-        let t157 = s0_x * t132 + d_x * t142 + t85 * t144;
-        let t158 = s0_y * t132 + d_y * t142 + t86 * t144;
-        let t159 = stress_dot_s0_s0 * 2.0;
-        let t160 = stress_dot_s0_s1 + (t79 * t99 + d_x * t119 + s1_x * t130);
-        let t161 = stress_dot_s0_s1 + (t80 * t100 + d_y * t120 + s1_y * t131);
-        let t162 = stress_dot_s0_s1 + (t81 * t101 + d_z * t121 + s1_z * t132);
-        let t163 = stress_dot_d_d * 2.0;
-        let t164 = stress_dot_s1_s1 * 2.0;
-        let t165 = s0_x * t130 + d_x * t140 + t85 * (t88 + t96 + t50 * t85) + t164;
-        let t166 = inverse_length * inverse_length;
-        let t167 = (t155 + t163) * t166;
-        let t168 = (s0_x * t114 + t82 * t133 + s1_x * t138) * t166;
-        let t169 = (s0_x * t115 + t82 * t134 + s1_x * t139) * t166;
+            + t58 * (t64 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2));
+        let stress_dot_s1_s1 = t43 * t57
+            + t58 * (t59 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2)));
+        let t76 = s0_x * 2.0;
+        let t77 = s0_y * 2.0;
+        let t78 = s0_z * 2.0;
+        let t79 = d_x * 2.0;
+        let t80 = d_y * 2.0;
+        let t81 = d_z * 2.0;
+        let t82 = s1_x * 2.0;
+        let t83 = s1_y * 2.0;
+        let t84 = s1_z * 2.0;
+        let t85 = d_x * t48;
+        let t86 = d_y * t48;
+        let t87 = d_z * t48;
+        let t88 = t47 * t77 + t86 + s1_y * t49;
+        let t89 = t47 * t78 + t87 + s1_z * t49;
+        let t90 = s0_x * t48 + t61 * t79 + s1_x * t62;
+        let t91 = s0_y * t48 + t61 * t80 + s1_y * t62;
+        let t92 = s0_z * t48 + t61 * t81 + s1_z * t62;
+        let t93 = s0_x * t49;
+        let t94 = s0_y * t49;
+        let t95 = s0_z * t49;
+        let t96 = t93 + d_x * t62 + t63 * t82;
+        let t97 = t94 + d_y * t62 + t63 * t83;
+        let t98 = t95 + d_z * t62 + t63 * t84;
+        let t99 = d_x * t66;
+        let t100 = d_y * t66;
+        let t101 = d_z * t66;
+        let t102 = s1_x * t67;
+        let t103 = s1_y * t67;
+        let t104 = s1_z * t67;
+        let t105 = t48 * t77 + t100 + t103;
+        let t106 = t48 * t78 + t101 + t104;
+        let t107 = t53 * t79;
+        let t108 = t53 * t80;
+        let t109 = t53 * t81;
+        let t110 = s0_x * t66 + t107 + s1_x * t68;
+        let t111 = s0_y * t66 + t108 + s1_y * t68;
+        let t112 = s0_z * t66 + t109 + s1_z * t68;
+        let t113 = s0_x * t67;
+        let t114 = s0_y * t67;
+        let t115 = s0_z * t67;
+        let t116 = t113 + d_x * t68 + t62 * t82;
+        let t117 = t114 + d_y * t68 + t62 * t83;
+        let t118 = t115 + d_z * t68 + t62 * t84;
+        let t119 = d_x * t67;
+        let t120 = d_y * t67;
+        let t121 = d_z * t67;
+        let t122 = t49 * t77 + t120 + s1_y * t72;
+        let t123 = t49 * t78 + t121 + s1_z * t72;
+        let t124 = t102 + (t113 + t71 * t79);
+        let t125 = t103 + (t114 + t71 * t80);
+        let t126 = t104 + (t115 + t71 * t81);
+        let t127 = t119 + s0_x * t72 + t49 * t82;
+        let t128 = t120 + s0_y * t72 + t49 * t83;
+        let t129 = t121 + s0_z * t72 + t49 * t84;
+        let t130 = s0_y * t53 + t56 * t80 + s1_y * t53;
+        let t131 = s0_z * t53 + t56 * t81 + s1_z * t53;
+        let t132 = d_x * t53 + s0_x * t71 + t61 * t82;
+        let t133 = d_y * t53 + s0_y * t71 + t61 * t83;
+        let t134 = d_z * t53 + s0_z * t71 + t61 * t84;
+        let t135 = t108 + s0_y * t68 + s1_y * t66;
+        let t136 = t109 + s0_z * t68 + s1_z * t66;
+        let t137 = t99 + t113 + t48 * t82;
+        let t138 = t100 + t114 + t48 * t83;
+        let t139 = t101 + t115 + t48 * t84;
+        let t140 = t86 + t94 + t47 * t83;
+        let t141 = t87 + t95 + t47 * t84;
+        let t142 = t76 * (t47 * t76 + t85 + s1_x * t49) + d_x * (t48 * t76 + t99 + t102);
+        let t143 = t76 * t88 + d_x * t105 + s1_x * t122;
+        let t144 = t76 * t89 + d_x * t106 + s1_x * t123;
+        let t145 = t77 * t89 + d_y * t106 + s1_y * t123;
+        let t146 = t76 * t97 + d_x * t117 + s1_x * t128;
+        let t147 = t76 * t98 + d_x * t118 + s1_x * t129;
+        let t148 = t77 * t96 + d_y * t116 + s1_y * t127;
+        let t149 = t77 * t98 + d_y * t118 + s1_y * t129;
+        let t150 = t78 * t96 + d_z * t116 + s1_z * t127;
+        let t151 = t78 * t97 + d_z * t117 + s1_z * t128;
+        let t152 = s0_x * t110 + t79 * (s0_x * t53 + t56 * t79 + s1_x * t53)
+            + s1_x * (t107 + s0_x * t68 + s1_x * t66);
+        let t153 = s0_x * t128 + d_x * t138 + t82 * t140;
+        let t154 = s0_x * t129 + d_x * t139 + t82 * t141;
+        let t155 = s0_y * t129 + d_y * t139 + t83 * t141;
+        let t156 = stress_dot_s0_s0 * 2.0;
+        let t157 = stress_dot_s0_s1 + (t76 * t96 + d_x * t116 + s1_x * t127);
+        let t158 = stress_dot_s0_s1 + (t77 * t97 + d_y * t117 + s1_y * t128);
+        let t159 = stress_dot_s0_s1 + (t78 * t98 + d_z * t118 + s1_z * t129);
+        let t160 = stress_dot_d_d * 2.0;
+        let t161 = stress_dot_s1_s1 * 2.0;
+        let t162 = s0_x * t127 + d_x * t137 + t82 * (t85 + t93 + t47 * t82) + t161;
+        let t163 = inverse_length * inverse_length;
+        let t164 = (t152 + t160) * t163;
+        let t165 = (s0_x * t111 + t79 * t130 + s1_x * t135) * t163;
+        let t166 = (s0_x * t112 + t79 * t131 + s1_x * t136) * t163;
+        let t167 = inverse_length
+            * (stress_dot_s0_d + (t76 * t90 + d_x * t110 + s1_x * t124));
+        let t168 = inverse_length * (t77 * t90 + d_y * t110 + s1_y * t124);
+        let t169 = inverse_length * (t78 * t90 + d_z * t110 + s1_z * t124);
         let t170 = inverse_length
-            * (stress_dot_s0_d + (t79 * t93 + d_x * t113 + s1_x * t127));
-        let t171 = inverse_length * (t80 * t93 + d_y * t113 + s1_y * t127);
-        let t172 = inverse_length * (t81 * t93 + d_z * t113 + s1_z * t127);
-        let t173 = inverse_length
-            * (stress_dot_d_s1 + (s0_x * t119 + t82 * t135 + s1_x * t140));
-        let t174 = inverse_length * (s0_x * t120 + t82 * t136 + s1_x * t141);
-        let t175 = inverse_length * (s0_x * t121 + t82 * t137 + s1_x * t142);
-        let t176 = (s0_y * t114 + t83 * t133 + s1_y * t138 + t163) * t166;
-        let t177 = (s0_y * t115 + t83 * t134 + s1_y * t139) * t166;
-        let t178 = inverse_length * (t79 * t94 + d_x * t114 + s1_x * t128);
+            * (stress_dot_d_s1 + (s0_x * t116 + t79 * t132 + s1_x * t137));
+        let t171 = inverse_length * (s0_x * t117 + t79 * t133 + s1_x * t138);
+        let t172 = inverse_length * (s0_x * t118 + t79 * t134 + s1_x * t139);
+        let t173 = (s0_y * t111 + t80 * t130 + s1_y * t135 + t160) * t163;
+        let t174 = (s0_y * t112 + t80 * t131 + s1_y * t136) * t163;
+        let t175 = inverse_length * (t76 * t91 + d_x * t111 + s1_x * t125);
+        let t176 = inverse_length
+            * (stress_dot_s0_d + (t77 * t91 + d_y * t111 + s1_y * t125));
+        let t177 = inverse_length * (t78 * t91 + d_z * t111 + s1_z * t125);
+        let t178 = inverse_length * (s0_y * t116 + t80 * t132 + s1_y * t137);
         let t179 = inverse_length
-            * (stress_dot_s0_d + (t80 * t94 + d_y * t114 + s1_y * t128));
-        let t180 = inverse_length * (t81 * t94 + d_z * t114 + s1_z * t128);
-        let t181 = inverse_length * (s0_y * t119 + t83 * t135 + s1_y * t140);
-        let t182 = inverse_length
-            * (stress_dot_d_s1 + (s0_y * t120 + t83 * t136 + s1_y * t141));
-        let t183 = inverse_length * (s0_y * t121 + t83 * t137 + s1_y * t142);
-        let t184 = (s0_z * t115 + t84 * t134 + s1_z * t139 + t163) * t166;
-        let t185 = inverse_length * (t79 * t95 + d_x * t115 + s1_x * t129);
-        let t186 = inverse_length * (t80 * t95 + d_y * t115 + s1_y * t129);
+            * (stress_dot_d_s1 + (s0_y * t117 + t80 * t133 + s1_y * t138));
+        let t180 = inverse_length * (s0_y * t118 + t80 * t134 + s1_y * t139);
+        let t181 = (s0_z * t112 + t81 * t131 + s1_z * t136 + t160) * t163;
+        let t182 = inverse_length * (t76 * t92 + d_x * t112 + s1_x * t126);
+        let t183 = inverse_length * (t77 * t92 + d_y * t112 + s1_y * t126);
+        let t184 = inverse_length
+            * (stress_dot_s0_d + (t78 * t92 + d_z * t112 + s1_z * t126));
+        let t185 = inverse_length * (s0_z * t116 + t81 * t132 + s1_z * t137);
+        let t186 = inverse_length * (s0_z * t117 + t81 * t133 + s1_z * t138);
         let t187 = inverse_length
-            * (stress_dot_s0_d + (t81 * t95 + d_z * t115 + s1_z * t129));
-        let t188 = inverse_length * (s0_z * t119 + t84 * t135 + s1_z * t140);
-        let t189 = inverse_length * (s0_z * t120 + t84 * t136 + s1_z * t141);
-        let t190 = inverse_length
-            * (stress_dot_d_s1 + (s0_z * t121 + t84 * t137 + s1_z * t142));
-        stiffness[0] += t167;
-        stiffness[1] += t168;
-        stiffness[2] += t169;
-        stiffness[3] -= t170;
-        stiffness[4] -= t171;
-        stiffness[5] -= t172;
-        stiffness[6] -= t167;
-        stiffness[7] -= t168;
-        stiffness[8] -= t169;
-        stiffness[9] -= t173;
-        stiffness[10] -= t174;
-        stiffness[11] -= t175;
-        stiffness[12] += t168;
-        stiffness[13] += t176;
-        stiffness[14] += t177;
-        stiffness[15] -= t178;
-        stiffness[16] -= t179;
-        stiffness[17] -= t180;
-        stiffness[18] -= t168;
-        stiffness[19] -= t176;
-        stiffness[20] -= t177;
-        stiffness[21] -= t181;
-        stiffness[22] -= t182;
-        stiffness[23] -= t183;
-        stiffness[24] += t169;
-        stiffness[25] += t177;
-        stiffness[26] += t184;
-        stiffness[27] -= t185;
-        stiffness[28] -= t186;
-        stiffness[29] -= t187;
-        stiffness[30] -= t169;
-        stiffness[31] -= t177;
-        stiffness[32] -= t184;
-        stiffness[33] -= t188;
-        stiffness[34] -= t189;
-        stiffness[35] -= t190;
-        stiffness[36] -= t170;
-        stiffness[37] -= t178;
-        stiffness[38] -= t185;
-        stiffness[39] += t145 + s1_x * (t52 * t79 + t122 + s1_x * t75) + t159;
-        stiffness[40] += t146;
-        stiffness[41] += t147;
-        stiffness[42] += t170;
-        stiffness[43] += t178;
-        stiffness[44] += t185;
-        stiffness[45] += t160;
-        stiffness[46] += t149;
-        stiffness[47] += t150;
-        stiffness[48] -= t171;
-        stiffness[49] -= t179;
-        stiffness[50] -= t186;
-        stiffness[51] += t146;
-        stiffness[52] += t80 * t91 + d_y * t108 + s1_y * t125 + t159;
-        stiffness[53] += t148;
-        stiffness[54] += t171;
-        stiffness[55] += t179;
-        stiffness[56] += t186;
-        stiffness[57] += t151;
-        stiffness[58] += t161;
-        stiffness[59] += t152;
-        stiffness[60] -= t172;
-        stiffness[61] -= t180;
-        stiffness[62] -= t187;
-        stiffness[63] += t147;
-        stiffness[64] += t148;
-        stiffness[65] += t81 * t92 + d_z * t109 + s1_z * t126 + t159;
-        stiffness[66] += t172;
-        stiffness[67] += t180;
-        stiffness[68] += t187;
-        stiffness[69] += t153;
-        stiffness[70] += t154;
-        stiffness[71] += t162;
-        stiffness[72] -= t167;
-        stiffness[73] -= t168;
-        stiffness[74] -= t169;
-        stiffness[75] += t170;
-        stiffness[76] += t171;
-        stiffness[77] += t172;
-        stiffness[78] += t167;
-        stiffness[79] += t168;
-        stiffness[80] += t169;
-        stiffness[81] += t173;
-        stiffness[82] += t174;
-        stiffness[83] += t175;
-        stiffness[84] -= t168;
-        stiffness[85] -= t176;
-        stiffness[86] -= t177;
-        stiffness[87] += t178;
-        stiffness[88] += t179;
-        stiffness[89] += t180;
-        stiffness[90] += t168;
-        stiffness[91] += t176;
-        stiffness[92] += t177;
-        stiffness[93] += t181;
-        stiffness[94] += t182;
-        stiffness[95] += t183;
-        stiffness[96] -= t169;
-        stiffness[97] -= t177;
-        stiffness[98] -= t184;
-        stiffness[99] += t185;
-        stiffness[100] += t186;
-        stiffness[101] += t187;
-        stiffness[102] += t169;
-        stiffness[103] += t177;
-        stiffness[104] += t184;
-        stiffness[105] += t188;
-        stiffness[106] += t189;
-        stiffness[107] += t190;
-        stiffness[108] -= t173;
-        stiffness[109] -= t181;
-        stiffness[110] -= t188;
-        stiffness[111] += t160;
-        stiffness[112] += t151;
-        stiffness[113] += t153;
-        stiffness[114] += t173;
-        stiffness[115] += t181;
-        stiffness[116] += t188;
-        stiffness[117] += t165;
-        stiffness[118] += t156;
-        stiffness[119] += t157;
-        stiffness[120] -= t174;
-        stiffness[121] -= t182;
-        stiffness[122] -= t189;
-        stiffness[123] += t149;
-        stiffness[124] += t161;
-        stiffness[125] += t154;
-        stiffness[126] += t174;
-        stiffness[127] += t182;
-        stiffness[128] += t189;
-        stiffness[129] += t156;
-        stiffness[130] += s0_y * t131 + d_y * t141 + t86 * t143 + t164;
-        stiffness[131] += t158;
-        stiffness[132] -= t175;
-        stiffness[133] -= t183;
-        stiffness[134] -= t190;
-        stiffness[135] += t150;
-        stiffness[136] += t152;
-        stiffness[137] += t162;
-        stiffness[138] += t175;
-        stiffness[139] += t183;
-        stiffness[140] += t190;
-        stiffness[141] += t157;
-        stiffness[142] += t158;
-        stiffness[143] += s0_z * t132 + d_z * t142 + t87 * t144 + t164;
+            * (stress_dot_d_s1 + (s0_z * t118 + t81 * t134 + s1_z * t139));
+        stiffness[0] += t164;
+        stiffness[1] += t165;
+        stiffness[2] += t166;
+        stiffness[3] -= t167;
+        stiffness[4] -= t168;
+        stiffness[5] -= t169;
+        stiffness[6] -= t164;
+        stiffness[7] -= t165;
+        stiffness[8] -= t166;
+        stiffness[9] -= t170;
+        stiffness[10] -= t171;
+        stiffness[11] -= t172;
+        stiffness[12] += t165;
+        stiffness[13] += t173;
+        stiffness[14] += t174;
+        stiffness[15] -= t175;
+        stiffness[16] -= t176;
+        stiffness[17] -= t177;
+        stiffness[18] -= t165;
+        stiffness[19] -= t173;
+        stiffness[20] -= t174;
+        stiffness[21] -= t178;
+        stiffness[22] -= t179;
+        stiffness[23] -= t180;
+        stiffness[24] += t166;
+        stiffness[25] += t174;
+        stiffness[26] += t181;
+        stiffness[27] -= t182;
+        stiffness[28] -= t183;
+        stiffness[29] -= t184;
+        stiffness[30] -= t166;
+        stiffness[31] -= t174;
+        stiffness[32] -= t181;
+        stiffness[33] -= t185;
+        stiffness[34] -= t186;
+        stiffness[35] -= t187;
+        stiffness[36] -= t167;
+        stiffness[37] -= t175;
+        stiffness[38] -= t182;
+        stiffness[39] += t142 + s1_x * (t49 * t76 + t119 + s1_x * t72) + t156;
+        stiffness[40] += t143;
+        stiffness[41] += t144;
+        stiffness[42] += t167;
+        stiffness[43] += t175;
+        stiffness[44] += t182;
+        stiffness[45] += t157;
+        stiffness[46] += t146;
+        stiffness[47] += t147;
+        stiffness[48] -= t168;
+        stiffness[49] -= t176;
+        stiffness[50] -= t183;
+        stiffness[51] += t143;
+        stiffness[52] += t77 * t88 + d_y * t105 + s1_y * t122 + t156;
+        stiffness[53] += t145;
+        stiffness[54] += t168;
+        stiffness[55] += t176;
+        stiffness[56] += t183;
+        stiffness[57] += t148;
+        stiffness[58] += t158;
+        stiffness[59] += t149;
+        stiffness[60] -= t169;
+        stiffness[61] -= t177;
+        stiffness[62] -= t184;
+        stiffness[63] += t144;
+        stiffness[64] += t145;
+        stiffness[65] += t78 * t89 + d_z * t106 + s1_z * t123 + t156;
+        stiffness[66] += t169;
+        stiffness[67] += t177;
+        stiffness[68] += t184;
+        stiffness[69] += t150;
+        stiffness[70] += t151;
+        stiffness[71] += t159;
+        stiffness[72] -= t164;
+        stiffness[73] -= t165;
+        stiffness[74] -= t166;
+        stiffness[75] += t167;
+        stiffness[76] += t168;
+        stiffness[77] += t169;
+        stiffness[78] += t164;
+        stiffness[79] += t165;
+        stiffness[80] += t166;
+        stiffness[81] += t170;
+        stiffness[82] += t171;
+        stiffness[83] += t172;
+        stiffness[84] -= t165;
+        stiffness[85] -= t173;
+        stiffness[86] -= t174;
+        stiffness[87] += t175;
+        stiffness[88] += t176;
+        stiffness[89] += t177;
+        stiffness[90] += t165;
+        stiffness[91] += t173;
+        stiffness[92] += t174;
+        stiffness[93] += t178;
+        stiffness[94] += t179;
+        stiffness[95] += t180;
+        stiffness[96] -= t166;
+        stiffness[97] -= t174;
+        stiffness[98] -= t181;
+        stiffness[99] += t182;
+        stiffness[100] += t183;
+        stiffness[101] += t184;
+        stiffness[102] += t166;
+        stiffness[103] += t174;
+        stiffness[104] += t181;
+        stiffness[105] += t185;
+        stiffness[106] += t186;
+        stiffness[107] += t187;
+        stiffness[108] -= t170;
+        stiffness[109] -= t178;
+        stiffness[110] -= t185;
+        stiffness[111] += t157;
+        stiffness[112] += t148;
+        stiffness[113] += t150;
+        stiffness[114] += t170;
+        stiffness[115] += t178;
+        stiffness[116] += t185;
+        stiffness[117] += t162;
+        stiffness[118] += t153;
+        stiffness[119] += t154;
+        stiffness[120] -= t171;
+        stiffness[121] -= t179;
+        stiffness[122] -= t186;
+        stiffness[123] += t146;
+        stiffness[124] += t158;
+        stiffness[125] += t151;
+        stiffness[126] += t171;
+        stiffness[127] += t179;
+        stiffness[128] += t186;
+        stiffness[129] += t153;
+        stiffness[130] += s0_y * t128 + d_y * t138 + t83 * t140 + t161;
+        stiffness[131] += t155;
+        stiffness[132] -= t172;
+        stiffness[133] -= t180;
+        stiffness[134] -= t187;
+        stiffness[135] += t147;
+        stiffness[136] += t149;
+        stiffness[137] += t159;
+        stiffness[138] += t172;
+        stiffness[139] += t180;
+        stiffness[140] += t187;
+        stiffness[141] += t154;
+        stiffness[142] += t155;
+        stiffness[143] += s0_z * t129 + d_z * t139 + t84 * t141 + t161;
     }
     /// Adds the strain energy U of one element (J).
     ///
@@ -681,64 +680,64 @@ pub mod rotating_cantilever_equations {
         let strain_dot_d_s1 = dot_d_s1 - 1.0;
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y + s1_z * s1_z;
         let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
-        let t46 = length * EA * 0.5;
-        let t47 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t48 = strain_dot_d_d * 0.02142857142857143;
-        let t49 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t47 + t48
+        let t43 = length * EA * 0.5;
+        let t44 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t45 = strain_dot_d_d * 0.02142857142857143;
+        let t46 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t44 + t45
             + strain_dot_d_s1 * (-0.0035714285714285713)
             + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t50 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t51 = strain_dot_d_d * (-0.12857142857142856);
-        let t52 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let t53 = t46 * (strain_dot_s0_s0 * t49)
-            + t46
+        let t47 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t48 = strain_dot_d_d * (-0.12857142857142856);
+        let t49 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t50 = t43 * (strain_dot_s0_s0 * t46)
+            + t43
                 * (strain_dot_s0_d
                     * (strain_dot_s0_s0 * 0.0035714285714285713
-                        + strain_dot_s0_d * 0.08571428571428572 + t50 + t51 + t52));
-        let t54 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let t55 = t46
+                        + strain_dot_s0_d * 0.08571428571428572 + t47 + t48 + t49));
+        let t51 = strain_dot_s0_s0 * (-0.0035714285714285713);
+        let t52 = t43
             * (strain_dot_s0_s1
-                * (t52
-                    + (t54 + strain_dot_s0_d * (-0.007142857142857143)
+                * (t49
+                    + (t51 + strain_dot_s0_d * (-0.007142857142857143)
                         + strain_dot_s0_s1 * 0.004761904761904762
                         + strain_dot_d_s1 * (-0.007142857142857143))));
-        let t56 = strain_dot_s0_s0 * 0.02142857142857143
+        let t53 = strain_dot_s0_s0 * 0.02142857142857143
             + strain_dot_s0_d * (-0.12857142857142856)
             + strain_dot_d_d * 0.5142857142857142
             + strain_dot_d_s1 * (-0.12857142857142856)
             + strain_dot_s1_s1 * 0.02142857142857143;
-        let t57 = t53 + t55 + t46 * (strain_dot_d_d * t56)
-            + t46
+        let t54 = t50 + t52 + t43 * (strain_dot_d_d * t53)
+            + t43
                 * (strain_dot_d_s1
-                    * (t51 + (t50 + t54) + strain_dot_d_s1 * 0.08571428571428572
+                    * (t48 + (t47 + t51) + strain_dot_d_s1 * 0.08571428571428572
                         + strain_dot_s1_s1 * 0.0035714285714285713));
-        let t58 = t48
-            + (t47
+        let t55 = t45
+            + (t44
                 + (strain_dot_s0_s0 * 0.0011904761904761906
                     + strain_dot_s0_d * (-0.0035714285714285713)))
             + strain_dot_d_s1 * 0.0035714285714285713
             + strain_dot_s1_s1 * 0.014285714285714285;
-        let t59 = 0.5 * (inverse_length * EI);
-        let t60 = dot_d_d * 3.6;
-        let t61 = t57 + t46 * (strain_dot_s1_s1 * t58)
-            + t59 * (dot_s0_s0 * (t60 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6));
-        let t62 = dot_s0_s1 * 2.2;
-        let t63 = t61
-            + t59
+        let t56 = 0.5 * (inverse_length * EI);
+        let t57 = dot_d_d * 3.6;
+        let t58 = t54 + t43 * (strain_dot_s1_s1 * t55)
+            + t56 * (dot_s0_s0 * (t57 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6));
+        let t59 = dot_s0_s1 * 2.2;
+        let t60 = t58
+            + t56
                 * (dot_s0_d
-                    * (dot_s0_d * (-7.2) + t62 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2)));
-        let t64 = dot_s0_s1 * (-1.2);
-        let t65 = t63
-            + t59
+                    * (dot_s0_d * (-7.2) + t59 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2)));
+        let t61 = dot_s0_s1 * (-1.2);
+        let t62 = t60
+            + t56
                 * (dot_s0_s1
-                    * (dot_s0_d * 2.2 + t64 + dot_d_d * (-1.2) + dot_d_s1 * 2.2));
-        let t66 = t65 + t59 * (dot_d_d * (t64 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6))
-            + t59
+                    * (dot_s0_d * 2.2 + t61 + dot_d_d * (-1.2) + dot_d_s1 * 2.2));
+        let t63 = t62 + t56 * (dot_d_d * (t61 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6))
+            + t56
                 * (dot_d_s1
-                    * (t62 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2)));
+                    * (t59 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2)));
         *energy
-            += t66 + t59 * (dot_s1_s1 * (t60 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2))));
+            += t63 + t56 * (dot_s1_s1 * (t57 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2))));
     }
     /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
     ///
@@ -749,15 +748,15 @@ pub mod rotating_cantilever_equations {
         let CableSpatial { length, rhoA, .. } = *row;
         let element_mass = length * rhoA;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t19 = length * element_mass;
-        let mass_r0_s0 = t19 * 0.05238095238095238;
+        let t16 = length * element_mass;
+        let mass_r0_s0 = t16 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t19 * (-0.030952380952380953);
-        let t23 = element_mass * (length * length);
-        let mass_s0_s0 = t23 * 0.009523809523809525;
-        let mass_s0_r1 = t19 * 0.030952380952380953;
-        let mass_s0_s1 = t23 * (-0.007142857142857143);
-        let mass_r1_s1 = t19 * (-0.05238095238095238);
+        let mass_r0_s1 = t16 * (-0.030952380952380953);
+        let t20 = element_mass * (length * length);
+        let mass_s0_s0 = t20 * 0.009523809523809525;
+        let mass_s0_r1 = t16 * 0.030952380952380953;
+        let mass_s0_s1 = t20 * (-0.007142857142857143);
+        let mass_r1_s1 = t16 * (-0.05238095238095238);
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_s0;
         mass[2] = mass_r0_r1;
@@ -797,64 +796,64 @@ pub mod rotating_cantilever_equations {
         let [a_r0_x, a_r0_y, a_r0_z, a_s0_x, a_s0_y, a_s0_z, a_r1_x, a_r1_y, a_r1_z,
         a_s1_x, a_s1_y, a_s1_z] = *a;
         let element_mass = length * rhoA;
-        let t63 = r0_z * w_y - r0_y * w_z;
-        let t64 = r0_x * w_z - r0_z * w_x;
-        let t65 = r0_y * w_x - r0_x * w_y;
-        let t66 = r0_z * dw_y - r0_y * dw_z
+        let t60 = r0_z * w_y - r0_y * w_z;
+        let t61 = r0_x * w_z - r0_z * w_x;
+        let t62 = r0_y * w_x - r0_x * w_y;
+        let t63 = r0_z * dw_y - r0_y * dw_z
             + (a_r0_x + (v_r0_z * w_y - v_r0_y * w_z) * 2.0);
-        let t67 = r0_x * dw_z - r0_z * dw_x
+        let t64 = r0_x * dw_z - r0_z * dw_x
             + (a_r0_y + (v_r0_x * w_z - v_r0_z * w_x) * 2.0);
-        let t68 = r0_y * dw_x - r0_x * dw_y
+        let t65 = r0_y * dw_x - r0_x * dw_y
             + (a_r0_z + (v_r0_y * w_x - v_r0_x * w_y) * 2.0);
-        let total_r0_x = e_x + (w_y * t65 - w_z * t64 + t66);
-        let total_r0_y = e_y + (w_z * t63 - w_x * t65 + t67);
-        let total_r0_z = e_z + (w_x * t64 - w_y * t63 + t68);
-        let t72 = s0_z * w_y - s0_y * w_z;
-        let t73 = s0_x * w_z - s0_z * w_x;
-        let t74 = s0_y * w_x - s0_x * w_y;
-        let t75 = s0_z * dw_y - s0_y * dw_z
+        let total_r0_x = e_x + (w_y * t62 - w_z * t61 + t63);
+        let total_r0_y = e_y + (w_z * t60 - w_x * t62 + t64);
+        let total_r0_z = e_z + (w_x * t61 - w_y * t60 + t65);
+        let t69 = s0_z * w_y - s0_y * w_z;
+        let t70 = s0_x * w_z - s0_z * w_x;
+        let t71 = s0_y * w_x - s0_x * w_y;
+        let t72 = s0_z * dw_y - s0_y * dw_z
             + (a_s0_x + 2.0 * (v_s0_z * w_y - v_s0_y * w_z));
-        let t76 = s0_x * dw_z - s0_z * dw_x
+        let t73 = s0_x * dw_z - s0_z * dw_x
             + (a_s0_y + 2.0 * (v_s0_x * w_z - v_s0_z * w_x));
-        let t77 = s0_y * dw_x - s0_x * dw_y
+        let t74 = s0_y * dw_x - s0_x * dw_y
             + (a_s0_z + 2.0 * (v_s0_y * w_x - v_s0_x * w_y));
-        let total_s0_x = w_y * t74 - w_z * t73 + t75;
-        let total_s0_y = w_z * t72 - w_x * t74 + t76;
-        let total_s0_z = w_x * t73 - w_y * t72 + t77;
-        let t81 = r1_z * w_y - r1_y * w_z;
-        let t82 = r1_x * w_z - r1_z * w_x;
-        let t83 = r1_y * w_x - r1_x * w_y;
-        let t84 = r1_z * dw_y - r1_y * dw_z
+        let total_s0_x = w_y * t71 - w_z * t70 + t72;
+        let total_s0_y = w_z * t69 - w_x * t71 + t73;
+        let total_s0_z = w_x * t70 - w_y * t69 + t74;
+        let t78 = r1_z * w_y - r1_y * w_z;
+        let t79 = r1_x * w_z - r1_z * w_x;
+        let t80 = r1_y * w_x - r1_x * w_y;
+        let t81 = r1_z * dw_y - r1_y * dw_z
             + (a_r1_x + 2.0 * (v_r1_z * w_y - v_r1_y * w_z));
-        let t85 = r1_x * dw_z - r1_z * dw_x
+        let t82 = r1_x * dw_z - r1_z * dw_x
             + (a_r1_y + 2.0 * (v_r1_x * w_z - v_r1_z * w_x));
-        let t86 = r1_y * dw_x - r1_x * dw_y
+        let t83 = r1_y * dw_x - r1_x * dw_y
             + (a_r1_z + 2.0 * (v_r1_y * w_x - v_r1_x * w_y));
-        let total_r1_x = e_x + (w_y * t83 - w_z * t82 + t84);
-        let total_r1_y = e_y + (w_z * t81 - w_x * t83 + t85);
-        let total_r1_z = e_z + (w_x * t82 - w_y * t81 + t86);
-        let t90 = s1_z * w_y - s1_y * w_z;
-        let t91 = s1_x * w_z - s1_z * w_x;
-        let t92 = s1_y * w_x - s1_x * w_y;
-        let t93 = s1_z * dw_y - s1_y * dw_z
+        let total_r1_x = e_x + (w_y * t80 - w_z * t79 + t81);
+        let total_r1_y = e_y + (w_z * t78 - w_x * t80 + t82);
+        let total_r1_z = e_z + (w_x * t79 - w_y * t78 + t83);
+        let t87 = s1_z * w_y - s1_y * w_z;
+        let t88 = s1_x * w_z - s1_z * w_x;
+        let t89 = s1_y * w_x - s1_x * w_y;
+        let t90 = s1_z * dw_y - s1_y * dw_z
             + (a_s1_x + 2.0 * (v_s1_z * w_y - v_s1_y * w_z));
-        let t94 = s1_x * dw_z - s1_z * dw_x
+        let t91 = s1_x * dw_z - s1_z * dw_x
             + (a_s1_y + 2.0 * (v_s1_x * w_z - v_s1_z * w_x));
-        let t95 = s1_y * dw_x - s1_x * dw_y
+        let t92 = s1_y * dw_x - s1_x * dw_y
             + (a_s1_z + 2.0 * (v_s1_y * w_x - v_s1_x * w_y));
-        let total_s1_x = w_y * t92 - w_z * t91 + t93;
-        let total_s1_y = w_z * t90 - w_x * t92 + t94;
-        let total_s1_z = w_x * t91 - w_y * t90 + t95;
+        let total_s1_x = w_y * t89 - w_z * t88 + t90;
+        let total_s1_y = w_z * t87 - w_x * t89 + t91;
+        let total_s1_z = w_x * t88 - w_y * t87 + t92;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t100 = length * element_mass;
-        let mass_r0_s0 = t100 * 0.05238095238095238;
+        let t97 = length * element_mass;
+        let mass_r0_s0 = t97 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t100 * (-0.030952380952380953);
-        let t104 = element_mass * (length * length);
-        let mass_s0_s0 = t104 * 0.009523809523809525;
-        let mass_s0_r1 = t100 * 0.030952380952380953;
-        let mass_s0_s1 = t104 * (-0.007142857142857143);
-        let mass_r1_s1 = t100 * (-0.05238095238095238);
+        let mass_r0_s1 = t97 * (-0.030952380952380953);
+        let t101 = element_mass * (length * length);
+        let mass_s0_s0 = t101 * 0.009523809523809525;
+        let mass_s0_r1 = t97 * 0.030952380952380953;
+        let mass_s0_s1 = t101 * (-0.007142857142857143);
+        let mass_r1_s1 = t97 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + total_s0_x * mass_r0_s0
                 + total_r1_x * mass_r0_r1 + total_s1_x * mass_r0_s1;
@@ -907,369 +906,369 @@ pub mod rotating_cantilever_equations {
         let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);
         let element_mass = length * rhoA;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t25 = length * element_mass;
-        let mass_r0_s0 = t25 * 0.05238095238095238;
+        let t22 = length * element_mass;
+        let mass_r0_s0 = t22 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t25 * (-0.030952380952380953);
-        let t29 = element_mass * (length * length);
-        let mass_s0_s0 = t29 * 0.009523809523809525;
-        let mass_s0_r1 = t25 * 0.030952380952380953;
-        let mass_s0_s1 = t29 * (-0.007142857142857143);
-        let mass_r1_s1 = t25 * (-0.05238095238095238);
-        let t34 = w_y * w_y;
-        let t35 = w_z * w_z;
-        let t36 = t34 + t35;
-        let t37 = -mass_r0_r0 * t36;
-        let t38 = w_x * w_y;
-        let t39 = t38 - dw_z;
+        let mass_r0_s1 = t22 * (-0.030952380952380953);
+        let t26 = element_mass * (length * length);
+        let mass_s0_s0 = t26 * 0.009523809523809525;
+        let mass_s0_r1 = t22 * 0.030952380952380953;
+        let mass_s0_s1 = t26 * (-0.007142857142857143);
+        let mass_r1_s1 = t22 * (-0.05238095238095238);
+        let t31 = w_y * w_y;
+        let t32 = w_z * w_z;
+        let t33 = t31 + t32;
+        let t34 = -mass_r0_r0 * t33;
+        let t35 = w_x * w_y;
+        let t36 = t35 - dw_z;
+        let t37 = mass_r0_r0 * t36;
+        let t38 = w_x * w_z;
+        let t39 = dw_y + t38;
         let t40 = mass_r0_r0 * t39;
-        let t41 = w_x * w_z;
-        let t42 = dw_y + t41;
-        let t43 = mass_r0_r0 * t42;
-        let t44 = -mass_r0_s0 * t36;
-        let t45 = mass_r0_s0 * t39;
-        let t46 = mass_r0_s0 * t42;
-        let t47 = -mass_r0_r1 * t36;
-        let t48 = mass_r0_r1 * t39;
-        let t49 = mass_r0_r1 * t42;
-        let t50 = -mass_r0_s1 * t36;
-        let t51 = mass_r0_s1 * t39;
-        let t52 = mass_r0_s1 * t42;
-        let t53 = dw_z + t38;
-        let t54 = mass_r0_r0 * t53;
-        let t55 = w_x * w_x;
-        let t56 = t35 + t55;
-        let t57 = -mass_r0_r0 * t56;
-        let t58 = w_y * w_z;
-        let t59 = t58 - dw_x;
-        let t60 = mass_r0_r0 * t59;
-        let t61 = mass_r0_s0 * t53;
-        let t62 = -mass_r0_s0 * t56;
-        let t63 = mass_r0_s0 * t59;
-        let t64 = mass_r0_r1 * t53;
-        let t65 = -mass_r0_r1 * t56;
-        let t66 = mass_r0_r1 * t59;
-        let t67 = mass_r0_s1 * t53;
-        let t68 = -mass_r0_s1 * t56;
-        let t69 = mass_r0_s1 * t59;
-        let t70 = t41 - dw_y;
-        let t71 = mass_r0_r0 * t70;
-        let t72 = dw_x + t58;
-        let t73 = mass_r0_r0 * t72;
-        let t74 = t34 + t55;
-        let t75 = -mass_r0_r0 * t74;
-        let t76 = mass_r0_s0 * t70;
-        let t77 = mass_r0_s0 * t72;
-        let t78 = -mass_r0_s0 * t74;
-        let t79 = mass_r0_r1 * t70;
-        let t80 = mass_r0_r1 * t72;
-        let t81 = -mass_r0_r1 * t74;
-        let t82 = mass_r0_s1 * t70;
-        let t83 = mass_r0_s1 * t72;
-        let t84 = -mass_r0_s1 * t74;
-        let t85 = -mass_s0_s0 * t36;
-        let t86 = mass_s0_s0 * t39;
-        let t87 = mass_s0_s0 * t42;
-        let t88 = -mass_s0_r1 * t36;
-        let t89 = mass_s0_r1 * t39;
-        let t90 = mass_s0_r1 * t42;
-        let t91 = -mass_s0_s1 * t36;
-        let t92 = mass_s0_s1 * t39;
-        let t93 = mass_s0_s1 * t42;
-        let t94 = mass_s0_s0 * t53;
-        let t95 = -mass_s0_s0 * t56;
-        let t96 = mass_s0_s0 * t59;
-        let t97 = mass_s0_r1 * t53;
-        let t98 = -mass_s0_r1 * t56;
-        let t99 = mass_s0_r1 * t59;
-        let t100 = mass_s0_s1 * t53;
-        let t101 = -mass_s0_s1 * t56;
-        let t102 = mass_s0_s1 * t59;
-        let t103 = mass_s0_s0 * t70;
-        let t104 = mass_s0_s0 * t72;
-        let t105 = -mass_s0_s0 * t74;
-        let t106 = mass_s0_r1 * t70;
-        let t107 = mass_s0_r1 * t72;
-        let t108 = -mass_s0_r1 * t74;
-        let t109 = mass_s0_s1 * t70;
-        let t110 = mass_s0_s1 * t72;
-        let t111 = -mass_s0_s1 * t74;
-        let t112 = -mass_r1_s1 * t36;
-        let t113 = mass_r1_s1 * t39;
-        let t114 = mass_r1_s1 * t42;
-        let t115 = mass_r1_s1 * t53;
-        let t116 = -mass_r1_s1 * t56;
-        let t117 = mass_r1_s1 * t59;
-        let t118 = mass_r1_s1 * t70;
-        let t119 = mass_r1_s1 * t72;
-        let t120 = -mass_r1_s1 * t74;
-        let t121 = w_z * 2.0;
-        let t122 = mass_r0_r0 * t121;
-        let t123 = w_y * 2.0;
-        let t124 = mass_r0_r0 * t123;
-        let t125 = mass_r0_s0 * t121;
-        let t126 = mass_r0_s0 * t123;
-        let t127 = mass_r0_r1 * t121;
-        let t128 = mass_r0_r1 * t123;
-        let t129 = mass_r0_s1 * t121;
-        let t130 = mass_r0_s1 * t123;
-        let t131 = w_x * 2.0;
-        let t132 = mass_r0_r0 * t131;
-        let t133 = mass_r0_s0 * t131;
-        let t134 = mass_r0_r1 * t131;
-        let t135 = mass_r0_s1 * t131;
-        let t136 = mass_s0_s0 * t121;
-        let t137 = mass_s0_s0 * t123;
-        let t138 = mass_s0_r1 * t121;
-        let t139 = mass_s0_r1 * t123;
-        let t140 = mass_s0_s1 * t121;
-        let t141 = mass_s0_s1 * t123;
-        let t142 = mass_s0_s0 * t131;
-        let t143 = mass_s0_r1 * t131;
-        let t144 = mass_s0_s1 * t131;
-        let t145 = mass_r1_s1 * t121;
-        let t146 = mass_r1_s1 * t123;
-        let t147 = mass_r1_s1 * t131;
-        stiffness[0] += t37;
-        stiffness[1] += t40;
-        stiffness[2] += t43;
-        stiffness[3] += t44;
-        stiffness[4] += t45;
-        stiffness[5] += t46;
-        stiffness[6] += t47;
-        stiffness[7] += t48;
-        stiffness[8] += t49;
-        stiffness[9] += t50;
-        stiffness[10] += t51;
-        stiffness[11] += t52;
-        stiffness[12] += t54;
-        stiffness[13] += t57;
-        stiffness[14] += t60;
-        stiffness[15] += t61;
-        stiffness[16] += t62;
-        stiffness[17] += t63;
-        stiffness[18] += t64;
-        stiffness[19] += t65;
-        stiffness[20] += t66;
-        stiffness[21] += t67;
-        stiffness[22] += t68;
-        stiffness[23] += t69;
-        stiffness[24] += t71;
-        stiffness[25] += t73;
-        stiffness[26] += t75;
-        stiffness[27] += t76;
-        stiffness[28] += t77;
-        stiffness[29] += t78;
-        stiffness[30] += t79;
-        stiffness[31] += t80;
-        stiffness[32] += t81;
-        stiffness[33] += t82;
-        stiffness[34] += t83;
-        stiffness[35] += t84;
-        stiffness[36] += t44;
-        stiffness[37] += t45;
-        stiffness[38] += t46;
-        stiffness[39] += t85;
-        stiffness[40] += t86;
-        stiffness[41] += t87;
-        stiffness[42] += t88;
-        stiffness[43] += t89;
-        stiffness[44] += t90;
-        stiffness[45] += t91;
-        stiffness[46] += t92;
-        stiffness[47] += t93;
-        stiffness[48] += t61;
-        stiffness[49] += t62;
-        stiffness[50] += t63;
-        stiffness[51] += t94;
-        stiffness[52] += t95;
-        stiffness[53] += t96;
-        stiffness[54] += t97;
-        stiffness[55] += t98;
-        stiffness[56] += t99;
-        stiffness[57] += t100;
-        stiffness[58] += t101;
-        stiffness[59] += t102;
-        stiffness[60] += t76;
-        stiffness[61] += t77;
-        stiffness[62] += t78;
-        stiffness[63] += t103;
-        stiffness[64] += t104;
-        stiffness[65] += t105;
-        stiffness[66] += t106;
-        stiffness[67] += t107;
-        stiffness[68] += t108;
-        stiffness[69] += t109;
-        stiffness[70] += t110;
-        stiffness[71] += t111;
-        stiffness[72] += t47;
-        stiffness[73] += t48;
-        stiffness[74] += t49;
-        stiffness[75] += t88;
-        stiffness[76] += t89;
-        stiffness[77] += t90;
-        stiffness[78] += t37;
-        stiffness[79] += t40;
-        stiffness[80] += t43;
-        stiffness[81] += t112;
-        stiffness[82] += t113;
-        stiffness[83] += t114;
-        stiffness[84] += t64;
-        stiffness[85] += t65;
-        stiffness[86] += t66;
-        stiffness[87] += t97;
-        stiffness[88] += t98;
-        stiffness[89] += t99;
-        stiffness[90] += t54;
-        stiffness[91] += t57;
-        stiffness[92] += t60;
-        stiffness[93] += t115;
-        stiffness[94] += t116;
-        stiffness[95] += t117;
-        stiffness[96] += t79;
-        stiffness[97] += t80;
-        stiffness[98] += t81;
-        stiffness[99] += t106;
-        stiffness[100] += t107;
-        stiffness[101] += t108;
-        stiffness[102] += t71;
-        stiffness[103] += t73;
-        stiffness[104] += t75;
-        stiffness[105] += t118;
-        stiffness[106] += t119;
-        stiffness[107] += t120;
-        stiffness[108] += t50;
-        stiffness[109] += t51;
-        stiffness[110] += t52;
-        stiffness[111] += t91;
-        stiffness[112] += t92;
-        stiffness[113] += t93;
-        stiffness[114] += t112;
-        stiffness[115] += t113;
-        stiffness[116] += t114;
-        stiffness[117] += t85;
-        stiffness[118] += t86;
-        stiffness[119] += t87;
-        stiffness[120] += t67;
-        stiffness[121] += t68;
-        stiffness[122] += t69;
-        stiffness[123] += t100;
-        stiffness[124] += t101;
-        stiffness[125] += t102;
-        stiffness[126] += t115;
-        stiffness[127] += t116;
-        stiffness[128] += t117;
-        stiffness[129] += t94;
-        stiffness[130] += t95;
-        stiffness[131] += t96;
-        stiffness[132] += t82;
-        stiffness[133] += t83;
-        stiffness[134] += t84;
-        stiffness[135] += t109;
-        stiffness[136] += t110;
-        stiffness[137] += t111;
-        stiffness[138] += t118;
-        stiffness[139] += t119;
-        stiffness[140] += t120;
-        stiffness[141] += t103;
-        stiffness[142] += t104;
-        stiffness[143] += t105;
-        damping_matrix[1] -= t122;
-        damping_matrix[2] += t124;
-        damping_matrix[4] -= t125;
-        damping_matrix[5] += t126;
-        damping_matrix[7] -= t127;
-        damping_matrix[8] += t128;
-        damping_matrix[10] -= t129;
-        damping_matrix[11] += t130;
-        damping_matrix[12] += t122;
-        damping_matrix[14] -= t132;
-        damping_matrix[15] += t125;
-        damping_matrix[17] -= t133;
-        damping_matrix[18] += t127;
-        damping_matrix[20] -= t134;
-        damping_matrix[21] += t129;
-        damping_matrix[23] -= t135;
-        damping_matrix[24] -= t124;
-        damping_matrix[25] += t132;
-        damping_matrix[27] -= t126;
-        damping_matrix[28] += t133;
-        damping_matrix[30] -= t128;
-        damping_matrix[31] += t134;
-        damping_matrix[33] -= t130;
-        damping_matrix[34] += t135;
-        damping_matrix[37] -= t125;
-        damping_matrix[38] += t126;
-        damping_matrix[40] -= t136;
-        damping_matrix[41] += t137;
-        damping_matrix[43] -= t138;
-        damping_matrix[44] += t139;
-        damping_matrix[46] -= t140;
-        damping_matrix[47] += t141;
-        damping_matrix[48] += t125;
-        damping_matrix[50] -= t133;
-        damping_matrix[51] += t136;
-        damping_matrix[53] -= t142;
-        damping_matrix[54] += t138;
-        damping_matrix[56] -= t143;
-        damping_matrix[57] += t140;
-        damping_matrix[59] -= t144;
-        damping_matrix[60] -= t126;
-        damping_matrix[61] += t133;
-        damping_matrix[63] -= t137;
-        damping_matrix[64] += t142;
-        damping_matrix[66] -= t139;
-        damping_matrix[67] += t143;
-        damping_matrix[69] -= t141;
-        damping_matrix[70] += t144;
-        damping_matrix[73] -= t127;
-        damping_matrix[74] += t128;
-        damping_matrix[76] -= t138;
-        damping_matrix[77] += t139;
-        damping_matrix[79] -= t122;
-        damping_matrix[80] += t124;
-        damping_matrix[82] -= t145;
-        damping_matrix[83] += t146;
-        damping_matrix[84] += t127;
-        damping_matrix[86] -= t134;
-        damping_matrix[87] += t138;
-        damping_matrix[89] -= t143;
-        damping_matrix[90] += t122;
-        damping_matrix[92] -= t132;
-        damping_matrix[93] += t145;
-        damping_matrix[95] -= t147;
-        damping_matrix[96] -= t128;
-        damping_matrix[97] += t134;
-        damping_matrix[99] -= t139;
-        damping_matrix[100] += t143;
-        damping_matrix[102] -= t124;
-        damping_matrix[103] += t132;
-        damping_matrix[105] -= t146;
-        damping_matrix[106] += t147;
-        damping_matrix[109] -= t129;
-        damping_matrix[110] += t130;
-        damping_matrix[112] -= t140;
-        damping_matrix[113] += t141;
-        damping_matrix[115] -= t145;
-        damping_matrix[116] += t146;
-        damping_matrix[118] -= t136;
-        damping_matrix[119] += t137;
-        damping_matrix[120] += t129;
-        damping_matrix[122] -= t135;
-        damping_matrix[123] += t140;
-        damping_matrix[125] -= t144;
-        damping_matrix[126] += t145;
-        damping_matrix[128] -= t147;
-        damping_matrix[129] += t136;
-        damping_matrix[131] -= t142;
-        damping_matrix[132] -= t130;
-        damping_matrix[133] += t135;
-        damping_matrix[135] -= t141;
-        damping_matrix[136] += t144;
-        damping_matrix[138] -= t146;
-        damping_matrix[139] += t147;
-        damping_matrix[141] -= t137;
-        damping_matrix[142] += t142;
+        let t41 = -mass_r0_s0 * t33;
+        let t42 = mass_r0_s0 * t36;
+        let t43 = mass_r0_s0 * t39;
+        let t44 = -mass_r0_r1 * t33;
+        let t45 = mass_r0_r1 * t36;
+        let t46 = mass_r0_r1 * t39;
+        let t47 = -mass_r0_s1 * t33;
+        let t48 = mass_r0_s1 * t36;
+        let t49 = mass_r0_s1 * t39;
+        let t50 = dw_z + t35;
+        let t51 = mass_r0_r0 * t50;
+        let t52 = w_x * w_x;
+        let t53 = t32 + t52;
+        let t54 = -mass_r0_r0 * t53;
+        let t55 = w_y * w_z;
+        let t56 = t55 - dw_x;
+        let t57 = mass_r0_r0 * t56;
+        let t58 = mass_r0_s0 * t50;
+        let t59 = -mass_r0_s0 * t53;
+        let t60 = mass_r0_s0 * t56;
+        let t61 = mass_r0_r1 * t50;
+        let t62 = -mass_r0_r1 * t53;
+        let t63 = mass_r0_r1 * t56;
+        let t64 = mass_r0_s1 * t50;
+        let t65 = -mass_r0_s1 * t53;
+        let t66 = mass_r0_s1 * t56;
+        let t67 = t38 - dw_y;
+        let t68 = mass_r0_r0 * t67;
+        let t69 = dw_x + t55;
+        let t70 = mass_r0_r0 * t69;
+        let t71 = t31 + t52;
+        let t72 = -mass_r0_r0 * t71;
+        let t73 = mass_r0_s0 * t67;
+        let t74 = mass_r0_s0 * t69;
+        let t75 = -mass_r0_s0 * t71;
+        let t76 = mass_r0_r1 * t67;
+        let t77 = mass_r0_r1 * t69;
+        let t78 = -mass_r0_r1 * t71;
+        let t79 = mass_r0_s1 * t67;
+        let t80 = mass_r0_s1 * t69;
+        let t81 = -mass_r0_s1 * t71;
+        let t82 = -mass_s0_s0 * t33;
+        let t83 = mass_s0_s0 * t36;
+        let t84 = mass_s0_s0 * t39;
+        let t85 = -mass_s0_r1 * t33;
+        let t86 = mass_s0_r1 * t36;
+        let t87 = mass_s0_r1 * t39;
+        let t88 = -mass_s0_s1 * t33;
+        let t89 = mass_s0_s1 * t36;
+        let t90 = mass_s0_s1 * t39;
+        let t91 = mass_s0_s0 * t50;
+        let t92 = -mass_s0_s0 * t53;
+        let t93 = mass_s0_s0 * t56;
+        let t94 = mass_s0_r1 * t50;
+        let t95 = -mass_s0_r1 * t53;
+        let t96 = mass_s0_r1 * t56;
+        let t97 = mass_s0_s1 * t50;
+        let t98 = -mass_s0_s1 * t53;
+        let t99 = mass_s0_s1 * t56;
+        let t100 = mass_s0_s0 * t67;
+        let t101 = mass_s0_s0 * t69;
+        let t102 = -mass_s0_s0 * t71;
+        let t103 = mass_s0_r1 * t67;
+        let t104 = mass_s0_r1 * t69;
+        let t105 = -mass_s0_r1 * t71;
+        let t106 = mass_s0_s1 * t67;
+        let t107 = mass_s0_s1 * t69;
+        let t108 = -mass_s0_s1 * t71;
+        let t109 = -mass_r1_s1 * t33;
+        let t110 = mass_r1_s1 * t36;
+        let t111 = mass_r1_s1 * t39;
+        let t112 = mass_r1_s1 * t50;
+        let t113 = -mass_r1_s1 * t53;
+        let t114 = mass_r1_s1 * t56;
+        let t115 = mass_r1_s1 * t67;
+        let t116 = mass_r1_s1 * t69;
+        let t117 = -mass_r1_s1 * t71;
+        let t118 = w_z * 2.0;
+        let t119 = mass_r0_r0 * t118;
+        let t120 = w_y * 2.0;
+        let t121 = mass_r0_r0 * t120;
+        let t122 = mass_r0_s0 * t118;
+        let t123 = mass_r0_s0 * t120;
+        let t124 = mass_r0_r1 * t118;
+        let t125 = mass_r0_r1 * t120;
+        let t126 = mass_r0_s1 * t118;
+        let t127 = mass_r0_s1 * t120;
+        let t128 = w_x * 2.0;
+        let t129 = mass_r0_r0 * t128;
+        let t130 = mass_r0_s0 * t128;
+        let t131 = mass_r0_r1 * t128;
+        let t132 = mass_r0_s1 * t128;
+        let t133 = mass_s0_s0 * t118;
+        let t134 = mass_s0_s0 * t120;
+        let t135 = mass_s0_r1 * t118;
+        let t136 = mass_s0_r1 * t120;
+        let t137 = mass_s0_s1 * t118;
+        let t138 = mass_s0_s1 * t120;
+        let t139 = mass_s0_s0 * t128;
+        let t140 = mass_s0_r1 * t128;
+        let t141 = mass_s0_s1 * t128;
+        let t142 = mass_r1_s1 * t118;
+        let t143 = mass_r1_s1 * t120;
+        let t144 = mass_r1_s1 * t128;
+        stiffness[0] += t34;
+        stiffness[1] += t37;
+        stiffness[2] += t40;
+        stiffness[3] += t41;
+        stiffness[4] += t42;
+        stiffness[5] += t43;
+        stiffness[6] += t44;
+        stiffness[7] += t45;
+        stiffness[8] += t46;
+        stiffness[9] += t47;
+        stiffness[10] += t48;
+        stiffness[11] += t49;
+        stiffness[12] += t51;
+        stiffness[13] += t54;
+        stiffness[14] += t57;
+        stiffness[15] += t58;
+        stiffness[16] += t59;
+        stiffness[17] += t60;
+        stiffness[18] += t61;
+        stiffness[19] += t62;
+        stiffness[20] += t63;
+        stiffness[21] += t64;
+        stiffness[22] += t65;
+        stiffness[23] += t66;
+        stiffness[24] += t68;
+        stiffness[25] += t70;
+        stiffness[26] += t72;
+        stiffness[27] += t73;
+        stiffness[28] += t74;
+        stiffness[29] += t75;
+        stiffness[30] += t76;
+        stiffness[31] += t77;
+        stiffness[32] += t78;
+        stiffness[33] += t79;
+        stiffness[34] += t80;
+        stiffness[35] += t81;
+        stiffness[36] += t41;
+        stiffness[37] += t42;
+        stiffness[38] += t43;
+        stiffness[39] += t82;
+        stiffness[40] += t83;
+        stiffness[41] += t84;
+        stiffness[42] += t85;
+        stiffness[43] += t86;
+        stiffness[44] += t87;
+        stiffness[45] += t88;
+        stiffness[46] += t89;
+        stiffness[47] += t90;
+        stiffness[48] += t58;
+        stiffness[49] += t59;
+        stiffness[50] += t60;
+        stiffness[51] += t91;
+        stiffness[52] += t92;
+        stiffness[53] += t93;
+        stiffness[54] += t94;
+        stiffness[55] += t95;
+        stiffness[56] += t96;
+        stiffness[57] += t97;
+        stiffness[58] += t98;
+        stiffness[59] += t99;
+        stiffness[60] += t73;
+        stiffness[61] += t74;
+        stiffness[62] += t75;
+        stiffness[63] += t100;
+        stiffness[64] += t101;
+        stiffness[65] += t102;
+        stiffness[66] += t103;
+        stiffness[67] += t104;
+        stiffness[68] += t105;
+        stiffness[69] += t106;
+        stiffness[70] += t107;
+        stiffness[71] += t108;
+        stiffness[72] += t44;
+        stiffness[73] += t45;
+        stiffness[74] += t46;
+        stiffness[75] += t85;
+        stiffness[76] += t86;
+        stiffness[77] += t87;
+        stiffness[78] += t34;
+        stiffness[79] += t37;
+        stiffness[80] += t40;
+        stiffness[81] += t109;
+        stiffness[82] += t110;
+        stiffness[83] += t111;
+        stiffness[84] += t61;
+        stiffness[85] += t62;
+        stiffness[86] += t63;
+        stiffness[87] += t94;
+        stiffness[88] += t95;
+        stiffness[89] += t96;
+        stiffness[90] += t51;
+        stiffness[91] += t54;
+        stiffness[92] += t57;
+        stiffness[93] += t112;
+        stiffness[94] += t113;
+        stiffness[95] += t114;
+        stiffness[96] += t76;
+        stiffness[97] += t77;
+        stiffness[98] += t78;
+        stiffness[99] += t103;
+        stiffness[100] += t104;
+        stiffness[101] += t105;
+        stiffness[102] += t68;
+        stiffness[103] += t70;
+        stiffness[104] += t72;
+        stiffness[105] += t115;
+        stiffness[106] += t116;
+        stiffness[107] += t117;
+        stiffness[108] += t47;
+        stiffness[109] += t48;
+        stiffness[110] += t49;
+        stiffness[111] += t88;
+        stiffness[112] += t89;
+        stiffness[113] += t90;
+        stiffness[114] += t109;
+        stiffness[115] += t110;
+        stiffness[116] += t111;
+        stiffness[117] += t82;
+        stiffness[118] += t83;
+        stiffness[119] += t84;
+        stiffness[120] += t64;
+        stiffness[121] += t65;
+        stiffness[122] += t66;
+        stiffness[123] += t97;
+        stiffness[124] += t98;
+        stiffness[125] += t99;
+        stiffness[126] += t112;
+        stiffness[127] += t113;
+        stiffness[128] += t114;
+        stiffness[129] += t91;
+        stiffness[130] += t92;
+        stiffness[131] += t93;
+        stiffness[132] += t79;
+        stiffness[133] += t80;
+        stiffness[134] += t81;
+        stiffness[135] += t106;
+        stiffness[136] += t107;
+        stiffness[137] += t108;
+        stiffness[138] += t115;
+        stiffness[139] += t116;
+        stiffness[140] += t117;
+        stiffness[141] += t100;
+        stiffness[142] += t101;
+        stiffness[143] += t102;
+        damping_matrix[1] -= t119;
+        damping_matrix[2] += t121;
+        damping_matrix[4] -= t122;
+        damping_matrix[5] += t123;
+        damping_matrix[7] -= t124;
+        damping_matrix[8] += t125;
+        damping_matrix[10] -= t126;
+        damping_matrix[11] += t127;
+        damping_matrix[12] += t119;
+        damping_matrix[14] -= t129;
+        damping_matrix[15] += t122;
+        damping_matrix[17] -= t130;
+        damping_matrix[18] += t124;
+        damping_matrix[20] -= t131;
+        damping_matrix[21] += t126;
+        damping_matrix[23] -= t132;
+        damping_matrix[24] -= t121;
+        damping_matrix[25] += t129;
+        damping_matrix[27] -= t123;
+        damping_matrix[28] += t130;
+        damping_matrix[30] -= t125;
+        damping_matrix[31] += t131;
+        damping_matrix[33] -= t127;
+        damping_matrix[34] += t132;
+        damping_matrix[37] -= t122;
+        damping_matrix[38] += t123;
+        damping_matrix[40] -= t133;
+        damping_matrix[41] += t134;
+        damping_matrix[43] -= t135;
+        damping_matrix[44] += t136;
+        damping_matrix[46] -= t137;
+        damping_matrix[47] += t138;
+        damping_matrix[48] += t122;
+        damping_matrix[50] -= t130;
+        damping_matrix[51] += t133;
+        damping_matrix[53] -= t139;
+        damping_matrix[54] += t135;
+        damping_matrix[56] -= t140;
+        damping_matrix[57] += t137;
+        damping_matrix[59] -= t141;
+        damping_matrix[60] -= t123;
+        damping_matrix[61] += t130;
+        damping_matrix[63] -= t134;
+        damping_matrix[64] += t139;
+        damping_matrix[66] -= t136;
+        damping_matrix[67] += t140;
+        damping_matrix[69] -= t138;
+        damping_matrix[70] += t141;
+        damping_matrix[73] -= t124;
+        damping_matrix[74] += t125;
+        damping_matrix[76] -= t135;
+        damping_matrix[77] += t136;
+        damping_matrix[79] -= t119;
+        damping_matrix[80] += t121;
+        damping_matrix[82] -= t142;
+        damping_matrix[83] += t143;
+        damping_matrix[84] += t124;
+        damping_matrix[86] -= t131;
+        damping_matrix[87] += t135;
+        damping_matrix[89] -= t140;
+        damping_matrix[90] += t119;
+        damping_matrix[92] -= t129;
+        damping_matrix[93] += t142;
+        damping_matrix[95] -= t144;
+        damping_matrix[96] -= t125;
+        damping_matrix[97] += t131;
+        damping_matrix[99] -= t136;
+        damping_matrix[100] += t140;
+        damping_matrix[102] -= t121;
+        damping_matrix[103] += t129;
+        damping_matrix[105] -= t143;
+        damping_matrix[106] += t144;
+        damping_matrix[109] -= t126;
+        damping_matrix[110] += t127;
+        damping_matrix[112] -= t137;
+        damping_matrix[113] += t138;
+        damping_matrix[115] -= t142;
+        damping_matrix[116] += t143;
+        damping_matrix[118] -= t133;
+        damping_matrix[119] += t134;
+        damping_matrix[120] += t126;
+        damping_matrix[122] -= t132;
+        damping_matrix[123] += t137;
+        damping_matrix[125] -= t141;
+        damping_matrix[126] += t142;
+        damping_matrix[128] -= t144;
+        damping_matrix[129] += t133;
+        damping_matrix[131] -= t139;
+        damping_matrix[132] -= t127;
+        damping_matrix[133] += t132;
+        damping_matrix[135] -= t138;
+        damping_matrix[136] += t141;
+        damping_matrix[138] -= t143;
+        damping_matrix[139] += t144;
+        damping_matrix[141] -= t134;
+        damping_matrix[142] += t139;
     }
     /// Adds the inertia forces of one element in the inertial frame; e is minus gravity.
     ///
@@ -1294,15 +1293,15 @@ pub mod rotating_cantilever_equations {
         let total_r1_y = a_r1_y + e_y;
         let total_r1_z = a_r1_z + e_z;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t40 = length * element_mass;
-        let mass_r0_s0 = t40 * 0.05238095238095238;
+        let t37 = length * element_mass;
+        let mass_r0_s0 = t37 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t40 * (-0.030952380952380953);
-        let t44 = element_mass * (length * length);
-        let mass_s0_s0 = t44 * 0.009523809523809525;
-        let mass_s0_r1 = t40 * 0.030952380952380953;
-        let mass_s0_s1 = t44 * (-0.007142857142857143);
-        let mass_r1_s1 = t40 * (-0.05238095238095238);
+        let mass_r0_s1 = t37 * (-0.030952380952380953);
+        let t41 = element_mass * (length * length);
+        let mass_s0_s0 = t41 * 0.009523809523809525;
+        let mass_s0_r1 = t37 * 0.030952380952380953;
+        let mass_s0_s1 = t41 * (-0.007142857142857143);
+        let mass_r1_s1 = t37 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + a_s0_x * mass_r0_s0 + total_r1_x * mass_r0_r1
                 + a_s1_x * mass_r0_s1;
@@ -1361,12 +1360,12 @@ pub mod rotating_cantilever_equations {
         xi: f64,
         weights: &mut [f64; 4],
     ) {
-        let t17 = 1.0 / length;
-        let t18 = xi * 3.0;
-        weights[0] = xi * (-6.0 + xi * 6.0) * t17;
-        weights[1] = 1.0 + xi * (-4.0 + t18);
-        weights[2] = t17 * (xi * (6.0 + xi * (-6.0)));
-        weights[3] = xi * (t18 + (-2.0));
+        let t14 = 1.0 / length;
+        let t15 = xi * 3.0;
+        weights[0] = xi * (-6.0 + xi * 6.0) * t14;
+        weights[1] = 1.0 + xi * (-4.0 + t15);
+        weights[2] = t14 * (xi * (6.0 + xi * (-6.0)));
+        weights[3] = xi * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
     ///
@@ -1376,13 +1375,13 @@ pub mod rotating_cantilever_equations {
         xi: f64,
         weights: &mut [f64; 4],
     ) {
-        let t17 = 1.0 / (length * length);
-        let t18 = xi * 6.0;
-        let t19 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t17;
-        weights[1] = (-4.0 + t18) * t19;
-        weights[2] = t17 * (6.0 + xi * (-12.0));
-        weights[3] = t19 * (t18 + (-2.0));
+        let t14 = 1.0 / (length * length);
+        let t15 = xi * 6.0;
+        let t16 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t14;
+        weights[1] = (-4.0 + t15) * t16;
+        weights[2] = t14 * (6.0 + xi * (-12.0));
+        weights[3] = t16 * (t15 + (-2.0));
     }
     /// Writes the forces on the fields a, b at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -1394,24 +1393,24 @@ pub mod rotating_cantilever_equations {
         forces: &mut [f64; 6],
     ) {
         let CableSpatial { length, EA, EI, .. } = *row;
-        let t26 = fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2];
-        let t27 = fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5];
-        let t28 = 0.5 * (t26 - 1.0)
+        let t23 = fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2];
+        let t24 = fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5];
+        let t25 = 0.5 * (t23 - 1.0)
             - 0.5
                 * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
                     + stress_free[2] * stress_free[2] - 1.0);
-        let t29 = EA * t28;
-        let t30 = fields[0] * 2.0;
-        let t31 = fields[1] * 2.0;
-        let t32 = fields[2] * 2.0;
-        let t33 = (fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5])
+        let t26 = EA * t25;
+        let t27 = fields[0] * 2.0;
+        let t28 = fields[1] * 2.0;
+        let t29 = fields[2] * 2.0;
+        let t30 = (fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5])
             * 2.0;
-        forces[0] = t29 * (0.5 * t30) + EI * (0.5 * (t27 * t30 - fields[3] * t33));
-        forces[1] = t29 * (0.5 * t31) + EI * (0.5 * (t27 * t31 - fields[4] * t33));
-        forces[2] = t29 * (0.5 * t32) + EI * (0.5 * (t27 * t32 - fields[5] * t33));
-        forces[3] = EI * (0.5 * (t26 * (fields[3] * 2.0) - fields[0] * t33));
-        forces[4] = EI * (0.5 * (t26 * (fields[4] * 2.0) - fields[1] * t33));
-        forces[5] = EI * (0.5 * (t26 * (fields[5] * 2.0) - fields[2] * t33));
+        forces[0] = t26 * (0.5 * t27) + EI * (0.5 * (t24 * t27 - fields[3] * t30));
+        forces[1] = t26 * (0.5 * t28) + EI * (0.5 * (t24 * t28 - fields[4] * t30));
+        forces[2] = t26 * (0.5 * t29) + EI * (0.5 * (t24 * t29 - fields[5] * t30));
+        forces[3] = EI * (0.5 * (t23 * (fields[3] * 2.0) - fields[0] * t30));
+        forces[4] = EI * (0.5 * (t23 * (fields[4] * 2.0) - fields[1] * t30));
+        forces[5] = EI * (0.5 * (t23 * (fields[5] * 2.0) - fields[2] * t30));
     }
     /// Motion of frame `hub` and its first three derivatives.
     ///
@@ -1423,13 +1422,13 @@ pub mod rotating_cantilever_equations {
     ) {
         *motion = ::rncf::mesh::FrameMotion::INERTIAL;
         let theta = t * model.eta;
-        let t18 = theta.cos();
-        let t19 = theta.sin();
+        let t15 = theta.cos();
+        let t16 = theta.sin();
         motion.spin[2] = model.eta;
-        motion.rotation[0][0] = t18;
-        motion.rotation[0][1] = -t19;
-        motion.rotation[1][0] = t19;
-        motion.rotation[1][1] = t18;
+        motion.rotation[0][0] = t15;
+        motion.rotation[0][1] = -t16;
+        motion.rotation[1][0] = t16;
+        motion.rotation[1][1] = t15;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -1592,17 +1591,17 @@ pub mod rotating_cantilever_equations {
         rows: &mut [f64],
     ) {
         let theta = t * model.eta;
-        let t33 = theta.cos();
-        let t34 = theta.sin();
-        let t35 = q[3] * (t33 * data.normals[0][0] - t34 * data.normals[0][1])
-            + q[4] * (t34 * data.normals[0][0] + t33 * data.normals[0][1]);
-        let t36 = q[3] * (t33 * data.normals[1][0] - t34 * data.normals[1][1])
-            + q[4] * (t34 * data.normals[1][0] + t33 * data.normals[1][1]);
-        rows[0] = q[0] - (t33 * data.point[0] - t34 * data.point[1]);
-        rows[1] = q[1] - (t34 * data.point[0] + t33 * data.point[1]);
+        let t30 = theta.cos();
+        let t31 = theta.sin();
+        let t32 = q[3] * (t30 * data.normals[0][0] - t31 * data.normals[0][1])
+            + q[4] * (t31 * data.normals[0][0] + t30 * data.normals[0][1]);
+        let t33 = q[3] * (t30 * data.normals[1][0] - t31 * data.normals[1][1])
+            + q[4] * (t31 * data.normals[1][0] + t30 * data.normals[1][1]);
+        rows[0] = q[0] - (t30 * data.point[0] - t31 * data.point[1]);
+        rows[1] = q[1] - (t31 * data.point[0] + t30 * data.point[1]);
         rows[2] = q[2] - data.point[2];
-        rows[3] = t35 + data.normals[0][2] * q[5];
-        rows[4] = t36 + data.normals[1][2] * q[5];
+        rows[3] = t32 + data.normals[0][2] * q[5];
+        rows[4] = t33 + data.normals[1][2] * q[5];
     }
     /// Joint `root`: conditions, velocity level.
     ///
@@ -1617,17 +1616,17 @@ pub mod rotating_cantilever_equations {
         rows: &mut [f64],
     ) {
         let theta = t * model.eta;
-        let t26 = model.eta * theta.sin();
-        let t27 = model.eta * theta.cos();
-        let t28 = q[4] * (data.normals[0][0] * t27 - data.normals[0][1] * t26)
-            - q[3] * (data.normals[0][0] * t26 + data.normals[0][1] * t27);
-        let t29 = q[4] * (data.normals[1][0] * t27 - data.normals[1][1] * t26)
-            - q[3] * (data.normals[1][0] * t26 + data.normals[1][1] * t27);
-        rows[0] = data.point[0] * t26 + data.point[1] * t27;
-        rows[1] = data.point[1] * t26 - data.point[0] * t27;
+        let t23 = model.eta * theta.sin();
+        let t24 = model.eta * theta.cos();
+        let t25 = q[4] * (data.normals[0][0] * t24 - data.normals[0][1] * t23)
+            - q[3] * (data.normals[0][0] * t23 + data.normals[0][1] * t24);
+        let t26 = q[4] * (data.normals[1][0] * t24 - data.normals[1][1] * t23)
+            - q[3] * (data.normals[1][0] * t23 + data.normals[1][1] * t24);
+        rows[0] = data.point[0] * t23 + data.point[1] * t24;
+        rows[1] = data.point[1] * t23 - data.point[0] * t24;
         rows[2] = 0.0;
-        rows[3] = t28;
-        rows[4] = t29;
+        rows[3] = t25;
+        rows[4] = t26;
     }
     /// Joint `root`: conditions, acceleration level.
     ///
@@ -1642,27 +1641,27 @@ pub mod rotating_cantilever_equations {
         rows: &mut [f64],
     ) {
         let theta = t * model.eta;
-        let t28 = model.eta * theta.sin();
-        let t29 = model.eta * theta.cos();
-        let t30 = model.eta * t29;
-        let t31 = model.eta * t28;
-        let t32 = v[3] * (data.normals[0][0] * t28 + data.normals[0][1] * t29);
-        let t33 = v[4] * (data.normals[0][0] * t29 - data.normals[0][1] * t28);
-        let t34 = v[3] * (data.normals[1][0] * t28 + data.normals[1][1] * t29);
-        let t35 = v[4] * (data.normals[1][0] * t29 - data.normals[1][1] * t28);
-        let t36 = t33
-            + (t33 - q[4] * (data.normals[0][0] * t31 + data.normals[0][1] * t30))
-            - (t32
-                + (t32 + q[3] * (data.normals[0][0] * t30 - data.normals[0][1] * t31)));
-        let t37 = t35
-            + (t35 - q[4] * (data.normals[1][0] * t31 + data.normals[1][1] * t30))
-            - (t34
-                + (t34 + q[3] * (data.normals[1][0] * t30 - data.normals[1][1] * t31)));
-        rows[0] = data.point[0] * t30 - data.point[1] * t31;
-        rows[1] = data.point[0] * t31 + data.point[1] * t30;
+        let t25 = model.eta * theta.sin();
+        let t26 = model.eta * theta.cos();
+        let t27 = model.eta * t26;
+        let t28 = model.eta * t25;
+        let t29 = v[3] * (data.normals[0][0] * t25 + data.normals[0][1] * t26);
+        let t30 = v[4] * (data.normals[0][0] * t26 - data.normals[0][1] * t25);
+        let t31 = v[3] * (data.normals[1][0] * t25 + data.normals[1][1] * t26);
+        let t32 = v[4] * (data.normals[1][0] * t26 - data.normals[1][1] * t25);
+        let t33 = t30
+            + (t30 - q[4] * (data.normals[0][0] * t28 + data.normals[0][1] * t27))
+            - (t29
+                + (t29 + q[3] * (data.normals[0][0] * t27 - data.normals[0][1] * t28)));
+        let t34 = t32
+            + (t32 - q[4] * (data.normals[1][0] * t28 + data.normals[1][1] * t27))
+            - (t31
+                + (t31 + q[3] * (data.normals[1][0] * t27 - data.normals[1][1] * t28)));
+        rows[0] = data.point[0] * t27 - data.point[1] * t28;
+        rows[1] = data.point[0] * t28 + data.point[1] * t27;
         rows[2] = 0.0;
-        rows[3] = t36;
-        rows[4] = t37;
+        rows[3] = t33;
+        rows[4] = t34;
     }
     /// Joint `root`: conditions, jerk level.
     ///
@@ -1677,45 +1676,45 @@ pub mod rotating_cantilever_equations {
         rows: &mut [f64],
     ) {
         let theta = t * model.eta;
-        let t30 = model.eta * theta.sin();
-        let t31 = model.eta * theta.cos();
-        let t32 = model.eta * t31;
-        let t33 = model.eta * t30;
-        let t34 = model.eta * t33;
-        let t35 = model.eta * t32;
-        let t36 = a[3] * (data.normals[0][0] * t30 + data.normals[0][1] * t31);
-        let t37 = v[3] * (data.normals[0][0] * t32 - data.normals[0][1] * t33);
-        let t38 = t36 + t37;
-        let t39 = a[4] * (data.normals[0][0] * t31 - data.normals[0][1] * t30);
-        let t40 = v[4] * (data.normals[0][0] * t33 + data.normals[0][1] * t32);
-        let t41 = t39 - t40;
-        let t42 = t39 + t41
-            + (t41
-                - (t40 + q[4] * (data.normals[0][0] * t35 - data.normals[0][1] * t34)))
-            - (t36 + t38
-                + (t38
-                    + (t37
+        let t27 = model.eta * theta.sin();
+        let t28 = model.eta * theta.cos();
+        let t29 = model.eta * t28;
+        let t30 = model.eta * t27;
+        let t31 = model.eta * t30;
+        let t32 = model.eta * t29;
+        let t33 = a[3] * (data.normals[0][0] * t27 + data.normals[0][1] * t28);
+        let t34 = v[3] * (data.normals[0][0] * t29 - data.normals[0][1] * t30);
+        let t35 = t33 + t34;
+        let t36 = a[4] * (data.normals[0][0] * t28 - data.normals[0][1] * t27);
+        let t37 = v[4] * (data.normals[0][0] * t30 + data.normals[0][1] * t29);
+        let t38 = t36 - t37;
+        let t39 = t36 + t38
+            + (t38
+                - (t37 + q[4] * (data.normals[0][0] * t32 - data.normals[0][1] * t31)))
+            - (t33 + t35
+                + (t35
+                    + (t34
                         - q[3]
-                            * (data.normals[0][0] * t34 + data.normals[0][1] * t35))));
-        let t43 = a[3] * (data.normals[1][0] * t30 + data.normals[1][1] * t31);
-        let t44 = v[3] * (data.normals[1][0] * t32 - data.normals[1][1] * t33);
-        let t45 = t43 + t44;
-        let t46 = a[4] * (data.normals[1][0] * t31 - data.normals[1][1] * t30);
-        let t47 = v[4] * (data.normals[1][0] * t33 + data.normals[1][1] * t32);
-        let t48 = t46 - t47;
-        let t49 = t46 + t48
-            + (t48
-                - (t47 + q[4] * (data.normals[1][0] * t35 - data.normals[1][1] * t34)))
-            - (t43 + t45
-                + (t45
-                    + (t44
+                            * (data.normals[0][0] * t31 + data.normals[0][1] * t32))));
+        let t40 = a[3] * (data.normals[1][0] * t27 + data.normals[1][1] * t28);
+        let t41 = v[3] * (data.normals[1][0] * t29 - data.normals[1][1] * t30);
+        let t42 = t40 + t41;
+        let t43 = a[4] * (data.normals[1][0] * t28 - data.normals[1][1] * t27);
+        let t44 = v[4] * (data.normals[1][0] * t30 + data.normals[1][1] * t29);
+        let t45 = t43 - t44;
+        let t46 = t43 + t45
+            + (t45
+                - (t44 + q[4] * (data.normals[1][0] * t32 - data.normals[1][1] * t31)))
+            - (t40 + t42
+                + (t42
+                    + (t41
                         - q[3]
-                            * (data.normals[1][0] * t34 + data.normals[1][1] * t35))));
-        rows[0] = -(data.point[0] * t34 + data.point[1] * t35);
-        rows[1] = data.point[0] * t35 - data.point[1] * t34;
+                            * (data.normals[1][0] * t31 + data.normals[1][1] * t32))));
+        rows[0] = -(data.point[0] * t31 + data.point[1] * t32);
+        rows[1] = data.point[0] * t32 - data.point[1] * t31;
         rows[2] = 0.0;
-        rows[3] = t42;
-        rows[4] = t49;
+        rows[3] = t39;
+        rows[4] = t46;
     }
     /// Joint `root`: derivatives of the conditions.
     ///
@@ -1727,8 +1726,8 @@ pub mod rotating_cantilever_equations {
         jacobian: &mut [f64],
     ) {
         let theta = t * model.eta;
-        let t24 = theta.cos();
-        let t25 = theta.sin();
+        let t21 = theta.cos();
+        let t22 = theta.sin();
         jacobian[0] = 1.0;
         jacobian[1] = 0.0;
         jacobian[2] = 0.0;
@@ -1750,14 +1749,14 @@ pub mod rotating_cantilever_equations {
         jacobian[18] = 0.0;
         jacobian[19] = 0.0;
         jacobian[20] = 0.0;
-        jacobian[21] = t24 * data.normals[0][0] - t25 * data.normals[0][1];
-        jacobian[22] = t25 * data.normals[0][0] + t24 * data.normals[0][1];
+        jacobian[21] = t21 * data.normals[0][0] - t22 * data.normals[0][1];
+        jacobian[22] = t22 * data.normals[0][0] + t21 * data.normals[0][1];
         jacobian[23] = data.normals[0][2];
         jacobian[24] = 0.0;
         jacobian[25] = 0.0;
         jacobian[26] = 0.0;
-        jacobian[27] = t24 * data.normals[1][0] - t25 * data.normals[1][1];
-        jacobian[28] = t25 * data.normals[1][0] + t24 * data.normals[1][1];
+        jacobian[27] = t21 * data.normals[1][0] - t22 * data.normals[1][1];
+        jacobian[28] = t22 * data.normals[1][0] + t21 * data.normals[1][1];
         jacobian[29] = data.normals[1][2];
     }
     /// Joint `root`: what it prescribes, with three derivatives.
@@ -1770,37 +1769,37 @@ pub mod rotating_cantilever_equations {
         prescribed: &mut ::rncf::mesh::Prescribed,
     ) {
         let theta = t * model.eta;
-        let t24 = theta.cos();
-        let t25 = theta.sin();
-        let t26 = model.eta * t25;
-        let t27 = model.eta * t24;
-        let t28 = model.eta * t27;
-        let t29 = model.eta * t26;
-        let t30 = model.eta * t29;
-        let t31 = model.eta * t28;
-        prescribed.position[0][0] = t24 * data.point[0] - t25 * data.point[1];
-        prescribed.position[0][1] = t25 * data.point[0] + t24 * data.point[1];
+        let t21 = theta.cos();
+        let t22 = theta.sin();
+        let t23 = model.eta * t22;
+        let t24 = model.eta * t21;
+        let t25 = model.eta * t24;
+        let t26 = model.eta * t23;
+        let t27 = model.eta * t26;
+        let t28 = model.eta * t25;
+        prescribed.position[0][0] = t21 * data.point[0] - t22 * data.point[1];
+        prescribed.position[0][1] = t22 * data.point[0] + t21 * data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = -(data.point[0] * t26 + data.point[1] * t27);
-        prescribed.position[1][1] = data.point[0] * t27 - data.point[1] * t26;
+        prescribed.position[1][0] = -(data.point[0] * t23 + data.point[1] * t24);
+        prescribed.position[1][1] = data.point[0] * t24 - data.point[1] * t23;
         prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = data.point[1] * t29 - data.point[0] * t28;
-        prescribed.position[2][1] = -(data.point[0] * t29 + data.point[1] * t28);
+        prescribed.position[2][0] = data.point[1] * t26 - data.point[0] * t25;
+        prescribed.position[2][1] = -(data.point[0] * t26 + data.point[1] * t25);
         prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = data.point[0] * t30 + data.point[1] * t31;
-        prescribed.position[3][1] = data.point[1] * t30 - data.point[0] * t31;
+        prescribed.position[3][0] = data.point[0] * t27 + data.point[1] * t28;
+        prescribed.position[3][1] = data.point[1] * t27 - data.point[0] * t28;
         prescribed.position[3][2] = 0.0;
-        prescribed.slope[0][0] = t24 * data.tangent[0] - t25 * data.tangent[1];
-        prescribed.slope[0][1] = t25 * data.tangent[0] + t24 * data.tangent[1];
+        prescribed.slope[0][0] = t21 * data.tangent[0] - t22 * data.tangent[1];
+        prescribed.slope[0][1] = t22 * data.tangent[0] + t21 * data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = -(data.tangent[0] * t26 + data.tangent[1] * t27);
-        prescribed.slope[1][1] = data.tangent[0] * t27 - data.tangent[1] * t26;
+        prescribed.slope[1][0] = -(data.tangent[0] * t23 + data.tangent[1] * t24);
+        prescribed.slope[1][1] = data.tangent[0] * t24 - data.tangent[1] * t23;
         prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = data.tangent[1] * t29 - data.tangent[0] * t28;
-        prescribed.slope[2][1] = -(data.tangent[0] * t29 + data.tangent[1] * t28);
+        prescribed.slope[2][0] = data.tangent[1] * t26 - data.tangent[0] * t25;
+        prescribed.slope[2][1] = -(data.tangent[0] * t26 + data.tangent[1] * t25);
         prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = data.tangent[0] * t30 + data.tangent[1] * t31;
-        prescribed.slope[3][1] = data.tangent[1] * t30 - data.tangent[0] * t31;
+        prescribed.slope[3][0] = data.tangent[0] * t27 + data.tangent[1] * t28;
+        prescribed.slope[3][1] = data.tangent[1] * t27 - data.tangent[0] * t28;
         prescribed.slope[3][2] = 0.0;
     }
     /// Times at which a derivative of a motion or load may jump (s).

@@ -205,76 +205,76 @@ pub mod spin_up_equations {
         let cross_s0_d = s0_x * d_y - s0_y * d_x;
         let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
         let cross_d_s1 = s1_y * d_x - s1_x * d_y;
-        let t44 = length * EA;
-        let t45 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t46 = strain_dot_d_d * 0.02142857142857143;
-        let t47 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t45 + t46
+        let t41 = length * EA;
+        let t42 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t43 = strain_dot_d_d * 0.02142857142857143;
+        let t44 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t42 + t43
             + strain_dot_d_s1 * (-0.0035714285714285713)
             + strain_dot_s1_s1 * 0.0011904761904761906;
-        let stress_dot_s0_s0 = t44 * t47;
-        let t49 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t50 = strain_dot_d_d * (-0.12857142857142856);
-        let t51 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let stress_dot_s0_d = t44
+        let stress_dot_s0_s0 = t41 * t44;
+        let t46 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t47 = strain_dot_d_d * (-0.12857142857142856);
+        let t48 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let stress_dot_s0_d = t41
             * (strain_dot_s0_s0 * 0.0035714285714285713
-                + strain_dot_s0_d * 0.08571428571428572 + t49 + t50 + t51);
-        let t53 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let stress_dot_s0_s1 = t44
-            * (t51
-                + (t53 + strain_dot_s0_d * (-0.007142857142857143)
+                + strain_dot_s0_d * 0.08571428571428572 + t46 + t47 + t48);
+        let t50 = strain_dot_s0_s0 * (-0.0035714285714285713);
+        let stress_dot_s0_s1 = t41
+            * (t48
+                + (t50 + strain_dot_s0_d * (-0.007142857142857143)
                     + strain_dot_s0_s1 * 0.004761904761904762
                     + strain_dot_d_s1 * (-0.007142857142857143)));
-        let t55 = strain_dot_s0_s0 * 0.02142857142857143
+        let t52 = strain_dot_s0_s0 * 0.02142857142857143
             + strain_dot_s0_d * (-0.12857142857142856)
             + strain_dot_d_d * 0.5142857142857142
             + strain_dot_d_s1 * (-0.12857142857142856)
             + strain_dot_s1_s1 * 0.02142857142857143;
-        let stress_dot_d_d = t44 * t55;
-        let stress_dot_d_s1 = t44
-            * (t50 + (t49 + t53) + strain_dot_d_s1 * 0.08571428571428572
+        let stress_dot_d_d = t41 * t52;
+        let stress_dot_d_s1 = t41
+            * (t47 + (t46 + t50) + strain_dot_d_s1 * 0.08571428571428572
                 + strain_dot_s1_s1 * 0.0035714285714285713);
-        let t58 = t46
-            + (t45
+        let t55 = t43
+            + (t42
                 + (strain_dot_s0_s0 * 0.0011904761904761906
                     + strain_dot_s0_d * (-0.0035714285714285713)))
             + strain_dot_d_s1 * 0.0035714285714285713
             + strain_dot_s1_s1 * 0.014285714285714285;
-        let stress_dot_s1_s1 = t44 * t58;
-        let t60 = inverse_length * EI;
-        let t61 = cross_s0_s1 * (-2.2);
-        let stress_cross_s0_d = t60 * (cross_s0_d * 7.2 + t61 + cross_d_s1 * 1.2);
-        let stress_cross_s0_s1 = t60
+        let stress_dot_s1_s1 = t41 * t55;
+        let t57 = inverse_length * EI;
+        let t58 = cross_s0_s1 * (-2.2);
+        let stress_cross_s0_d = t57 * (cross_s0_d * 7.2 + t58 + cross_d_s1 * 1.2);
+        let stress_cross_s0_s1 = t57
             * (cross_s0_d * (-2.2) + cross_s0_s1 * 1.2 + cross_d_s1 * (-2.2));
-        let stress_cross_d_s1 = t60 * (t61 + cross_s0_d * 1.2 + cross_d_s1 * 7.2);
-        let t65 = stress_dot_s0_s0 * (s0_x * 2.0) + d_x * stress_dot_s0_d
+        let stress_cross_d_s1 = t57 * (t58 + cross_s0_d * 1.2 + cross_d_s1 * 7.2);
+        let t62 = stress_dot_s0_s0 * (s0_x * 2.0) + d_x * stress_dot_s0_d
             + s1_x * stress_dot_s0_s1 + d_y * stress_cross_s0_d
             + s1_y * stress_cross_s0_s1;
-        let t66 = stress_dot_s0_s0 * (s0_y * 2.0) + d_y * stress_dot_s0_d
+        let t63 = stress_dot_s0_s0 * (s0_y * 2.0) + d_y * stress_dot_s0_d
             + s1_y * stress_dot_s0_s1 - d_x * stress_cross_s0_d
             - s1_x * stress_cross_s0_s1;
-        let t67 = s0_x * stress_dot_s0_d + stress_dot_d_d * (d_x * 2.0)
+        let t64 = s0_x * stress_dot_s0_d + stress_dot_d_d * (d_x * 2.0)
             + s1_x * stress_dot_d_s1 - s0_y * stress_cross_s0_d
             + s1_y * stress_cross_d_s1;
-        let t68 = s0_y * stress_dot_s0_d + stress_dot_d_d * (d_y * 2.0)
+        let t65 = s0_y * stress_dot_s0_d + stress_dot_d_d * (d_y * 2.0)
             + s1_y * stress_dot_d_s1 + s0_x * stress_cross_s0_d
             - s1_x * stress_cross_d_s1;
-        let t69 = s0_x * stress_dot_s0_s1 + d_x * stress_dot_d_s1
+        let t66 = s0_x * stress_dot_s0_s1 + d_x * stress_dot_d_s1
             + stress_dot_s1_s1 * (s1_x * 2.0) - s0_y * stress_cross_s0_s1
             - d_y * stress_cross_d_s1;
-        let t70 = s0_y * stress_dot_s0_s1 + d_y * stress_dot_d_s1
+        let t67 = s0_y * stress_dot_s0_s1 + d_y * stress_dot_d_s1
             + stress_dot_s1_s1 * (s1_y * 2.0) + s0_x * stress_cross_s0_s1
             + d_x * stress_cross_d_s1;
-        let t71 = inverse_length * t67;
-        let t72 = inverse_length * t68;
-        force[0] -= t71;
-        force[1] -= t72;
-        force[2] += t65;
-        force[3] += t66;
-        force[4] += t71;
-        force[5] += t72;
-        force[6] += t69;
-        force[7] += t70;
+        let t68 = inverse_length * t64;
+        let t69 = inverse_length * t65;
+        force[0] -= t68;
+        force[1] -= t69;
+        force[2] += t62;
+        force[3] += t63;
+        force[4] += t68;
+        force[5] += t69;
+        force[6] += t66;
+        force[7] += t67;
     }
     /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
     ///
@@ -308,239 +308,239 @@ pub mod spin_up_equations {
         let cross_s0_d = s0_x * d_y - s0_y * d_x;
         let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
         let cross_d_s1 = s1_y * d_x - s1_x * d_y;
-        let t44 = length * EA;
-        let t45 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t46 = strain_dot_d_d * 0.02142857142857143;
-        let t47 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t45 + t46
+        let t41 = length * EA;
+        let t42 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t43 = strain_dot_d_d * 0.02142857142857143;
+        let t44 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t42 + t43
             + strain_dot_d_s1 * (-0.0035714285714285713)
             + strain_dot_s1_s1 * 0.0011904761904761906;
-        let stress_dot_s0_s0 = t44 * t47;
-        let t49 = t44 * 0.014285714285714285;
-        let t50 = t44 * 0.0035714285714285713;
-        let t51 = t44 * (-0.0035714285714285713);
-        let t52 = t44 * 0.02142857142857143;
-        let t53 = t44 * 0.0011904761904761906;
-        let t54 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t55 = strain_dot_d_d * (-0.12857142857142856);
-        let t56 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let stress_dot_s0_d = t44
+        let stress_dot_s0_s0 = t41 * t44;
+        let t46 = t41 * 0.014285714285714285;
+        let t47 = t41 * 0.0035714285714285713;
+        let t48 = t41 * (-0.0035714285714285713);
+        let t49 = t41 * 0.02142857142857143;
+        let t50 = t41 * 0.0011904761904761906;
+        let t51 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t52 = strain_dot_d_d * (-0.12857142857142856);
+        let t53 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let stress_dot_s0_d = t41
             * (strain_dot_s0_s0 * 0.0035714285714285713
-                + strain_dot_s0_d * 0.08571428571428572 + t54 + t55 + t56);
-        let t58 = t44 * 0.08571428571428572;
-        let t59 = t44 * (-0.007142857142857143);
-        let t60 = t44 * (-0.12857142857142856);
-        let t61 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let stress_dot_s0_s1 = t44
-            * (t56
-                + (t61 + strain_dot_s0_d * (-0.007142857142857143)
+                + strain_dot_s0_d * 0.08571428571428572 + t51 + t52 + t53);
+        let t55 = t41 * 0.08571428571428572;
+        let t56 = t41 * (-0.007142857142857143);
+        let t57 = t41 * (-0.12857142857142856);
+        let t58 = strain_dot_s0_s0 * (-0.0035714285714285713);
+        let stress_dot_s0_s1 = t41
+            * (t53
+                + (t58 + strain_dot_s0_d * (-0.007142857142857143)
                     + strain_dot_s0_s1 * 0.004761904761904762
                     + strain_dot_d_s1 * (-0.007142857142857143)));
-        let t63 = t44 * 0.004761904761904762;
-        let t64 = strain_dot_s0_s0 * 0.02142857142857143
+        let t60 = t41 * 0.004761904761904762;
+        let t61 = strain_dot_s0_s0 * 0.02142857142857143
             + strain_dot_s0_d * (-0.12857142857142856)
             + strain_dot_d_d * 0.5142857142857142
             + strain_dot_d_s1 * (-0.12857142857142856)
             + strain_dot_s1_s1 * 0.02142857142857143;
-        let stress_dot_d_d = t44 * t64;
-        let t66 = t44 * 0.5142857142857142;
-        let stress_dot_d_s1 = t44
-            * (t55 + (t54 + t61) + strain_dot_d_s1 * 0.08571428571428572
+        let stress_dot_d_d = t41 * t61;
+        let t63 = t41 * 0.5142857142857142;
+        let stress_dot_d_s1 = t41
+            * (t52 + (t51 + t58) + strain_dot_d_s1 * 0.08571428571428572
                 + strain_dot_s1_s1 * 0.0035714285714285713);
-        let t68 = t46
-            + (t45
+        let t65 = t43
+            + (t42
                 + (strain_dot_s0_s0 * 0.0011904761904761906
                     + strain_dot_s0_d * (-0.0035714285714285713)))
             + strain_dot_d_s1 * 0.0035714285714285713
             + strain_dot_s1_s1 * 0.014285714285714285;
-        let stress_dot_s1_s1 = t44 * t68;
-        let t70 = inverse_length * EI;
-        let t71 = cross_s0_s1 * (-2.2);
-        let stress_cross_s0_d = t70 * (cross_s0_d * 7.2 + t71 + cross_d_s1 * 1.2);
-        let t73 = t70 * 7.2;
-        let t74 = t70 * (-2.2);
-        let t75 = t70 * 1.2;
-        let stress_cross_s0_s1 = t70
+        let stress_dot_s1_s1 = t41 * t65;
+        let t67 = inverse_length * EI;
+        let t68 = cross_s0_s1 * (-2.2);
+        let stress_cross_s0_d = t67 * (cross_s0_d * 7.2 + t68 + cross_d_s1 * 1.2);
+        let t70 = t67 * 7.2;
+        let t71 = t67 * (-2.2);
+        let t72 = t67 * 1.2;
+        let stress_cross_s0_s1 = t67
             * (cross_s0_d * (-2.2) + cross_s0_s1 * 1.2 + cross_d_s1 * (-2.2));
-        let stress_cross_d_s1 = t70 * (t71 + cross_s0_d * 1.2 + cross_d_s1 * 7.2);
-        let t78 = s0_x * 2.0;
-        let t79 = s0_y * 2.0;
-        let t80 = d_x * 2.0;
-        let t81 = d_y * 2.0;
-        let t82 = s1_x * 2.0;
-        let t83 = s1_y * 2.0;
-        let t84 = d_x * t50;
-        let t85 = d_y * t50;
-        let t86 = s1_x * t51;
-        let t87 = s1_y * t51;
-        let t88 = t49 * t79 + t85 + t87;
-        let t89 = t86 + (s0_x * t50 + t52 * t80);
-        let t90 = t87 + (s0_y * t50 + t52 * t81);
-        let t91 = s0_x * t51;
-        let t92 = s0_y * t51;
-        let t93 = t91 + d_x * t51 + t53 * t82;
-        let t94 = t92 + d_y * t51 + t53 * t83;
-        let t95 = d_x * t58;
-        let t96 = d_y * t58;
-        let t97 = s1_x * t59;
-        let t98 = s1_y * t59;
-        let t99 = t50 * t79 + t96 + t98;
-        let t100 = t60 * t80;
-        let t101 = t60 * t81;
-        let t102 = s0_x * t58 + t100;
-        let t103 = s0_y * t58 + t101;
-        let t104 = s0_x * t59;
-        let t105 = s0_y * t59;
-        let t106 = t51 * t82;
-        let t107 = t51 * t83;
-        let t108 = t104 + t106;
-        let t109 = t105 + t107;
-        let t110 = d_x * t59;
-        let t111 = d_y * t59;
-        let t112 = t51 * t79 + t111 + s1_y * t63;
-        let t113 = t97 + t104;
-        let t114 = t98 + t105;
-        let t115 = t106 + (t110 + s0_x * t63);
-        let t116 = t107 + (t111 + s0_y * t63);
-        let t117 = s0_y * t60 + t66 * t81 + s1_y * t60;
-        let t118 = d_x * t60 + t52 * t82;
-        let t119 = d_y * t60 + t52 * t83;
-        let t120 = t101 + s1_y * t58;
-        let t121 = t95 + t104 + t50 * t82;
-        let t122 = t96 + t105 + t50 * t83;
-        let t123 = t85 + t92 + t49 * t83;
-        let t124 = d_y * t73;
-        let t125 = d_x * t73;
-        let t126 = s1_y * t74;
-        let t127 = s1_x * t74;
-        let t128 = t125 + t127;
-        let t129 = s1_y * t75;
-        let t130 = s1_x * t75;
-        let t131 = t129 - s0_y * t73;
-        let t132 = s0_x * t73 - t130;
-        let t133 = s0_y * t74;
-        let t134 = s0_x * t74;
-        let t135 = t133 + d_y * t75;
-        let t136 = t134 + d_x * t75;
-        let t137 = d_y * t74;
-        let t138 = d_x * t74;
-        let t139 = t130 + t138;
-        let t140 = t126 - t133;
-        let t141 = t134 - t127;
-        let t142 = s0_y * t75;
-        let t143 = s0_x * t75;
-        let t144 = t137 + t142;
-        let t145 = t138 + t143;
-        let t146 = t143 - s1_x * t73;
-        let t147 = t124 + t133;
-        let t148 = t125 + t134;
-        let t149 = t78 * (t49 * t78 + t84 + t86) + d_x * (t50 * t78 + t95 + t97);
-        let t150 = s0_x * t102 + t80 * (s0_x * t60 + t66 * t80 + s1_x * t60)
-            + s1_x * (t100 + s1_x * t58);
-        let t151 = t149 + s1_x * (t51 * t78 + t110 + s1_x * t63) + d_y * (t124 + t126);
-        let t152 = t78 * t88 + d_x * t99 + s1_x * t112 - d_y * t128 - s1_y * t139;
-        let t153 = t79 * t88 + d_y * t99 + s1_y * t112 + d_x * t128 + s1_x * t139;
-        let t154 = t78 * t89 + d_x * t102 + s1_x * t113 + d_y * t131 + s1_y * t140;
-        let t155 = t78 * t90 + d_x * t103 + s1_x * t114 + d_y * t132 + s1_y * t141;
-        let t156 = t79 * t89 + d_y * t102 + s1_y * t113 - d_x * t131 - s1_x * t140;
-        let t157 = t79 * t90 + d_y * t103 + s1_y * t114 - d_x * t132 - s1_x * t141;
-        let t158 = t78 * t93 + d_x * t108 + s1_x * t115 - d_y * t135 - s1_y * t144;
-        let t159 = t78 * t94 + d_x * t109 + s1_x * t116 + d_y * t136 + s1_y * t145;
-        let t160 = t79 * t93 + d_y * t108 + s1_y * t115 + d_x * t135 + s1_x * t144;
-        let t161 = t79 * t94 + d_y * t109 + s1_y * t116 - d_x * t136 - s1_x * t145;
-        let t162 = s0_x * t115 + d_x * t121 + t82 * (t84 + t91 + t49 * t82)
-            + s0_y * t144;
-        let t163 = s0_x * t103 + t80 * t117 + s1_x * t120 - s0_y * t132 + s1_y * t146;
-        let t164 = s0_y * t103 + t81 * t117 + s1_y * t120 + s0_x * t132 - s1_x * t146;
-        let t165 = s0_x * t108 + t80 * t118 + s1_x * t121 + s0_y * t135 - s1_y * t147;
-        let t166 = s0_x * t109 + t80 * t119 + s1_x * t122 - s0_y * t136 + s1_y * t148;
-        let t167 = s0_y * t108 + t81 * t118 + s1_y * t121 - s0_x * t135 + s1_x * t147;
-        let t168 = s0_y * t109 + t81 * t119 + s1_y * t122 + s0_x * t136 - s1_x * t148;
-        let t169 = s0_x * t116 + d_x * t122 + t82 * t123 - s0_y * t145 - d_y * t148;
-        let t170 = s0_y * t116 + d_y * t122 + t83 * t123 + s0_x * t145 + d_x * t148;
-        let t171 = stress_dot_s0_s0 * 2.0;
-        let t172 = stress_dot_s0_s1 + t158;
-        let t173 = stress_dot_s0_s1 + t161;
-        let t174 = stress_dot_d_d * 2.0;
-        let t175 = stress_dot_s1_s1 * 2.0;
-        let t176 = stress_cross_s0_s1 + t159;
-        let t177 = t160 - stress_cross_s0_s1;
-        let t178 = inverse_length * inverse_length;
-        let t179 = (t150 - s0_y * t131 + s1_y * (s1_y * t73 - t142) + t174) * t178;
-        let t180 = t163 * t178;
-        let t181 = inverse_length * (stress_dot_s0_d + t154);
-        let t182 = inverse_length * (t156 - stress_cross_s0_d);
-        let t183 = inverse_length * (stress_dot_d_s1 + t165);
-        let t184 = inverse_length * (stress_cross_d_s1 + t166);
-        let t185 = (t164 + t174) * t178;
-        let t186 = inverse_length * (stress_cross_s0_d + t155);
-        let t187 = inverse_length * (stress_dot_s0_d + t157);
-        let t188 = inverse_length * (t167 - stress_cross_d_s1);
-        let t189 = inverse_length * (stress_dot_d_s1 + t168);
-        stiffness[0] += t179;
-        stiffness[1] += t180;
-        stiffness[2] -= t181;
-        stiffness[3] -= t182;
-        stiffness[4] -= t179;
-        stiffness[5] -= t180;
-        stiffness[6] -= t183;
-        stiffness[7] -= t184;
-        stiffness[8] += t180;
-        stiffness[9] += t185;
-        stiffness[10] -= t186;
-        stiffness[11] -= t187;
-        stiffness[12] -= t180;
-        stiffness[13] -= t185;
-        stiffness[14] -= t188;
-        stiffness[15] -= t189;
-        stiffness[16] -= t181;
-        stiffness[17] -= t186;
-        stiffness[18] += t151 + s1_y * (t129 + t137) + t171;
-        stiffness[19] += t152;
-        stiffness[20] += t181;
-        stiffness[21] += t186;
-        stiffness[22] += t172;
-        stiffness[23] += t176;
-        stiffness[24] -= t182;
-        stiffness[25] -= t187;
-        stiffness[26] += t152;
-        stiffness[27] += t153 + t171;
-        stiffness[28] += t182;
-        stiffness[29] += t187;
-        stiffness[30] += t177;
-        stiffness[31] += t173;
-        stiffness[32] -= t179;
-        stiffness[33] -= t180;
-        stiffness[34] += t181;
-        stiffness[35] += t182;
-        stiffness[36] += t179;
-        stiffness[37] += t180;
-        stiffness[38] += t183;
-        stiffness[39] += t184;
-        stiffness[40] -= t180;
-        stiffness[41] -= t185;
-        stiffness[42] += t186;
-        stiffness[43] += t187;
-        stiffness[44] += t180;
-        stiffness[45] += t185;
-        stiffness[46] += t188;
-        stiffness[47] += t189;
-        stiffness[48] -= t183;
-        stiffness[49] -= t188;
-        stiffness[50] += t172;
-        stiffness[51] += t177;
-        stiffness[52] += t183;
-        stiffness[53] += t188;
-        stiffness[54] += t162 + d_y * t147 + t175;
-        stiffness[55] += t169;
-        stiffness[56] -= t184;
-        stiffness[57] -= t189;
-        stiffness[58] += t176;
-        stiffness[59] += t173;
-        stiffness[60] += t184;
-        stiffness[61] += t189;
-        stiffness[62] += t169;
-        stiffness[63] += t170 + t175;
+        let stress_cross_d_s1 = t67 * (t68 + cross_s0_d * 1.2 + cross_d_s1 * 7.2);
+        let t75 = s0_x * 2.0;
+        let t76 = s0_y * 2.0;
+        let t77 = d_x * 2.0;
+        let t78 = d_y * 2.0;
+        let t79 = s1_x * 2.0;
+        let t80 = s1_y * 2.0;
+        let t81 = d_x * t47;
+        let t82 = d_y * t47;
+        let t83 = s1_x * t48;
+        let t84 = s1_y * t48;
+        let t85 = t46 * t76 + t82 + t84;
+        let t86 = t83 + (s0_x * t47 + t49 * t77);
+        let t87 = t84 + (s0_y * t47 + t49 * t78);
+        let t88 = s0_x * t48;
+        let t89 = s0_y * t48;
+        let t90 = t88 + d_x * t48 + t50 * t79;
+        let t91 = t89 + d_y * t48 + t50 * t80;
+        let t92 = d_x * t55;
+        let t93 = d_y * t55;
+        let t94 = s1_x * t56;
+        let t95 = s1_y * t56;
+        let t96 = t47 * t76 + t93 + t95;
+        let t97 = t57 * t77;
+        let t98 = t57 * t78;
+        let t99 = s0_x * t55 + t97;
+        let t100 = s0_y * t55 + t98;
+        let t101 = s0_x * t56;
+        let t102 = s0_y * t56;
+        let t103 = t48 * t79;
+        let t104 = t48 * t80;
+        let t105 = t101 + t103;
+        let t106 = t102 + t104;
+        let t107 = d_x * t56;
+        let t108 = d_y * t56;
+        let t109 = t48 * t76 + t108 + s1_y * t60;
+        let t110 = t94 + t101;
+        let t111 = t95 + t102;
+        let t112 = t103 + (t107 + s0_x * t60);
+        let t113 = t104 + (t108 + s0_y * t60);
+        let t114 = s0_y * t57 + t63 * t78 + s1_y * t57;
+        let t115 = d_x * t57 + t49 * t79;
+        let t116 = d_y * t57 + t49 * t80;
+        let t117 = t98 + s1_y * t55;
+        let t118 = t92 + t101 + t47 * t79;
+        let t119 = t93 + t102 + t47 * t80;
+        let t120 = t82 + t89 + t46 * t80;
+        let t121 = d_y * t70;
+        let t122 = d_x * t70;
+        let t123 = s1_y * t71;
+        let t124 = s1_x * t71;
+        let t125 = t122 + t124;
+        let t126 = s1_y * t72;
+        let t127 = s1_x * t72;
+        let t128 = t126 - s0_y * t70;
+        let t129 = s0_x * t70 - t127;
+        let t130 = s0_y * t71;
+        let t131 = s0_x * t71;
+        let t132 = t130 + d_y * t72;
+        let t133 = t131 + d_x * t72;
+        let t134 = d_y * t71;
+        let t135 = d_x * t71;
+        let t136 = t127 + t135;
+        let t137 = t123 - t130;
+        let t138 = t131 - t124;
+        let t139 = s0_y * t72;
+        let t140 = s0_x * t72;
+        let t141 = t134 + t139;
+        let t142 = t135 + t140;
+        let t143 = t140 - s1_x * t70;
+        let t144 = t121 + t130;
+        let t145 = t122 + t131;
+        let t146 = t75 * (t46 * t75 + t81 + t83) + d_x * (t47 * t75 + t92 + t94);
+        let t147 = s0_x * t99 + t77 * (s0_x * t57 + t63 * t77 + s1_x * t57)
+            + s1_x * (t97 + s1_x * t55);
+        let t148 = t146 + s1_x * (t48 * t75 + t107 + s1_x * t60) + d_y * (t121 + t123);
+        let t149 = t75 * t85 + d_x * t96 + s1_x * t109 - d_y * t125 - s1_y * t136;
+        let t150 = t76 * t85 + d_y * t96 + s1_y * t109 + d_x * t125 + s1_x * t136;
+        let t151 = t75 * t86 + d_x * t99 + s1_x * t110 + d_y * t128 + s1_y * t137;
+        let t152 = t75 * t87 + d_x * t100 + s1_x * t111 + d_y * t129 + s1_y * t138;
+        let t153 = t76 * t86 + d_y * t99 + s1_y * t110 - d_x * t128 - s1_x * t137;
+        let t154 = t76 * t87 + d_y * t100 + s1_y * t111 - d_x * t129 - s1_x * t138;
+        let t155 = t75 * t90 + d_x * t105 + s1_x * t112 - d_y * t132 - s1_y * t141;
+        let t156 = t75 * t91 + d_x * t106 + s1_x * t113 + d_y * t133 + s1_y * t142;
+        let t157 = t76 * t90 + d_y * t105 + s1_y * t112 + d_x * t132 + s1_x * t141;
+        let t158 = t76 * t91 + d_y * t106 + s1_y * t113 - d_x * t133 - s1_x * t142;
+        let t159 = s0_x * t112 + d_x * t118 + t79 * (t81 + t88 + t46 * t79)
+            + s0_y * t141;
+        let t160 = s0_x * t100 + t77 * t114 + s1_x * t117 - s0_y * t129 + s1_y * t143;
+        let t161 = s0_y * t100 + t78 * t114 + s1_y * t117 + s0_x * t129 - s1_x * t143;
+        let t162 = s0_x * t105 + t77 * t115 + s1_x * t118 + s0_y * t132 - s1_y * t144;
+        let t163 = s0_x * t106 + t77 * t116 + s1_x * t119 - s0_y * t133 + s1_y * t145;
+        let t164 = s0_y * t105 + t78 * t115 + s1_y * t118 - s0_x * t132 + s1_x * t144;
+        let t165 = s0_y * t106 + t78 * t116 + s1_y * t119 + s0_x * t133 - s1_x * t145;
+        let t166 = s0_x * t113 + d_x * t119 + t79 * t120 - s0_y * t142 - d_y * t145;
+        let t167 = s0_y * t113 + d_y * t119 + t80 * t120 + s0_x * t142 + d_x * t145;
+        let t168 = stress_dot_s0_s0 * 2.0;
+        let t169 = stress_dot_s0_s1 + t155;
+        let t170 = stress_dot_s0_s1 + t158;
+        let t171 = stress_dot_d_d * 2.0;
+        let t172 = stress_dot_s1_s1 * 2.0;
+        let t173 = stress_cross_s0_s1 + t156;
+        let t174 = t157 - stress_cross_s0_s1;
+        let t175 = inverse_length * inverse_length;
+        let t176 = (t147 - s0_y * t128 + s1_y * (s1_y * t70 - t139) + t171) * t175;
+        let t177 = t160 * t175;
+        let t178 = inverse_length * (stress_dot_s0_d + t151);
+        let t179 = inverse_length * (t153 - stress_cross_s0_d);
+        let t180 = inverse_length * (stress_dot_d_s1 + t162);
+        let t181 = inverse_length * (stress_cross_d_s1 + t163);
+        let t182 = (t161 + t171) * t175;
+        let t183 = inverse_length * (stress_cross_s0_d + t152);
+        let t184 = inverse_length * (stress_dot_s0_d + t154);
+        let t185 = inverse_length * (t164 - stress_cross_d_s1);
+        let t186 = inverse_length * (stress_dot_d_s1 + t165);
+        stiffness[0] += t176;
+        stiffness[1] += t177;
+        stiffness[2] -= t178;
+        stiffness[3] -= t179;
+        stiffness[4] -= t176;
+        stiffness[5] -= t177;
+        stiffness[6] -= t180;
+        stiffness[7] -= t181;
+        stiffness[8] += t177;
+        stiffness[9] += t182;
+        stiffness[10] -= t183;
+        stiffness[11] -= t184;
+        stiffness[12] -= t177;
+        stiffness[13] -= t182;
+        stiffness[14] -= t185;
+        stiffness[15] -= t186;
+        stiffness[16] -= t178;
+        stiffness[17] -= t183;
+        stiffness[18] += t148 + s1_y * (t126 + t134) + t168;
+        stiffness[19] += t149;
+        stiffness[20] += t178;
+        stiffness[21] += t183;
+        stiffness[22] += t169;
+        stiffness[23] += t173;
+        stiffness[24] -= t179;
+        stiffness[25] -= t184;
+        stiffness[26] += t149;
+        stiffness[27] += t150 + t168;
+        stiffness[28] += t179;
+        stiffness[29] += t184;
+        stiffness[30] += t174;
+        stiffness[31] += t170;
+        stiffness[32] -= t176;
+        stiffness[33] -= t177;
+        stiffness[34] += t178;
+        stiffness[35] += t179;
+        stiffness[36] += t176;
+        stiffness[37] += t177;
+        stiffness[38] += t180;
+        stiffness[39] += t181;
+        stiffness[40] -= t177;
+        stiffness[41] -= t182;
+        stiffness[42] += t183;
+        stiffness[43] += t184;
+        stiffness[44] += t177;
+        stiffness[45] += t182;
+        stiffness[46] += t185;
+        stiffness[47] += t186;
+        stiffness[48] -= t180;
+        stiffness[49] -= t185;
+        stiffness[50] += t169;
+        stiffness[51] += t174;
+        stiffness[52] += t180;
+        stiffness[53] += t185;
+        stiffness[54] += t159 + d_y * t144 + t172;
+        stiffness[55] += t166;
+        stiffness[56] -= t181;
+        stiffness[57] -= t186;
+        stiffness[58] += t173;
+        stiffness[59] += t170;
+        stiffness[60] += t181;
+        stiffness[61] += t186;
+        stiffness[62] += t166;
+        stiffness[63] += t167 + t172;
     }
     /// Adds the strain energy U of one element (J).
     ///
@@ -574,54 +574,54 @@ pub mod spin_up_equations {
         let cross_s0_d = s0_x * d_y - s0_y * d_x;
         let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
         let cross_d_s1 = s1_y * d_x - s1_x * d_y;
-        let t44 = length * EA * 0.5;
-        let t45 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t46 = strain_dot_d_d * 0.02142857142857143;
-        let t47 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t45 + t46
+        let t41 = length * EA * 0.5;
+        let t42 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t43 = strain_dot_d_d * 0.02142857142857143;
+        let t44 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t42 + t43
             + strain_dot_d_s1 * (-0.0035714285714285713)
             + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t48 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t49 = strain_dot_d_d * (-0.12857142857142856);
-        let t50 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let t51 = t44 * (strain_dot_s0_s0 * t47)
-            + t44
+        let t45 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t46 = strain_dot_d_d * (-0.12857142857142856);
+        let t47 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t48 = t41 * (strain_dot_s0_s0 * t44)
+            + t41
                 * (strain_dot_s0_d
                     * (strain_dot_s0_s0 * 0.0035714285714285713
-                        + strain_dot_s0_d * 0.08571428571428572 + t48 + t49 + t50));
-        let t52 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let t53 = t44
+                        + strain_dot_s0_d * 0.08571428571428572 + t45 + t46 + t47));
+        let t49 = strain_dot_s0_s0 * (-0.0035714285714285713);
+        let t50 = t41
             * (strain_dot_s0_s1
-                * (t50
-                    + (t52 + strain_dot_s0_d * (-0.007142857142857143)
+                * (t47
+                    + (t49 + strain_dot_s0_d * (-0.007142857142857143)
                         + strain_dot_s0_s1 * 0.004761904761904762
                         + strain_dot_d_s1 * (-0.007142857142857143))));
-        let t54 = strain_dot_s0_s0 * 0.02142857142857143
+        let t51 = strain_dot_s0_s0 * 0.02142857142857143
             + strain_dot_s0_d * (-0.12857142857142856)
             + strain_dot_d_d * 0.5142857142857142
             + strain_dot_d_s1 * (-0.12857142857142856)
             + strain_dot_s1_s1 * 0.02142857142857143;
-        let t55 = t51 + t53 + t44 * (strain_dot_d_d * t54)
-            + t44
+        let t52 = t48 + t50 + t41 * (strain_dot_d_d * t51)
+            + t41
                 * (strain_dot_d_s1
-                    * (t49 + (t48 + t52) + strain_dot_d_s1 * 0.08571428571428572
+                    * (t46 + (t45 + t49) + strain_dot_d_s1 * 0.08571428571428572
                         + strain_dot_s1_s1 * 0.0035714285714285713));
-        let t56 = t46
-            + (t45
+        let t53 = t43
+            + (t42
                 + (strain_dot_s0_s0 * 0.0011904761904761906
                     + strain_dot_s0_d * (-0.0035714285714285713)))
             + strain_dot_d_s1 * 0.0035714285714285713
             + strain_dot_s1_s1 * 0.014285714285714285;
-        let t57 = 0.5 * (inverse_length * EI);
-        let t58 = cross_s0_s1 * (-2.2);
-        let t59 = t55 + t44 * (strain_dot_s1_s1 * t56)
-            + t57 * (cross_s0_d * (cross_s0_d * 7.2 + t58 + cross_d_s1 * 1.2));
-        let t60 = t59
-            + t57
+        let t54 = 0.5 * (inverse_length * EI);
+        let t55 = cross_s0_s1 * (-2.2);
+        let t56 = t52 + t41 * (strain_dot_s1_s1 * t53)
+            + t54 * (cross_s0_d * (cross_s0_d * 7.2 + t55 + cross_d_s1 * 1.2));
+        let t57 = t56
+            + t54
                 * (cross_s0_s1
                     * (cross_s0_d * (-2.2) + cross_s0_s1 * 1.2 + cross_d_s1 * (-2.2)))
-            + t57 * (cross_d_s1 * (t58 + cross_s0_d * 1.2 + cross_d_s1 * 7.2));
-        *energy += t60;
+            + t54 * (cross_d_s1 * (t55 + cross_s0_d * 1.2 + cross_d_s1 * 7.2));
+        *energy += t57;
     }
     /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
     ///
@@ -632,15 +632,15 @@ pub mod spin_up_equations {
         let CablePlanar { length, rhoA, .. } = *row;
         let element_mass = length * rhoA;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t19 = length * element_mass;
-        let mass_r0_s0 = t19 * 0.05238095238095238;
+        let t16 = length * element_mass;
+        let mass_r0_s0 = t16 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t19 * (-0.030952380952380953);
-        let t23 = element_mass * (length * length);
-        let mass_s0_s0 = t23 * 0.009523809523809525;
-        let mass_s0_r1 = t19 * 0.030952380952380953;
-        let mass_s0_s1 = t23 * (-0.007142857142857143);
-        let mass_r1_s1 = t19 * (-0.05238095238095238);
+        let mass_r0_s1 = t16 * (-0.030952380952380953);
+        let t20 = element_mass * (length * length);
+        let mass_s0_s0 = t20 * 0.009523809523809525;
+        let mass_s0_r1 = t16 * 0.030952380952380953;
+        let mass_s0_s1 = t20 * (-0.007142857142857143);
+        let mass_r1_s1 = t16 * (-0.05238095238095238);
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_s0;
         mass[2] = mass_r0_r1;
@@ -690,15 +690,15 @@ pub mod spin_up_equations {
         let total_s1_x = a_s1_x - 2.0 * (v_s1_y * w) - s1_y * dw - w * (s1_x * w);
         let total_s1_y = s1_x * dw + (a_s1_y + 2.0 * (v_s1_x * w)) - w * (s1_y * w);
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t55 = length * element_mass;
-        let mass_r0_s0 = t55 * 0.05238095238095238;
+        let t52 = length * element_mass;
+        let mass_r0_s0 = t52 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t55 * (-0.030952380952380953);
-        let t59 = element_mass * (length * length);
-        let mass_s0_s0 = t59 * 0.009523809523809525;
-        let mass_s0_r1 = t55 * 0.030952380952380953;
-        let mass_s0_s1 = t59 * (-0.007142857142857143);
-        let mass_r1_s1 = t55 * (-0.05238095238095238);
+        let mass_r0_s1 = t52 * (-0.030952380952380953);
+        let t56 = element_mass * (length * length);
+        let mass_s0_s0 = t56 * 0.009523809523809525;
+        let mass_s0_r1 = t52 * 0.030952380952380953;
+        let mass_s0_s1 = t56 * (-0.007142857142857143);
+        let mass_r1_s1 = t52 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + total_s0_x * mass_r0_s0
                 + total_r1_x * mass_r0_r1 + total_s1_x * mass_r0_s1;
@@ -739,137 +739,137 @@ pub mod spin_up_equations {
         let ([w, ..], [dw, ..]) = (frame.spin, frame.spin_rate);
         let element_mass = length * rhoA;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t21 = length * element_mass;
-        let mass_r0_s0 = t21 * 0.05238095238095238;
+        let t18 = length * element_mass;
+        let mass_r0_s0 = t18 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t21 * (-0.030952380952380953);
-        let t25 = element_mass * (length * length);
-        let mass_s0_s0 = t25 * 0.009523809523809525;
-        let mass_s0_r1 = t21 * 0.030952380952380953;
-        let mass_s0_s1 = t25 * (-0.007142857142857143);
-        let mass_r1_s1 = t21 * (-0.05238095238095238);
-        let t30 = w * w;
-        let t31 = -mass_r0_r0 * t30;
-        let t32 = dw * mass_r0_r0;
-        let t33 = -mass_r0_s0 * t30;
-        let t34 = dw * mass_r0_s0;
-        let t35 = -mass_r0_r1 * t30;
-        let t36 = dw * mass_r0_r1;
-        let t37 = -mass_r0_s1 * t30;
-        let t38 = dw * mass_r0_s1;
-        let t39 = -mass_s0_s0 * t30;
-        let t40 = dw * mass_s0_s0;
-        let t41 = -mass_s0_r1 * t30;
-        let t42 = dw * mass_s0_r1;
-        let t43 = -mass_s0_s1 * t30;
-        let t44 = dw * mass_s0_s1;
-        let t45 = -mass_r1_s1 * t30;
-        let t46 = dw * mass_r1_s1;
-        let t47 = w * 2.0;
-        let t48 = mass_r0_r0 * t47;
-        let t49 = mass_r0_s0 * t47;
-        let t50 = mass_r0_r1 * t47;
-        let t51 = mass_r0_s1 * t47;
-        let t52 = mass_s0_s0 * t47;
-        let t53 = mass_s0_r1 * t47;
-        let t54 = mass_s0_s1 * t47;
-        let t55 = mass_r1_s1 * t47;
-        stiffness[0] += t31;
-        stiffness[1] -= t32;
-        stiffness[2] += t33;
-        stiffness[3] -= t34;
-        stiffness[4] += t35;
-        stiffness[5] -= t36;
-        stiffness[6] += t37;
-        stiffness[7] -= t38;
-        stiffness[8] += t32;
-        stiffness[9] += t31;
-        stiffness[10] += t34;
-        stiffness[11] += t33;
-        stiffness[12] += t36;
-        stiffness[13] += t35;
-        stiffness[14] += t38;
-        stiffness[15] += t37;
-        stiffness[16] += t33;
-        stiffness[17] -= t34;
-        stiffness[18] += t39;
-        stiffness[19] -= t40;
-        stiffness[20] += t41;
-        stiffness[21] -= t42;
-        stiffness[22] += t43;
-        stiffness[23] -= t44;
-        stiffness[24] += t34;
-        stiffness[25] += t33;
-        stiffness[26] += t40;
-        stiffness[27] += t39;
-        stiffness[28] += t42;
-        stiffness[29] += t41;
-        stiffness[30] += t44;
-        stiffness[31] += t43;
-        stiffness[32] += t35;
-        stiffness[33] -= t36;
-        stiffness[34] += t41;
-        stiffness[35] -= t42;
-        stiffness[36] += t31;
-        stiffness[37] -= t32;
-        stiffness[38] += t45;
-        stiffness[39] -= t46;
-        stiffness[40] += t36;
-        stiffness[41] += t35;
-        stiffness[42] += t42;
-        stiffness[43] += t41;
-        stiffness[44] += t32;
-        stiffness[45] += t31;
-        stiffness[46] += t46;
-        stiffness[47] += t45;
-        stiffness[48] += t37;
-        stiffness[49] -= t38;
-        stiffness[50] += t43;
-        stiffness[51] -= t44;
-        stiffness[52] += t45;
-        stiffness[53] -= t46;
-        stiffness[54] += t39;
-        stiffness[55] -= t40;
-        stiffness[56] += t38;
-        stiffness[57] += t37;
-        stiffness[58] += t44;
-        stiffness[59] += t43;
-        stiffness[60] += t46;
-        stiffness[61] += t45;
-        stiffness[62] += t40;
-        stiffness[63] += t39;
-        damping_matrix[1] -= t48;
-        damping_matrix[3] -= t49;
-        damping_matrix[5] -= t50;
-        damping_matrix[7] -= t51;
-        damping_matrix[8] += t48;
-        damping_matrix[10] += t49;
-        damping_matrix[12] += t50;
-        damping_matrix[14] += t51;
-        damping_matrix[17] -= t49;
-        damping_matrix[19] -= t52;
-        damping_matrix[21] -= t53;
-        damping_matrix[23] -= t54;
-        damping_matrix[24] += t49;
-        damping_matrix[26] += t52;
-        damping_matrix[28] += t53;
-        damping_matrix[30] += t54;
-        damping_matrix[33] -= t50;
-        damping_matrix[35] -= t53;
-        damping_matrix[37] -= t48;
-        damping_matrix[39] -= t55;
-        damping_matrix[40] += t50;
-        damping_matrix[42] += t53;
-        damping_matrix[44] += t48;
-        damping_matrix[46] += t55;
-        damping_matrix[49] -= t51;
-        damping_matrix[51] -= t54;
-        damping_matrix[53] -= t55;
-        damping_matrix[55] -= t52;
-        damping_matrix[56] += t51;
-        damping_matrix[58] += t54;
-        damping_matrix[60] += t55;
-        damping_matrix[62] += t52;
+        let mass_r0_s1 = t18 * (-0.030952380952380953);
+        let t22 = element_mass * (length * length);
+        let mass_s0_s0 = t22 * 0.009523809523809525;
+        let mass_s0_r1 = t18 * 0.030952380952380953;
+        let mass_s0_s1 = t22 * (-0.007142857142857143);
+        let mass_r1_s1 = t18 * (-0.05238095238095238);
+        let t27 = w * w;
+        let t28 = -mass_r0_r0 * t27;
+        let t29 = dw * mass_r0_r0;
+        let t30 = -mass_r0_s0 * t27;
+        let t31 = dw * mass_r0_s0;
+        let t32 = -mass_r0_r1 * t27;
+        let t33 = dw * mass_r0_r1;
+        let t34 = -mass_r0_s1 * t27;
+        let t35 = dw * mass_r0_s1;
+        let t36 = -mass_s0_s0 * t27;
+        let t37 = dw * mass_s0_s0;
+        let t38 = -mass_s0_r1 * t27;
+        let t39 = dw * mass_s0_r1;
+        let t40 = -mass_s0_s1 * t27;
+        let t41 = dw * mass_s0_s1;
+        let t42 = -mass_r1_s1 * t27;
+        let t43 = dw * mass_r1_s1;
+        let t44 = w * 2.0;
+        let t45 = mass_r0_r0 * t44;
+        let t46 = mass_r0_s0 * t44;
+        let t47 = mass_r0_r1 * t44;
+        let t48 = mass_r0_s1 * t44;
+        let t49 = mass_s0_s0 * t44;
+        let t50 = mass_s0_r1 * t44;
+        let t51 = mass_s0_s1 * t44;
+        let t52 = mass_r1_s1 * t44;
+        stiffness[0] += t28;
+        stiffness[1] -= t29;
+        stiffness[2] += t30;
+        stiffness[3] -= t31;
+        stiffness[4] += t32;
+        stiffness[5] -= t33;
+        stiffness[6] += t34;
+        stiffness[7] -= t35;
+        stiffness[8] += t29;
+        stiffness[9] += t28;
+        stiffness[10] += t31;
+        stiffness[11] += t30;
+        stiffness[12] += t33;
+        stiffness[13] += t32;
+        stiffness[14] += t35;
+        stiffness[15] += t34;
+        stiffness[16] += t30;
+        stiffness[17] -= t31;
+        stiffness[18] += t36;
+        stiffness[19] -= t37;
+        stiffness[20] += t38;
+        stiffness[21] -= t39;
+        stiffness[22] += t40;
+        stiffness[23] -= t41;
+        stiffness[24] += t31;
+        stiffness[25] += t30;
+        stiffness[26] += t37;
+        stiffness[27] += t36;
+        stiffness[28] += t39;
+        stiffness[29] += t38;
+        stiffness[30] += t41;
+        stiffness[31] += t40;
+        stiffness[32] += t32;
+        stiffness[33] -= t33;
+        stiffness[34] += t38;
+        stiffness[35] -= t39;
+        stiffness[36] += t28;
+        stiffness[37] -= t29;
+        stiffness[38] += t42;
+        stiffness[39] -= t43;
+        stiffness[40] += t33;
+        stiffness[41] += t32;
+        stiffness[42] += t39;
+        stiffness[43] += t38;
+        stiffness[44] += t29;
+        stiffness[45] += t28;
+        stiffness[46] += t43;
+        stiffness[47] += t42;
+        stiffness[48] += t34;
+        stiffness[49] -= t35;
+        stiffness[50] += t40;
+        stiffness[51] -= t41;
+        stiffness[52] += t42;
+        stiffness[53] -= t43;
+        stiffness[54] += t36;
+        stiffness[55] -= t37;
+        stiffness[56] += t35;
+        stiffness[57] += t34;
+        stiffness[58] += t41;
+        stiffness[59] += t40;
+        stiffness[60] += t43;
+        stiffness[61] += t42;
+        stiffness[62] += t37;
+        stiffness[63] += t36;
+        damping_matrix[1] -= t45;
+        damping_matrix[3] -= t46;
+        damping_matrix[5] -= t47;
+        damping_matrix[7] -= t48;
+        damping_matrix[8] += t45;
+        damping_matrix[10] += t46;
+        damping_matrix[12] += t47;
+        damping_matrix[14] += t48;
+        damping_matrix[17] -= t46;
+        damping_matrix[19] -= t49;
+        damping_matrix[21] -= t50;
+        damping_matrix[23] -= t51;
+        damping_matrix[24] += t46;
+        damping_matrix[26] += t49;
+        damping_matrix[28] += t50;
+        damping_matrix[30] += t51;
+        damping_matrix[33] -= t47;
+        damping_matrix[35] -= t50;
+        damping_matrix[37] -= t45;
+        damping_matrix[39] -= t52;
+        damping_matrix[40] += t47;
+        damping_matrix[42] += t50;
+        damping_matrix[44] += t45;
+        damping_matrix[46] += t52;
+        damping_matrix[49] -= t48;
+        damping_matrix[51] -= t51;
+        damping_matrix[53] -= t52;
+        damping_matrix[55] -= t49;
+        damping_matrix[56] += t48;
+        damping_matrix[58] += t51;
+        damping_matrix[60] += t52;
+        damping_matrix[62] += t49;
     }
     /// Adds the inertia forces of one element in the inertial frame; e is minus gravity.
     ///
@@ -891,15 +891,15 @@ pub mod spin_up_equations {
         let total_r1_x = a_r1_x + e_x;
         let total_r1_y = a_r1_y + e_y;
         let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t33 = length * element_mass;
-        let mass_r0_s0 = t33 * 0.05238095238095238;
+        let t30 = length * element_mass;
+        let mass_r0_s0 = t30 * 0.05238095238095238;
         let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t33 * (-0.030952380952380953);
-        let t37 = element_mass * (length * length);
-        let mass_s0_s0 = t37 * 0.009523809523809525;
-        let mass_s0_r1 = t33 * 0.030952380952380953;
-        let mass_s0_s1 = t37 * (-0.007142857142857143);
-        let mass_r1_s1 = t33 * (-0.05238095238095238);
+        let mass_r0_s1 = t30 * (-0.030952380952380953);
+        let t34 = element_mass * (length * length);
+        let mass_s0_s0 = t34 * 0.009523809523809525;
+        let mass_s0_r1 = t30 * 0.030952380952380953;
+        let mass_s0_s1 = t34 * (-0.007142857142857143);
+        let mass_r1_s1 = t30 * (-0.05238095238095238);
         force[0]
             += total_r0_x * mass_r0_r0 + a_s0_x * mass_r0_s0 + total_r1_x * mass_r0_r1
                 + a_s1_x * mass_r0_s1;
@@ -938,24 +938,24 @@ pub mod spin_up_equations {
     ///
     /// Operations: 5 additions, 9 multiplications, 1 divisions.
     pub fn cable_planar_shapes_position_1(length: f64, xi: f64, weights: &mut [f64; 4]) {
-        let t17 = 1.0 / length;
-        let t18 = xi * 3.0;
-        weights[0] = xi * (-6.0 + xi * 6.0) * t17;
-        weights[1] = 1.0 + xi * (-4.0 + t18);
-        weights[2] = t17 * (xi * (6.0 + xi * (-6.0)));
-        weights[3] = xi * (t18 + (-2.0));
+        let t14 = 1.0 / length;
+        let t15 = xi * 3.0;
+        weights[0] = xi * (-6.0 + xi * 6.0) * t14;
+        weights[1] = 1.0 + xi * (-4.0 + t15);
+        weights[2] = t14 * (xi * (6.0 + xi * (-6.0)));
+        weights[3] = xi * (t15 + (-2.0));
     }
     /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 8 multiplications, 2 divisions.
     pub fn cable_planar_shapes_position_2(length: f64, xi: f64, weights: &mut [f64; 4]) {
-        let t17 = 1.0 / (length * length);
-        let t18 = xi * 6.0;
-        let t19 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t17;
-        weights[1] = (-4.0 + t18) * t19;
-        weights[2] = t17 * (6.0 + xi * (-12.0));
-        weights[3] = t19 * (t18 + (-2.0));
+        let t14 = 1.0 / (length * length);
+        let t15 = xi * 6.0;
+        let t16 = 1.0 / length;
+        weights[0] = (-6.0 + xi * 12.0) * t14;
+        weights[1] = (-4.0 + t15) * t16;
+        weights[2] = t14 * (6.0 + xi * (-12.0));
+        weights[3] = t16 * (t15 + (-2.0));
     }
     /// Writes the forces on the fields a, b at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -967,18 +967,18 @@ pub mod spin_up_equations {
         forces: &mut [f64; 4],
     ) {
         let CablePlanar { length, EA, EI, .. } = *row;
-        let t25 = 0.5 * (fields[0] * fields[0] + fields[1] * fields[1] - 1.0)
+        let t22 = 0.5 * (fields[0] * fields[0] + fields[1] * fields[1] - 1.0)
             - 0.5
                 * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
                     - 1.0);
-        let t26 = EA * t25;
-        let t27 = EI
+        let t23 = EA * t22;
+        let t24 = EI
             * (fields[0] * fields[3] - fields[1] * fields[2]
                 - (stress_free[0] * stress_free[3] - stress_free[1] * stress_free[2]));
-        forces[0] = t26 * (0.5 * (fields[0] * 2.0)) + fields[3] * t27;
-        forces[1] = t26 * (0.5 * (fields[1] * 2.0)) - fields[2] * t27;
-        forces[2] = -fields[1] * t27;
-        forces[3] = fields[0] * t27;
+        forces[0] = t23 * (0.5 * (fields[0] * 2.0)) + fields[3] * t24;
+        forces[1] = t23 * (0.5 * (fields[1] * 2.0)) - fields[2] * t24;
+        forces[2] = -fields[1] * t24;
+        forces[3] = fields[0] * t24;
     }
     /// Motion of frame `hub` and its first three derivatives.
     ///
@@ -989,41 +989,41 @@ pub mod spin_up_equations {
         motion: &mut ::rncf::mesh::FrameMotion,
     ) {
         *motion = ::rncf::mesh::FrameMotion::INERTIAL;
-        let t18 = model.omega_s / model.T_s;
-        let t19 = (model.T_s / 6.283185307179586).powi(2);
-        let t20 = t * 6.283185307179586 / model.T_s;
-        let t21 = t20.cos();
+        let t15 = model.omega_s / model.T_s;
+        let t16 = (model.T_s / 6.283185307179586).powi(2);
+        let t17 = t * 6.283185307179586 / model.T_s;
+        let t18 = t17.cos();
         let theta = (if t <= model.T_s {
-            t18 * (t * t / 2.0 + t19 * (t21 - 1.0))
+            t15 * (t * t / 2.0 + t16 * (t18 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t23 = theta.cos();
-        let t24 = theta.sin();
-        let t25 = 6.283185307179586 / model.T_s;
-        let t26 = t25 * t20.sin();
+        let t20 = theta.cos();
+        let t21 = theta.sin();
+        let t22 = 6.283185307179586 / model.T_s;
+        let t23 = t22 * t17.sin();
         let theta_t = (if t <= model.T_s {
-            t18 * (t - t19 * t26)
+            t15 * (t - t16 * t23)
         } else {
             model.omega_s
         });
         let theta_t_t = (if t <= model.T_s {
-            t18 * (1.0 - t19 * (t25 * (t21 * t25)))
+            t15 * (1.0 - t16 * (t22 * (t18 * t22)))
         } else {
             0.0
         });
         let theta_t_t_t = (if t <= model.T_s {
-            t18 * (t19 * (t25 * (t25 * t26)))
+            t15 * (t16 * (t22 * (t22 * t23)))
         } else {
             0.0
         });
         motion.spin[2] = theta_t;
         motion.spin_rate[2] = theta_t_t;
         motion.spin_jerk[2] = theta_t_t_t;
-        motion.rotation[0][0] = t23;
-        motion.rotation[0][1] = -t24;
-        motion.rotation[1][0] = t24;
-        motion.rotation[1][1] = t23;
+        motion.rotation[0][0] = t20;
+        motion.rotation[0][1] = -t21;
+        motion.rotation[1][0] = t21;
+        motion.rotation[1][1] = t20;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -1149,21 +1149,21 @@ pub mod spin_up_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t26 = t * t / 2.0
+        let t23 = t * t / 2.0
             + (model.T_s / 6.283185307179586).powi(2)
                 * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
         let theta = (if t <= model.T_s {
-            model.omega_s / model.T_s * t26
+            model.omega_s / model.T_s * t23
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t28 = theta.cos();
-        let t29 = theta.sin();
-        let t30 = q[2] * (t28 * data.normals[0][0] - t29 * data.normals[0][1])
-            + q[3] * (t29 * data.normals[0][0] + t28 * data.normals[0][1]);
-        rows[0] = q[0] - (t28 * data.point[0] - t29 * data.point[1]);
-        rows[1] = q[1] - (t29 * data.point[0] + t28 * data.point[1]);
-        rows[2] = t30;
+        let t25 = theta.cos();
+        let t26 = theta.sin();
+        let t27 = q[2] * (t25 * data.normals[0][0] - t26 * data.normals[0][1])
+            + q[3] * (t26 * data.normals[0][0] + t25 * data.normals[0][1]);
+        rows[0] = q[0] - (t25 * data.point[0] - t26 * data.point[1]);
+        rows[1] = q[1] - (t26 * data.point[0] + t25 * data.point[1]);
+        rows[2] = t27;
     }
     /// Joint `root`: conditions, velocity level.
     ///
@@ -1177,26 +1177,26 @@ pub mod spin_up_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t24 = model.omega_s / model.T_s;
-        let t25 = (model.T_s / 6.283185307179586).powi(2);
-        let t26 = t * 6.283185307179586 / model.T_s;
+        let t21 = model.omega_s / model.T_s;
+        let t22 = (model.T_s / 6.283185307179586).powi(2);
+        let t23 = t * 6.283185307179586 / model.T_s;
         let theta = (if t <= model.T_s {
-            t24 * (t * t / 2.0 + t25 * (t26.cos() - 1.0))
+            t21 * (t * t / 2.0 + t22 * (t23.cos() - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t28 = (if t <= model.T_s {
-            t24 * (t - t25 * (6.283185307179586 / model.T_s * t26.sin()))
+        let t25 = (if t <= model.T_s {
+            t21 * (t - t22 * (6.283185307179586 / model.T_s * t23.sin()))
         } else {
             model.omega_s
         });
-        let t29 = theta.sin() * t28;
-        let t30 = theta.cos() * t28;
-        let t31 = q[3] * (data.normals[0][0] * t30 - data.normals[0][1] * t29)
-            - q[2] * (data.normals[0][0] * t29 + data.normals[0][1] * t30);
-        rows[0] = data.point[0] * t29 + data.point[1] * t30;
-        rows[1] = data.point[1] * t29 - data.point[0] * t30;
-        rows[2] = t31;
+        let t26 = theta.sin() * t25;
+        let t27 = theta.cos() * t25;
+        let t28 = q[3] * (data.normals[0][0] * t27 - data.normals[0][1] * t26)
+            - q[2] * (data.normals[0][0] * t26 + data.normals[0][1] * t27);
+        rows[0] = data.point[0] * t26 + data.point[1] * t27;
+        rows[1] = data.point[1] * t26 - data.point[0] * t27;
+        rows[2] = t28;
     }
     /// Joint `root`: conditions, acceleration level.
     ///
@@ -1210,41 +1210,41 @@ pub mod spin_up_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t26 = model.omega_s / model.T_s;
-        let t27 = (model.T_s / 6.283185307179586).powi(2);
-        let t28 = t * 6.283185307179586 / model.T_s;
-        let t29 = t28.cos();
+        let t23 = model.omega_s / model.T_s;
+        let t24 = (model.T_s / 6.283185307179586).powi(2);
+        let t25 = t * 6.283185307179586 / model.T_s;
+        let t26 = t25.cos();
         let theta = (if t <= model.T_s {
-            t26 * (t * t / 2.0 + t27 * (t29 - 1.0))
+            t23 * (t * t / 2.0 + t24 * (t26 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t31 = theta.cos();
-        let t32 = theta.sin();
-        let t33 = 6.283185307179586 / model.T_s;
-        let t34 = (if t <= model.T_s {
-            t26 * (t - t27 * (t33 * t28.sin()))
+        let t28 = theta.cos();
+        let t29 = theta.sin();
+        let t30 = 6.283185307179586 / model.T_s;
+        let t31 = (if t <= model.T_s {
+            t23 * (t - t24 * (t30 * t25.sin()))
         } else {
             model.omega_s
         });
-        let t35 = t32 * t34;
-        let t36 = t31 * t34;
-        let t37 = (if t <= model.T_s {
-            t26 * (1.0 - t27 * (t33 * (t29 * t33)))
+        let t32 = t29 * t31;
+        let t33 = t28 * t31;
+        let t34 = (if t <= model.T_s {
+            t23 * (1.0 - t24 * (t30 * (t26 * t30)))
         } else {
             0.0
         });
-        let t38 = t34 * t36 + t32 * t37;
-        let t39 = t31 * t37 - t34 * t35;
-        let t40 = v[2] * (data.normals[0][0] * t35 + data.normals[0][1] * t36);
-        let t41 = v[3] * (data.normals[0][0] * t36 - data.normals[0][1] * t35);
-        let t42 = t41
-            + (t41 + q[3] * (data.normals[0][0] * t39 - data.normals[0][1] * t38))
-            - (t40
-                + (t40 + q[2] * (data.normals[0][0] * t38 + data.normals[0][1] * t39)));
-        rows[0] = data.point[0] * t38 + data.point[1] * t39;
-        rows[1] = data.point[1] * t38 - data.point[0] * t39;
-        rows[2] = t42;
+        let t35 = t31 * t33 + t29 * t34;
+        let t36 = t28 * t34 - t31 * t32;
+        let t37 = v[2] * (data.normals[0][0] * t32 + data.normals[0][1] * t33);
+        let t38 = v[3] * (data.normals[0][0] * t33 - data.normals[0][1] * t32);
+        let t39 = t38
+            + (t38 + q[3] * (data.normals[0][0] * t36 - data.normals[0][1] * t35))
+            - (t37
+                + (t37 + q[2] * (data.normals[0][0] * t35 + data.normals[0][1] * t36)));
+        rows[0] = data.point[0] * t35 + data.point[1] * t36;
+        rows[1] = data.point[1] * t35 - data.point[0] * t36;
+        rows[2] = t39;
     }
     /// Joint `root`: conditions, jerk level.
     ///
@@ -1258,51 +1258,51 @@ pub mod spin_up_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t28 = model.omega_s / model.T_s;
-        let t29 = (model.T_s / 6.283185307179586).powi(2);
-        let t30 = t * 6.283185307179586 / model.T_s;
-        let t31 = t30.cos();
+        let t25 = model.omega_s / model.T_s;
+        let t26 = (model.T_s / 6.283185307179586).powi(2);
+        let t27 = t * 6.283185307179586 / model.T_s;
+        let t28 = t27.cos();
         let theta = (if t <= model.T_s {
-            t28 * (t * t / 2.0 + t29 * (t31 - 1.0))
+            t25 * (t * t / 2.0 + t26 * (t28 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t33 = theta.cos();
-        let t34 = theta.sin();
-        let t35 = 6.283185307179586 / model.T_s;
-        let t36 = t35 * t30.sin();
-        let t37 = (if t <= model.T_s { t28 * (t - t29 * t36) } else { model.omega_s });
-        let t38 = t34 * t37;
-        let t39 = t33 * t37;
-        let t40 = (if t <= model.T_s {
-            t28 * (1.0 - t29 * (t35 * (t31 * t35)))
+        let t30 = theta.cos();
+        let t31 = theta.sin();
+        let t32 = 6.283185307179586 / model.T_s;
+        let t33 = t32 * t27.sin();
+        let t34 = (if t <= model.T_s { t25 * (t - t26 * t33) } else { model.omega_s });
+        let t35 = t31 * t34;
+        let t36 = t30 * t34;
+        let t37 = (if t <= model.T_s {
+            t25 * (1.0 - t26 * (t32 * (t28 * t32)))
         } else {
             0.0
         });
-        let t41 = t37 * t39 + t34 * t40;
-        let t42 = t33 * t40 - t37 * t38;
-        let t43 = (if t <= model.T_s { t28 * (t29 * (t35 * (t35 * t36))) } else { 0.0 });
-        let t44 = t39 * t40;
-        let t45 = t44 + t37 * t42 + (t44 + t34 * t43);
-        let t46 = t38 * t40;
-        let t47 = t33 * t43 - t46 - (t46 + t37 * t41);
-        let t48 = a[2] * (data.normals[0][0] * t38 + data.normals[0][1] * t39);
-        let t49 = v[2] * (data.normals[0][0] * t41 + data.normals[0][1] * t42);
+        let t38 = t34 * t36 + t31 * t37;
+        let t39 = t30 * t37 - t34 * t35;
+        let t40 = (if t <= model.T_s { t25 * (t26 * (t32 * (t32 * t33))) } else { 0.0 });
+        let t41 = t36 * t37;
+        let t42 = t41 + t34 * t39 + (t41 + t31 * t40);
+        let t43 = t35 * t37;
+        let t44 = t30 * t40 - t43 - (t43 + t34 * t38);
+        let t45 = a[2] * (data.normals[0][0] * t35 + data.normals[0][1] * t36);
+        let t46 = v[2] * (data.normals[0][0] * t38 + data.normals[0][1] * t39);
+        let t47 = t45 + t46;
+        let t48 = a[3] * (data.normals[0][0] * t36 - data.normals[0][1] * t35);
+        let t49 = v[3] * (data.normals[0][0] * t39 - data.normals[0][1] * t38);
         let t50 = t48 + t49;
-        let t51 = a[3] * (data.normals[0][0] * t39 - data.normals[0][1] * t38);
-        let t52 = v[3] * (data.normals[0][0] * t42 - data.normals[0][1] * t41);
-        let t53 = t51 + t52;
-        let t54 = t51 + t53
-            + (t53
-                + (t52 + q[3] * (data.normals[0][0] * t47 - data.normals[0][1] * t45)))
-            - (t48 + t50
-                + (t50
-                    + (t49
+        let t51 = t48 + t50
+            + (t50
+                + (t49 + q[3] * (data.normals[0][0] * t44 - data.normals[0][1] * t42)))
+            - (t45 + t47
+                + (t47
+                    + (t46
                         + q[2]
-                            * (data.normals[0][0] * t45 + data.normals[0][1] * t47))));
-        rows[0] = data.point[0] * t45 + data.point[1] * t47;
-        rows[1] = data.point[1] * t45 - data.point[0] * t47;
-        rows[2] = t54;
+                            * (data.normals[0][0] * t42 + data.normals[0][1] * t44))));
+        rows[0] = data.point[0] * t42 + data.point[1] * t44;
+        rows[1] = data.point[1] * t42 - data.point[0] * t44;
+        rows[2] = t51;
     }
     /// Joint `root`: derivatives of the conditions.
     ///
@@ -1313,16 +1313,16 @@ pub mod spin_up_equations {
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
     ) {
-        let t20 = t * t / 2.0
+        let t17 = t * t / 2.0
             + (model.T_s / 6.283185307179586).powi(2)
                 * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
         let theta = (if t <= model.T_s {
-            model.omega_s / model.T_s * t20
+            model.omega_s / model.T_s * t17
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t22 = theta.cos();
-        let t23 = theta.sin();
+        let t19 = theta.cos();
+        let t20 = theta.sin();
         jacobian[0] = 1.0;
         jacobian[1] = 0.0;
         jacobian[2] = 0.0;
@@ -1333,8 +1333,8 @@ pub mod spin_up_equations {
         jacobian[7] = 0.0;
         jacobian[8] = 0.0;
         jacobian[9] = 0.0;
-        jacobian[10] = t22 * data.normals[0][0] - t23 * data.normals[0][1];
-        jacobian[11] = t23 * data.normals[0][0] + t22 * data.normals[0][1];
+        jacobian[10] = t19 * data.normals[0][0] - t20 * data.normals[0][1];
+        jacobian[11] = t20 * data.normals[0][0] + t19 * data.normals[0][1];
     }
     /// Joint `root`: what it prescribes, with three derivatives.
     ///
@@ -1345,50 +1345,50 @@ pub mod spin_up_equations {
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
     ) {
-        let t22 = model.omega_s / model.T_s;
-        let t23 = (model.T_s / 6.283185307179586).powi(2);
-        let t24 = t * 6.283185307179586 / model.T_s;
-        let t25 = t24.cos();
+        let t19 = model.omega_s / model.T_s;
+        let t20 = (model.T_s / 6.283185307179586).powi(2);
+        let t21 = t * 6.283185307179586 / model.T_s;
+        let t22 = t21.cos();
         let theta = (if t <= model.T_s {
-            t22 * (t * t / 2.0 + t23 * (t25 - 1.0))
+            t19 * (t * t / 2.0 + t20 * (t22 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t27 = theta.cos();
-        let t28 = theta.sin();
-        let t29 = 6.283185307179586 / model.T_s;
-        let t30 = t29 * t24.sin();
-        let t31 = (if t <= model.T_s { t22 * (t - t23 * t30) } else { model.omega_s });
-        let t32 = t28 * t31;
-        let t33 = t27 * t31;
-        let t34 = (if t <= model.T_s {
-            t22 * (1.0 - t23 * (t29 * (t25 * t29)))
+        let t24 = theta.cos();
+        let t25 = theta.sin();
+        let t26 = 6.283185307179586 / model.T_s;
+        let t27 = t26 * t21.sin();
+        let t28 = (if t <= model.T_s { t19 * (t - t20 * t27) } else { model.omega_s });
+        let t29 = t25 * t28;
+        let t30 = t24 * t28;
+        let t31 = (if t <= model.T_s {
+            t19 * (1.0 - t20 * (t26 * (t22 * t26)))
         } else {
             0.0
         });
-        let t35 = t31 * t33 + t28 * t34;
-        let t36 = t27 * t34 - t31 * t32;
-        let t37 = (if t <= model.T_s { t22 * (t23 * (t29 * (t29 * t30))) } else { 0.0 });
-        let t38 = t33 * t34;
-        let t39 = t38 + t31 * t36 + (t38 + t28 * t37);
-        let t40 = t32 * t34;
-        let t41 = t27 * t37 - t40 - (t40 + t31 * t35);
-        prescribed.position[0][0] = t27 * data.point[0] - t28 * data.point[1];
-        prescribed.position[0][1] = t28 * data.point[0] + t27 * data.point[1];
-        prescribed.position[1][0] = -(data.point[0] * t32 + data.point[1] * t33);
-        prescribed.position[1][1] = data.point[0] * t33 - data.point[1] * t32;
-        prescribed.position[2][0] = -(data.point[0] * t35 + data.point[1] * t36);
-        prescribed.position[2][1] = data.point[0] * t36 - data.point[1] * t35;
-        prescribed.position[3][0] = -(data.point[0] * t39 + data.point[1] * t41);
-        prescribed.position[3][1] = data.point[0] * t41 - data.point[1] * t39;
-        prescribed.slope[0][0] = t27 * data.tangent[0] - t28 * data.tangent[1];
-        prescribed.slope[0][1] = t28 * data.tangent[0] + t27 * data.tangent[1];
-        prescribed.slope[1][0] = -(data.tangent[0] * t32 + data.tangent[1] * t33);
-        prescribed.slope[1][1] = data.tangent[0] * t33 - data.tangent[1] * t32;
-        prescribed.slope[2][0] = -(data.tangent[0] * t35 + data.tangent[1] * t36);
-        prescribed.slope[2][1] = data.tangent[0] * t36 - data.tangent[1] * t35;
-        prescribed.slope[3][0] = -(data.tangent[0] * t39 + data.tangent[1] * t41);
-        prescribed.slope[3][1] = data.tangent[0] * t41 - data.tangent[1] * t39;
+        let t32 = t28 * t30 + t25 * t31;
+        let t33 = t24 * t31 - t28 * t29;
+        let t34 = (if t <= model.T_s { t19 * (t20 * (t26 * (t26 * t27))) } else { 0.0 });
+        let t35 = t30 * t31;
+        let t36 = t35 + t28 * t33 + (t35 + t25 * t34);
+        let t37 = t29 * t31;
+        let t38 = t24 * t34 - t37 - (t37 + t28 * t32);
+        prescribed.position[0][0] = t24 * data.point[0] - t25 * data.point[1];
+        prescribed.position[0][1] = t25 * data.point[0] + t24 * data.point[1];
+        prescribed.position[1][0] = -(data.point[0] * t29 + data.point[1] * t30);
+        prescribed.position[1][1] = data.point[0] * t30 - data.point[1] * t29;
+        prescribed.position[2][0] = -(data.point[0] * t32 + data.point[1] * t33);
+        prescribed.position[2][1] = data.point[0] * t33 - data.point[1] * t32;
+        prescribed.position[3][0] = -(data.point[0] * t36 + data.point[1] * t38);
+        prescribed.position[3][1] = data.point[0] * t38 - data.point[1] * t36;
+        prescribed.slope[0][0] = t24 * data.tangent[0] - t25 * data.tangent[1];
+        prescribed.slope[0][1] = t25 * data.tangent[0] + t24 * data.tangent[1];
+        prescribed.slope[1][0] = -(data.tangent[0] * t29 + data.tangent[1] * t30);
+        prescribed.slope[1][1] = data.tangent[0] * t30 - data.tangent[1] * t29;
+        prescribed.slope[2][0] = -(data.tangent[0] * t32 + data.tangent[1] * t33);
+        prescribed.slope[2][1] = data.tangent[0] * t33 - data.tangent[1] * t32;
+        prescribed.slope[3][0] = -(data.tangent[0] * t36 + data.tangent[1] * t38);
+        prescribed.slope[3][1] = data.tangent[0] * t38 - data.tangent[1] * t36;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     ///

@@ -8,7 +8,7 @@ rncf::model! {
         /// Radius of the section over the length.
         param slenderness = 0.001;
         /// Number of elements.
-        param elements: count = 8;
+        param elements: count = 32;
 
         const length = 1 m;
         const young = 210 [GPa];

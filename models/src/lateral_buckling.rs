@@ -5,7 +5,7 @@ rncf::model! {
     /// (critical 4.013 sqrt(EI GJ)/L^2).
     pub model LateralBuckling {
         /// Load at the tip, along the strip's wide side.
-        param load = 10 N;
+        param load = 3 N;
         /// Load along its thin side that starts the deflection.
         param disturbance = 0 N;
         /// Number of elements.

@@ -4,7 +4,7 @@ rncf::model! {
     /// Right-angle frame under a dead load at its free end: it buckles out of its plane, with bending and torsion.
     pub model RightAngleFrame {
         /// Load at the free end along the first leg; positive pulls.
-        param load = 1 N;
+        param load = 1.2 N;
         /// Load normal to the frame that starts the deflection.
         param disturbance = 0 N;
         /// Number of elements of a leg.

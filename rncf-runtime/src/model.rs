@@ -2,6 +2,7 @@
 
 use crate::equilibrium::Uniform;
 use crate::error::ModelError;
+use crate::mesh::{SectionBody, SectionState};
 use crate::rotation::Rotation;
 use crate::system::{State, System, Tangent};
 use crate::vector::Vector;
@@ -164,6 +165,22 @@ pub trait Scene: System + Send {
 
     /// Values of all outputs, SI, at a state.
     fn outputs(&mut self, state: &State, out: &mut [f64]);
+
+    /// The flexible bodies whose section states are told, in the order of [`Scene::section_states`].
+    fn section_bodies(&self) -> Vec<SectionBody> {
+        Vec::new()
+    }
+
+    /// What sections of all [`Scene::section_bodies`] carry at a state, body by body from start to end; `out`
+    /// is overwritten.
+    fn section_states(&mut self, _state: &State, out: &mut Vec<SectionState>) {
+        out.clear();
+    }
+
+    /// The same in the uniform motion.
+    fn uniform_section_states(&mut self, _at: &Uniform, _state: &State, out: &mut Vec<SectionState>) {
+        out.clear();
+    }
 
     /// Undeformed and at rest in the bodies' frames at time `t`; accelerations and multipliers zero.
     fn rest(&self, t: f64) -> State;

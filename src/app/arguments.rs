@@ -1,22 +1,17 @@
-//! The command line: `[run|steady] [name=value ...] [flags]`.
+//! The command line: `[command] [name=value ...] [flags]`.
 
 use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Arg, ArgAction, ArgMatches};
 
-use super::parameters::{assign, in_unit, short, time};
+use super::command::{Command, Frequency};
+use super::help::{about, after_help};
+use super::parameters::{angular_velocity, assign, time};
 use super::run::RunSettings;
+use super::sweep::SweepSettings;
+use crate::equilibrium::Spin;
 use crate::{Formulation, Joints, Method, Model, Options, Start, StepSize};
-
-/// What to do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Command {
-    /// Integrate in time.
-    Run,
-    /// Relative equilibria up to the spin at the end time.
-    Steady,
-}
 
 /// A command line that makes sense.
 #[derive(Clone, Debug)]
@@ -24,6 +19,8 @@ pub(super) struct Arguments<M> {
     pub command: Command,
     pub model: M,
     pub settings: RunSettings,
+    pub sweep: SweepSettings,
+    pub frequency: Frequency,
     pub out: PathBuf,
     pub quiet: bool,
 }
@@ -37,15 +34,27 @@ pub(super) enum Refusal {
     Mistake(String),
 }
 
-/// Reads the words after the program's name; `program` is the example's name.
+/// What a program says of itself: its name, what it does by default, and the choice of its models.
+#[derive(Clone, Debug)]
+pub(super) struct Program<'p> {
+    /// The example's name, for the usage.
+    pub name: &'p str,
+    pub default: Command,
+    /// More help at the end; empty: none.
+    pub more: &'p str,
+    /// Folder of the files.
+    pub out: PathBuf,
+}
+
+/// Reads the words after the program's name.
 ///
 /// # Errors
 /// [`Refusal`].
 pub(super) fn parse<M: Model>(
-    program: &str,
+    program: &Program<'_>,
     words: impl IntoIterator<Item = OsString>,
 ) -> Result<Arguments<M>, Refusal> {
-    let line = std::iter::once(program.into()).chain(words);
+    let line = std::iter::once(program.name.into()).chain(words);
     let matches = command_line::<M>(program)
         .try_get_matches_from(line)
         .map_err(|error| match error.kind() {
@@ -55,61 +64,92 @@ pub(super) fn parse<M: Model>(
     read(program, &matches).map_err(Refusal::Mistake)
 }
 
-fn read<M: Model>(program: &str, matches: &ArgMatches) -> Result<Arguments<M>, String> {
+fn read<M: Model>(program: &Program<'_>, matches: &ArgMatches) -> Result<Arguments<M>, String> {
     let mut words: Vec<String> = matches.get_many("words").into_iter().flatten().cloned().collect();
-    let command = match words.first().map(String::as_str) {
-        Some("run") => Some(Command::Run),
-        Some("steady") => Some(Command::Steady),
-        _ => None,
-    };
+    let command = words.first().and_then(|word| Command::named(word));
     if command.is_some() {
         words.remove(0);
     }
     let mut model = M::default();
-    assign(&mut model, &words)?;
-    let command = command.unwrap_or(Command::Run);
-    if command == Command::Steady {
-        refuse_with_steady(matches)?;
+    let range = assign(&mut model, &words)?;
+    let command = command.unwrap_or(program.default);
+    refuse(command, matches)?;
+    if let (Command::Run, Some(range)) = (command, range) {
+        let name = M::params()[range.param].name;
+        return Err(format!(
+            "`{name}` is given as a range, which `run` does not take: give one value, or use steady, campbell or static"
+        ));
     }
     let out = matches.get_one::<PathBuf>("out").cloned();
     Ok(Arguments {
         command,
         model,
         settings: settings(matches)?,
-        out: out.unwrap_or_else(|| PathBuf::from("out").join(program)),
+        sweep: SweepSettings {
+            range,
+            ..sweep(matches)?
+        },
+        frequency: text(matches, "frequency").map_or_else(Frequency::default, Frequency::named),
+        out: out.unwrap_or_else(|| program.out.clone()),
         quiet: matches.get_flag("quiet"),
     })
 }
 
-/// Flags that say how to advance in time mean nothing for an equilibrium.
-fn refuse_with_steady(matches: &ArgMatches) -> Result<(), String> {
-    let flags = [
-        "integrator",
-        "rtol",
-        "step",
-        "max-step",
-        "alpha",
-        "rho-inf",
-        "start",
-        "every",
-    ];
-    if let Some(flag) = flags.into_iter().find(|flag| given(matches, flag)) {
-        return Err(format!(
-            "`--{flag}` belongs to `run`: `steady` does not advance in time"
-        ));
+/// Refuses flags that mean nothing for the command.
+fn refuse(command: Command, matches: &ArgMatches) -> Result<(), String> {
+    for id in matches.ids() {
+        let flag = id.as_str();
+        let is_given = matches.value_source(flag) == Some(clap::parser::ValueSource::CommandLine);
+        if let (true, Some(refusal)) = (is_given, command.refusal(flag)) {
+            return Err(refusal);
+        }
     }
-    if matches.get_flag("stabilised") {
-        return Err("`--stabilised` belongs to `run`: `steady` does not advance in time".into());
-    }
-    if matches.get_flag("no-elimination") {
-        return Err("`--no-elimination` belongs to `run`: `steady` eliminates all joints that it can".into());
-    }
-    if text(matches, "formulation") == Some("ancf") {
+    if command != Command::Run && text(matches, "formulation") == Some("ancf") {
         return Err(
-            "`--formulation ancf` belongs to `run`: a relative equilibrium is one of referenced coordinates".into(),
+            "`--formulation ancf` belongs to `run`: an equilibrium is one of referenced coordinates, with the same result"
+                .into(),
         );
     }
     Ok(())
+}
+
+/// Settings of equilibria and modes; the parameter that is continued is not read here.
+fn sweep(matches: &ArgMatches) -> Result<SweepSettings, String> {
+    let defaults = SweepSettings::default();
+    let whole = |name: &str, most: usize| {
+        let read = |text: &str| match text.parse::<usize>() {
+            Ok(count) if (1..=most).contains(&count) => Ok(count),
+            _ => Err(format!("`--{name} {text}`: a whole number from 1 to {most} is needed")),
+        };
+        text(matches, name).map(read).transpose()
+    };
+    let at = text(matches, "at").map(|text| time("--at", text, "2 s")).transpose()?;
+    let spin = text(matches, "spin").map(|text| angular_velocity("--spin", text, "4 rad/s"));
+    let axis = text(matches, "axis");
+    let spin = match (spin.transpose()?, axis) {
+        (None, None) => None,
+        (None, Some(axis)) => {
+            return Err(format!(
+                "`--axis {axis}` says about which axis `--spin` turns: give both"
+            ));
+        }
+        (Some(spin), axis) => {
+            let index = ["x", "y", "z"].iter().position(|name| Some(*name) == axis).unwrap_or(2);
+            let mut velocity = [0.0; 3];
+            velocity[index] = spin;
+            Some(Spin {
+                velocity,
+                point: [0.0; 3],
+            })
+        }
+    };
+    Ok(SweepSettings {
+        at,
+        steps: whole("steps", 100_000)?.map_or(defaults.steps, |steps| steps as u32),
+        count: whole("modes", 1000)?.unwrap_or(defaults.count),
+        spin,
+        range: None,
+    })
 }
 
 fn settings(matches: &ArgMatches) -> Result<RunSettings, String> {
@@ -194,10 +234,6 @@ fn method(matches: &ArgMatches) -> Result<Method, String> {
     })
 }
 
-fn given(matches: &ArgMatches, name: &str) -> bool {
-    text(matches, name).is_some()
-}
-
 fn text<'m>(matches: &'m ArgMatches, name: &str) -> Option<&'m str> {
     matches.get_one::<String>(name).map(String::as_str)
 }
@@ -210,7 +246,7 @@ fn number(matches: &ArgMatches, name: &str) -> Result<Option<f64>, String> {
     text(matches, name).map(read).transpose()
 }
 
-fn command_line<M: Model>(program: &str) -> clap::Command {
+fn command_line<M: Model>(program: &Program<'_>) -> clap::Command {
     let value = |name: &'static str, placeholder: &'static str, help: &'static str| {
         Arg::new(name)
             .long(name)
@@ -229,11 +265,12 @@ fn command_line<M: Model>(program: &str) -> clap::Command {
         };
     let flag = |name: &'static str, help: &'static str| Arg::new(name).long(name).action(ArgAction::SetTrue).help(help);
     let words = Arg::new("words").num_args(0..).hide(true);
-    let usage = format!("{program} [run|steady] [name=value ...] [flags]");
+    let names = Command::ALL.map(Command::name).join("|");
+    let usage = format!("{} [{names}] [name=value ...] [name=from..to] [flags]", program.name);
     clap::Command::new(M::NAME)
         .about(about::<M>())
         .override_usage(usage)
-        .after_help(after_help::<M>())
+        .after_help(after_help::<M>(program.default, program.more))
         .arg(words)
         .arg(choice(
             "formulation",
@@ -282,15 +319,39 @@ fn command_line<M: Model>(program: &str) -> clap::Command {
             &["rest", "steady"],
             "rest (undeformed, default) or steady (in relative equilibrium with the spin at t = 0)",
         ))
-        .arg(value(
-            "t-end",
-            "TIME",
-            "End time; `steady`: time whose spin is reached (default: the model's)",
-        ))
+        .arg(value("t-end", "TIME", "End time (default: the model's)"))
         .arg(value(
             "every",
             "TIME",
             "Time between two rows of the history (default: the model's)",
+        ))
+        .arg(value(
+            "at",
+            "TIME",
+            "Time whose spin and loads hold in an equilibrium (default: the model's end time)",
+        ))
+        .arg(value(
+            "steps",
+            "NUMBER",
+            "Continuation steps of steady, campbell and static (default 32)",
+        ))
+        .arg(value(
+            "spin",
+            "SPEED",
+            "Rotation where nothing turns in a prescribed way, e.g. \"4 rad/s\" (default: the declared start's)",
+        ))
+        .arg(choice(
+            "axis",
+            "AXIS",
+            &["x", "y", "z"],
+            "Axis of `--spin`, through the origin: x, y or z (default)",
+        ))
+        .arg(value("modes", "NUMBER", "Number of modes, the lowest ones (default 8)"))
+        .arg(choice(
+            "frequency",
+            "UNIT",
+            &Frequency::NAMES,
+            "Unit in which frequencies are shown: rad/s (default), Hz or rpm; files are in rad/s",
         ))
         .arg(
             value("out", "FOLDER", "Where the files go (default out/<example>)")
@@ -300,61 +361,19 @@ fn command_line<M: Model>(program: &str) -> clap::Command {
         .arg(flag("quiet", "No progress and no summary"))
 }
 
-fn about<M: Model>() -> String {
-    let doc = M::DOC.trim();
-    if doc.is_empty() {
-        M::NAME.into()
-    } else {
-        format!("{}: {doc}", M::NAME)
-    }
-}
-
-fn after_help<M: Model>() -> String {
-    let mut text = String::from(
-        "Commands:\n  run     Integrate in time (default)\n  steady  Relative equilibria from rest to the spin at the end time\n",
-    );
-    let params = M::params();
-    let rows = params
-        .iter()
-        .map(|p| [p.name.into(), in_unit(p, p.default), p.doc.into()]);
-    text += &table("Parameters, with defaults:", rows.collect());
-    let outputs = M::outputs();
-    let unit = |o: &crate::Output| match o.components {
-        [] => format!("[{}]", o.unit),
-        components => format!("[{}] ({})", o.unit, components.join(", ")),
-    };
-    let rows = outputs.iter().map(|o| [o.name.into(), unit(o), o.doc.into()]);
-    text += &table("Outputs:", rows.collect());
-    let run = M::default().run();
-    let (t_end, every) = (short(run.t_end), short(run.every));
-    text += &format!("\nThe model runs to {t_end} s with a row every {every} s.");
-    text
-}
-
-/// Lines of three columns under a title; nothing without rows.
-fn table(title: &str, rows: Vec<[String; 3]>) -> String {
-    if rows.is_empty() {
-        return String::new();
-    }
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let (first, second) = (width(0), width(1));
-    let mut text = format!("\n{title}\n");
-    for [name, value, doc] in &rows {
-        let doc = doc.split_whitespace().collect::<Vec<_>>().join(" ");
-        let line = format!("  {name:first$}  {value:second$}  {doc}");
-        text += line.trim_end();
-        text.push('\n');
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::app::testing::Rotor;
 
     fn read(line: &[&str]) -> Result<Arguments<Rotor>, Refusal> {
-        parse("rotor", line.iter().map(OsString::from))
+        let program = Program {
+            name: "rotor",
+            default: Command::Run,
+            more: "",
+            out: PathBuf::from("out/rotor"),
+        };
+        parse(&program, line.iter().map(OsString::from))
     }
 
     fn mistake(line: &[&str]) -> String {
@@ -401,12 +420,21 @@ mod tests {
             .settings;
         assert_eq!(fixed.options.step, StepSize::Fixed(5e-3));
         assert_eq!(fixed.method, Method::GeneralizedAlpha { rho_inf: 0.8 });
-        assert_eq!(read(&["steady", "--t-end", "1 s"]).unwrap().command, Command::Steady);
+        let line = "campbell omega=0..60rpm --at 1s --steps 7 --modes 5 --frequency Hz --spin 2rad/s --axis x";
+        let arguments = read(&line.split_whitespace().collect::<Vec<_>>()).unwrap();
+        assert_eq!(
+            (arguments.command, arguments.frequency),
+            (Command::Campbell, Frequency::Hertz)
+        );
+        let sweep = arguments.sweep;
+        assert_eq!((sweep.at, sweep.steps, sweep.count), (Some(1.0), 7, 5));
+        assert_eq!(sweep.spin.unwrap().velocity, [2.0, 0.0, 0.0]);
+        assert_eq!(sweep.range.map(|range| (range.param, range.from)), Some((0, 0.0)));
     }
 
     #[test]
     fn flags_that_make_no_sense_together_are_refused() {
-        let cases: [(&[&str], &str); 7] = [
+        let cases: [(&[&str], &str); 12] = [
             (
                 &["--alpha", "-0.1"],
                 "`--alpha` belongs to `--integrator hht`; this run uses radau",
@@ -421,11 +449,31 @@ mod tests {
             ),
             (
                 &["steady", "--every", "1 s"],
-                "`--every` belongs to `run`: `steady` does not advance in time",
+                "`--every` belongs to `run`, not to `steady`: it does not advance in time",
+            ),
+            (
+                &["static", "--spin", "1 rad/s"],
+                "`--spin` belongs to `steady`, `modes`, `campbell`, not to `static`: nothing turns at rest",
+            ),
+            (
+                &["--modes", "3"],
+                "`--modes` belongs to `modes`, `campbell`, not to `run`: a run in time looks for no equilibrium",
+            ),
+            (
+                &["modes", "--stabilised"],
+                "`--stabilised` belongs to `run`, not to `modes`: it does not advance in time",
+            ),
+            (
+                &["modes", "--axis", "x"],
+                "`--axis x` says about which axis `--spin` turns: give both",
+            ),
+            (
+                &["omega=1..2 rad/s"],
+                "`omega` is given as a range, which `run` does not take: give one value, or use steady, campbell or static",
             ),
             (
                 &["steady", "--formulation", "ancf"],
-                "`--formulation ancf` belongs to `run`: a relative equilibrium is one of referenced coordinates",
+                "`--formulation ancf` belongs to `run`: an equilibrium is one of referenced coordinates, with the same result",
             ),
             (
                 &["--integrator", "hht", "--alpha", "0.1"],

@@ -7,6 +7,7 @@ use plotters::coord::Shift;
 use plotters::coord::ranged1d::{Ranged, ValueFormatter};
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// A chart of lines over a common axis.
 pub(super) struct Chart {
@@ -16,8 +17,40 @@ pub(super) struct Chart {
     pub y: String,
     /// Whether the vertical axis is logarithmic; all values are then positive.
     pub logarithmic: bool,
-    /// Points of each line, ascending in x, all finite.
-    pub lines: Vec<Vec<(f64, f64)>>,
+    pub lines: Vec<Line>,
+    /// Vertical lines at values of x, with what they are.
+    pub marks: Vec<(f64, String)>,
+    /// Single points on lines, with the index of their colour.
+    pub dots: Vec<((f64, f64), usize)>,
+    /// Whether it is taller than others, for many lines.
+    pub is_tall: bool,
+}
+
+/// A line of a chart.
+pub(super) struct Line {
+    /// Ascending or descending in x, all finite.
+    pub points: Vec<(f64, f64)>,
+    /// Index of the colour in [`LINES`].
+    pub color: usize,
+    /// What is written at its end of a dashed, grey line, which does not count in the vertical range.
+    pub guide: Option<String>,
+}
+
+impl Line {
+    pub fn new(points: impl IntoIterator<Item = (f64, f64)>, color: usize) -> Self {
+        Self {
+            points: points.into_iter().collect(),
+            color,
+            guide: None,
+        }
+    }
+
+    pub fn guide(points: impl IntoIterator<Item = (f64, f64)>, label: &str) -> Self {
+        Self {
+            guide: Some(label.into()),
+            ..Self::new(points, 0)
+        }
+    }
 }
 
 /// Colours of the lines on a light page, in their order.
@@ -35,13 +68,16 @@ pub(super) const INK: RGBColor = RGBColor(0x33, 0x33, 0x33);
 pub(super) const GRID: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
 
 // The backend rounds to whole units: a drawing four times as large as shown keeps curves smooth.
-const SIZE: (u32, u32) = (3840, 1280);
+const WIDTH: u32 = 3840;
+const HEIGHT: u32 = 1280;
+const TALL: u32 = 2200;
 const TEXT: u32 = 64;
 const STROKE: u32 = 7;
 // More points than this are not told apart in the drawing.
 const BUCKETS: usize = 1500;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Interval = std::ops::Range<f64>;
 
 impl Chart {
     /// The chart as an `svg` element.
@@ -50,20 +86,28 @@ impl Chart {
     /// The drawing library's reason, which names no place in the data: the lines are finite.
     pub fn to_svg(&self) -> Result<String, String> {
         let mut text = String::new();
-        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        let area =
+            SVGBackend::with_string(&mut text, (WIDTH, if self.is_tall { TALL } else { HEIGHT })).into_drawing_area();
         let (x, y) = (self.range(|point| point.0), self.range(|point| point.1));
         let x = padded(x, 0.0);
         let drawn = if self.logarithmic {
-            self.draw(&area, x, decades(y).log_scale(), 6)
+            self.draw(&area, x, decades(y), |range| range.log_scale(), 6)
         } else {
-            self.draw(&area, x, padded(y, 0.06), 7)
+            self.draw(&area, x, padded(y, 0.06), |range| range, 7)
         };
         drawn.map_err(|error| format!("a chart cannot be drawn: {error}"))?;
         drop(area);
         Ok(text)
     }
 
-    fn draw<Y>(&self, area: &Area<'_>, x: std::ops::Range<f64>, y: Y, ticks: usize) -> Result<(), String>
+    fn draw<Y>(
+        &self,
+        area: &Area<'_>,
+        x: Interval,
+        y: Interval,
+        scaled: impl Fn(Interval) -> Y,
+        ticks: usize,
+    ) -> Result<(), String>
     where
         Y: plotters::coord::ranged1d::AsRangedCoord<Value = f64>,
         Y::CoordDescType: Ranged<ValueType = f64> + ValueFormatter<f64>,
@@ -71,16 +115,50 @@ impl Chart {
         let told = |error: &dyn Display| error.to_string();
         let mut chart = ChartBuilder::on(area)
             .margin(24)
-            .margin_right(72)
+            .margin_top(if self.marks.is_empty() { 24 } else { 100 })
+            .margin_right(if self.lines.iter().any(|line| line.guide.is_some()) {
+                160
+            } else {
+                120
+            })
             .x_label_area_size(168)
             .y_label_area_size(320)
-            .build_cartesian_2d(x, y)
+            .build_cartesian_2d(x.clone(), scaled(y.clone()))
             .map_err(|error| told(&error))?;
         self.draw_mesh(&mut chart, ticks).map_err(|error| told(&error))?;
-        for (line, color) in self.lines.iter().zip(LINES.iter().cycle()) {
-            let points = thinned(line, BUCKETS);
-            let series = LineSeries::new(points, color.stroke_width(STROKE));
+        let style = ("sans-serif", TEXT).into_font().color(&INK);
+        let centred = style.pos(Pos::new(HPos::Center, VPos::Bottom));
+        for (place, label) in &self.marks {
+            let ends = [(*place, y.start), (*place, y.end)];
+            let line = DashedLineSeries::new(ends, 12, 20, INK.stroke_width(4));
+            chart.draw_series(line).map_err(|error| told(&error))?;
+            let text = Text::new(label.clone(), (*place, y.end), centred.clone());
+            chart.draw_series([text]).map_err(|error| told(&error))?;
+        }
+        for line in &self.lines {
+            let points = thinned(&line.points, BUCKETS);
+            let Some(label) = &line.guide else {
+                let color = LINES[line.color % LINES.len()];
+                let series = LineSeries::new(points, color.stroke_width(STROKE));
+                chart.draw_series(series).map_err(|error| told(&error))?;
+                continue;
+            };
+            let points = below(&points, y.end);
+            let Some(&end) = points.last() else { continue };
+            let series = DashedLineSeries::new(points, 36, 24, INK.stroke_width(5));
             chart.draw_series(series).map_err(|error| told(&error))?;
+            // At the side where the line leaves it, else under the upper edge.
+            let position = if end.0 >= x.end {
+                Pos::new(HPos::Left, VPos::Center)
+            } else {
+                Pos::new(HPos::Left, VPos::Top)
+            };
+            let text = Text::new(format!(" {label}"), end, style.pos(position));
+            chart.draw_series([text]).map_err(|error| told(&error))?;
+        }
+        for &(place, color) in &self.dots {
+            let dot = Circle::new(place, 18, LINES[color % LINES.len()].filled());
+            chart.draw_series([dot]).map_err(|error| told(&error))?;
         }
         area.present().map_err(|error| told(&error))
     }
@@ -116,7 +194,8 @@ impl Chart {
     }
 
     fn range(&self, of: impl Fn(&(f64, f64)) -> f64) -> (f64, f64) {
-        let values = self.lines.iter().flatten().map(of);
+        let fitted = self.lines.iter().filter(|line| line.guide.is_none());
+        let values = fitted.flat_map(|line| &line.points).map(of);
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
             (low.min(value), high.max(value))
         })
@@ -124,7 +203,7 @@ impl Chart {
 }
 
 /// The range with a share of its length added at both ends; never empty.
-fn padded((low, high): (f64, f64), share: f64) -> std::ops::Range<f64> {
+fn padded((low, high): (f64, f64), share: f64) -> Interval {
     if low > high {
         return 0.0..1.0;
     }
@@ -142,7 +221,7 @@ fn padded((low, high): (f64, f64), share: f64) -> std::ops::Range<f64> {
 }
 
 /// The whole decades that hold the range.
-fn decades((low, high): (f64, f64)) -> std::ops::Range<f64> {
+fn decades((low, high): (f64, f64)) -> Interval {
     if low > high || low <= 0.0 {
         return 0.1..1.0;
     }
@@ -157,6 +236,22 @@ fn tick(value: f64, size: f64) -> String {
     // Ticks are short decimals up to the round-off of their computation, which shows at zero.
     let value = if value.abs() < 1e-9 * size { 0.0 } else { value };
     super::parameters::digits(value, 6)
+}
+
+/// The part of an ascending line up to a height.
+fn below(points: &[(f64, f64)], height: f64) -> Vec<(f64, f64)> {
+    let mut kept: Vec<(f64, f64)> = Vec::new();
+    for &(x, y) in points {
+        if y <= height {
+            kept.push((x, y));
+            continue;
+        }
+        if let Some(&(before, low)) = kept.last() {
+            kept.push((before + (x - before) * (height - low) / (y - low), height));
+        }
+        break;
+    }
+    kept
 }
 
 /// At most four points for each of `buckets` equal parts of the axis: the first, the lowest, the
@@ -196,7 +291,10 @@ mod tests {
             x,
             y,
             logarithmic,
-            lines,
+            lines: lines.into_iter().map(|points| Line::new(points, 0)).collect(),
+            marks: Vec::new(),
+            dots: Vec::new(),
+            is_tall: false,
         };
         chart.to_svg().unwrap()
     }
@@ -229,6 +327,31 @@ mod tests {
     fn zero_is_labelled_without_round_off() {
         let svg = chart(vec![vec![(0.0, 0.0), (10.0, -0.533), (20.0, 0.008)]], false);
         assert_eq!(svg.matches("\n0\n").count(), 2, "{svg}");
+    }
+
+    #[test]
+    fn guides_are_cut_at_the_upper_edge_and_marks_carry_their_names() {
+        assert_eq!(below(&[(0.0, 0.0), (4.0, 8.0)], 2.0), [(0.0, 0.0), (1.0, 2.0)]);
+        assert_eq!(below(&[(0.0, 3.0)], 2.0), []);
+        let chart = Chart {
+            x: "speed [rpm]".into(),
+            y: "frequency [Hz]".into(),
+            logarithmic: false,
+            lines: vec![
+                Line::new([(0.0, 1.0), (1.0, 2.0)], 1),
+                Line::guide([(0.0, 0.0), (1.0, 50.0)], "1x"),
+            ],
+            marks: vec![(0.5, "critical".into())],
+            dots: vec![((1.0, 2.0), 1)],
+            is_tall: true,
+        };
+        let svg = chart.to_svg().unwrap();
+        assert!(
+            svg.contains("1x") && svg.contains("critical") && svg.contains("<circle"),
+            "{svg}"
+        );
+        // The guide does not stretch the axis.
+        assert!(!svg.contains("\n50\n") && svg.contains("\n2\n"), "{svg}");
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! The table of outputs: rows over time, or over the spin in a steady run.
+//! The table of outputs: rows over time, or over what is continued of equilibria.
 
 use std::fmt::Write;
 
@@ -7,11 +7,12 @@ use crate::{Model, Output};
 /// Values of all outputs, row by row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct History {
-    /// First column: `t [s]`, or `spin [rad/s]` of a steady run.
+    /// First column: `t [s]`; of equilibria `spin [rad/s]`, `load_factor [1]`, or a parameter in its
+    /// declared unit.
     pub key: Column,
     /// One column for each component of each output, in the order of the declaration.
     pub columns: Vec<Column>,
-    /// Values of the first column, ascending.
+    /// Values of the first column in its unit, in the order of the way.
     pub keys: Vec<f64>,
     /// Values row by row, SI; `columns.len()` for each of [`History::keys`].
     pub values: Vec<f64>,
@@ -22,7 +23,7 @@ pub struct History {
 pub struct Column {
     /// Name, with the component for vectors: `tip.x`.
     pub name: String,
-    /// SI unit.
+    /// Unit of the values: SI but for a parameter in the first column.
     pub unit: &'static str,
 }
 
@@ -31,11 +32,19 @@ pub struct Column {
 pub struct Extreme {
     /// The value, SI.
     pub value: f64,
-    /// Where in the first column: time in s or spin in rad/s.
+    /// Where in the first column.
     pub at: f64,
 }
 
 impl Column {
+    /// The first column of a run in time.
+    pub(super) fn time() -> Self {
+        Self {
+            name: "t".into(),
+            unit: "s",
+        }
+    }
+
     /// The head as it stands in files and on axes: `tip.x [m]`.
     pub fn head(&self) -> String {
         format!("{} [{}]", self.name, self.unit)
@@ -44,9 +53,9 @@ impl Column {
 
 impl History {
     /// An empty table for the outputs of `M`.
-    pub(super) fn new<M: Model>(key: &str, unit: &'static str) -> Self {
+    pub(super) fn new<M: Model>(key: Column) -> Self {
         Self {
-            key: Column { name: key.into(), unit },
+            key,
             columns: M::outputs().iter().flat_map(columns).collect(),
             keys: Vec::new(),
             values: Vec::new(),
@@ -139,7 +148,7 @@ mod tests {
     use crate::app::testing::Rotor;
 
     fn table() -> History {
-        let mut history = History::new::<Rotor>("t", "s");
+        let mut history = History::new::<Rotor>(Column::time());
         history.push(0.0, &[1.0, 2.0, 0.1]).unwrap();
         history.push(0.5, &[-1.0, 2.0, 0.25]).unwrap();
         history
@@ -155,7 +164,7 @@ mod tests {
 
     #[test]
     fn every_number_reads_back_to_the_same_bits() {
-        let mut history = History::new::<Rotor>("t", "s");
+        let mut history = History::new::<Rotor>(Column::time());
         let row = [1.0 / 3.0, -2.0e-308, f64::MAX];
         history.push(0.1 + 0.2, &row).unwrap();
         let text = history.to_csv();
@@ -174,7 +183,7 @@ mod tests {
     fn extremes_carry_their_times() {
         let (low, high) = table().extremes(0).unwrap();
         assert_eq!((low.value, low.at, high.value, high.at), (-1.0, 0.5, 1.0, 0.0));
-        assert_eq!(History::new::<Rotor>("t", "s").extremes(0), None);
+        assert_eq!(History::new::<Rotor>(Column::time()).extremes(0), None);
         assert_eq!(table().find("tip.y"), Some(1));
     }
 

@@ -1,35 +1,51 @@
 //! Parameters and other quantities as text: `omega_s="40 rad/s"`, `elements=24`, `--t-end "20 s"`.
 
+use super::command::Command;
 use super::nearest::nearest;
+use super::sweep::Range;
 use super::units::{Dimension, Number, SECOND, Unit};
 use crate::{Model, Param, ParamKind};
 
-/// Sets the parameters of a model from words `name=value`.
+/// Sets the parameters of a model from words `name=value`, or `name=from..to` of the one that is continued,
+/// which is set to its last value and returned.
 ///
 /// # Errors
 /// All mistakes, one a line: each with the word and what would be right.
-pub(super) fn assign<M: Model>(model: &mut M, words: &[String]) -> Result<(), String> {
+pub(super) fn assign<M: Model>(model: &mut M, words: &[String]) -> Result<Option<Range>, String> {
     let mut given = vec![false; M::params().len()];
     let mut mistakes = Vec::new();
+    let mut continued: Option<Range> = None;
     for word in words {
         match read::<M>(word) {
-            Ok((index, _)) if given[index] => mistakes.push(format!("`{}` is given twice", M::params()[index].name)),
-            Ok((index, value)) => {
-                given[index] = true;
-                model.set(index, value);
+            Ok(range) if given[range.param] => {
+                mistakes.push(format!("`{}` is given twice", M::params()[range.param].name));
+            }
+            Ok(range) => {
+                given[range.param] = true;
+                model.set(range.param, range.to);
+                if range.from == range.to {
+                    continue;
+                }
+                if let Some(first) = continued {
+                    let [first, second] = [first, range].map(|range| M::params()[range.param].name);
+                    mistakes.push(format!(
+                        "`{first}` and `{second}` are both given as ranges: one parameter is continued at a time"
+                    ));
+                }
+                continued = Some(range);
             }
             Err(mistake) => mistakes.push(mistake),
         }
     }
     if mistakes.is_empty() {
-        Ok(())
+        Ok(continued)
     } else {
         Err(mistakes.join("\n"))
     }
 }
 
-/// Index of the parameter and its value in SI.
-fn read<M: Model>(word: &str) -> Result<(usize, f64), String> {
+/// The parameter with its value in SI, `from` and `to` being equal unless a range is given.
+fn read<M: Model>(word: &str) -> Result<Range, String> {
     let Some((name, text)) = word.split_once('=') else {
         return Err(stray::<M>(word));
     };
@@ -39,18 +55,35 @@ fn read<M: Model>(word: &str) -> Result<(usize, f64), String> {
     };
     let param = &M::params()[index];
     let example = format!("{name}={}", quoted(&in_unit(param, param.default)));
-    let value = match param.kind {
+    let value = |text: &str| match param.kind {
         ParamKind::Count => count(text),
         ParamKind::Quantity => quantity(text, param.unit, param.dimension),
     };
-    match value {
-        Ok(value) => Ok((index, value)),
+    let values = match text.split_once("..") {
+        None => value(text).map(|value| (value, value)),
+        Some(_) if param.kind == ParamKind::Count => {
+            Err("a count does not change continuously: give one value".to_owned())
+        }
+        Some((from, to)) => {
+            // The unit may stand once, at the end.
+            let unit = Number::split(to).map_or("", |(_, unit)| unit);
+            let is_bare = Number::split(from).is_some_and(|(_, unit)| unit.is_empty());
+            let from = if is_bare { format!("{from} {unit}") } else { from.into() };
+            let both = value(&from).and_then(|from| value(to).map(|to| (from, to)));
+            both.and_then(|(from, to)| match from == to {
+                true => Err("the range begins where it ends: give one value".into()),
+                false => Ok((from, to)),
+            })
+        }
+    };
+    match values {
+        Ok((from, to)) => Ok(Range { param: index, from, to }),
         Err(mistake) => Err(format!("`{name}={text}`: {mistake} (e.g. `{example}`)")),
     }
 }
 
 fn stray<M: Model>(word: &str) -> String {
-    if let Some(command) = nearest(word, ["run", "steady"]) {
+    if let Some(command) = nearest(word, Command::ALL.map(Command::name)) {
         return format!("`{word}` is not a command; did you mean `{command}`? A command comes first");
     }
     let example = M::params()
@@ -59,7 +92,10 @@ fn stray<M: Model>(word: &str) -> String {
         .map(|param| format!("{}={}", param.name, quoted(&in_unit(param, param.default))));
     match (Unit::parse(word), example) {
         (Ok(_), Some(example)) => format!("`{word}` stands alone: quote a value together with its unit, `{example}`"),
-        _ => format!("`{word}` is neither a command (run, steady) nor `name=value`"),
+        _ => {
+            let names = Command::ALL.map(Command::name).join(", ");
+            format!("`{word}` is neither a command ({names}) nor `name=value`")
+        }
     }
 }
 
@@ -132,6 +168,15 @@ pub(super) fn time(flag: &str, text: &str, example: &str) -> Result<f64, String>
     seconds.map_err(|mistake| format!("`{flag} {}`: {mistake} (e.g. `{flag} \"{example}\"`)", quoted(text)))
 }
 
+/// An angular velocity, rad/s, for a flag.
+///
+/// # Errors
+/// The flag and what would be right.
+pub(super) fn angular_velocity(flag: &str, text: &str, example: &str) -> Result<f64, String> {
+    let value = quantity(text, "rad/s", [0, 0, -1, 0, 0, 1]);
+    value.map_err(|mistake| format!("`{flag} {}`: {mistake} (e.g. `{flag} \"{example}\"`)", quoted(text)))
+}
+
 /// A value in the declared unit, e.g. `4 rad/s`; `value` in SI.
 pub(super) fn in_unit(param: &Param, value: f64) -> String {
     let number = short(value / param.unit_si);
@@ -186,6 +231,21 @@ mod tests {
     }
 
     #[test]
+    fn ranges_carry_their_unit_at_the_end_or_twice() {
+        let mut rotor = Rotor::default();
+        for word in ["omega=0..60 rpm", "omega=0 rad/s..60rpm"] {
+            let range = assign(&mut rotor, &[word.into()]).unwrap().unwrap();
+            assert_eq!((range.param, range.from, range.to), (0, 0.0, rotor.omega));
+            assert_eq!(rotor.omega, 60.0 * (std::f64::consts::PI / 30.0));
+        }
+        let words = ["loss=0.5..-0.5", "stiffness=1..2 N/m"].map(String::from);
+        assert_eq!(
+            assign(&mut rotor, &words).unwrap_err(),
+            "`loss` and `stiffness` are both given as ranges: one parameter is continued at a time"
+        );
+    }
+
+    #[test]
     fn mistakes_say_what_would_be_right() {
         let cases = [
             ("omga=4 rad/s", "Rotor has no parameter `omga`; did you mean `omega`?"),
@@ -230,6 +290,18 @@ mod tests {
                 "`loss=1 m`: `m` is out of place: the parameter has no dimension (e.g. `loss=0.01`)",
             ),
             (
+                "coils=1..4",
+                "`coils=1..4`: a count does not change continuously: give one value (e.g. `coils=2`)",
+            ),
+            (
+                "omega=1..4",
+                "`omega=1..4`: the unit is missing; write rad/s or another of its dimension (e.g. `omega=\"3 rad/s\"`)",
+            ),
+            (
+                "loss=0.1..0.1",
+                "`loss=0.1..0.1`: the range begins where it ends: give one value (e.g. `loss=0.01`)",
+            ),
+            (
                 "rad/s",
                 "`rad/s` stands alone: quote a value together with its unit, `omega=\"3 rad/s\"`",
             ),
@@ -239,7 +311,7 @@ mod tests {
             ),
             (
                 "whatever",
-                "`whatever` is neither a command (run, steady) nor `name=value`",
+                "`whatever` is neither a command (run, steady, modes, campbell, static) nor `name=value`",
             ),
         ];
         for (word, expected) in cases {

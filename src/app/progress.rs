@@ -5,7 +5,9 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::parameters::digits;
 use super::run::Progress;
+use super::sweep::SweepProgress;
 
 /// A bar, or nothing where nobody looks at a terminal.
 pub(super) struct Bar {
@@ -43,6 +45,16 @@ impl Bar {
         self.bar.set_position((share * PARTS as f64) as u64);
         let Progress { t, t_end, h } = progress;
         self.bar.set_message(format!("t = {t:.3}/{t_end} s  h = {h:.2e} s"));
+    }
+
+    /// Shows the step of a sweep by the value of its first column.
+    pub fn show_sweep(&mut self, progress: &SweepProgress) {
+        if self.bar.is_hidden() || self.drawn.elapsed() < PAUSE {
+            return;
+        }
+        self.drawn = Instant::now();
+        self.bar.set_position((progress.share * PARTS as f64) as u64);
+        self.bar.set_message(digits(progress.key, 5));
     }
 
     /// Takes the bar away; the summary follows in its place.

@@ -4,31 +4,22 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
-use super::charts::{Chart, LINES};
+use super::charts::{Chart, LINES, Line};
+use super::diagrams::{critical_lines, marks};
 use super::history::History;
 use super::parameters::{digits, in_unit, short};
 use super::run::StepTaken;
+use super::section_table;
+use super::steady::Equilibria;
 use super::summary::{SETTINGS, STATISTICS, Summary};
+use crate::modes::Critical;
 use crate::{Model, Output};
 
 const STYLE: &str = include_str!("page.css");
 
-/// The page of a run or of steady equilibria.
-///
-/// # Errors
-/// A chart that cannot be drawn.
-pub(super) fn page<M: Model>(
-    model: &M,
-    summary: &Summary,
-    history: &History,
-    steps: &[StepTaken],
-) -> Result<String, String> {
-    let command = if history.key.name == "t" {
-        "run"
-    } else {
-        "relative equilibria"
-    };
-    let title = format!("{}: {command}", M::NAME);
+/// The page of a command; `results` is what it found.
+pub(super) fn page<M: Model>(model: &M, what: &str, summary: &Summary, results: &str) -> String {
+    let title = format!("{}: {what}", M::NAME);
     let mut page = String::new();
     page += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
     page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
@@ -39,10 +30,8 @@ pub(super) fn page<M: Model>(
     );
     header::<M>(&mut page, &title, summary);
     page += "<h2>Results</h2>\n";
-    results::<M>(&mut page, history)?;
-    if !steps.is_empty() {
-        step_chart(&mut page, steps)?;
-    }
+    page += results;
+    page += &section_table::table(summary);
     page += "<h2>Parameters</h2>\n";
     parameters(&mut page, model);
     page += "<div class=\"tables\">\n";
@@ -58,8 +47,37 @@ pub(super) fn page<M: Model>(
         "<footer>rncf {version}; all values in SI units unless a unit is given.</footer>"
     );
     page += "</body>\n</html>\n";
-    Ok(page)
+    page
 }
+
+/// Outputs and steps of a run in time.
+///
+/// # Errors
+/// A chart that cannot be drawn.
+pub(super) fn run_part<M: Model>(history: &History, steps: &[StepTaken]) -> Result<String, String> {
+    let mut part = String::new();
+    results::<M>(&mut part, history, &[])?;
+    if !steps.is_empty() {
+        step_chart(&mut part, steps)?;
+    }
+    Ok(part)
+}
+
+/// Outputs over what is continued; critical values are marked.
+///
+/// # Errors
+/// A chart that cannot be drawn.
+pub(super) fn equilibria_part<M: Model>(result: &Equilibria) -> Result<String, String> {
+    let mut part = String::new();
+    for line in critical_lines(&result.history.key, &result.critical, BUCKLING) {
+        let _ = writeln!(part, "<p>{}</p>", escape(&line));
+    }
+    results::<M>(&mut part, &result.history, &result.critical)?;
+    Ok(part)
+}
+
+/// What happens where the stiffness of a static equilibrium changes its sign.
+pub(super) const BUCKLING: &str = "Critical value (buckling, snap-through or a return from them)";
 
 fn header<M: Model>(page: &mut String, title: &str, summary: &Summary) {
     let _ = writeln!(page, "<h1>{}</h1>", escape(title));
@@ -81,6 +99,8 @@ fn header<M: Model>(page: &mut String, title: &str, summary: &Summary) {
         "steps",
         "rejected_steps",
         "factorizations",
+        "spin",
+        "stability_margin",
         "cpu_seconds",
     ];
     for key in facts {
@@ -92,16 +112,26 @@ fn header<M: Model>(page: &mut String, title: &str, summary: &Summary) {
 }
 
 /// One chart for each output; components of a vector share theirs.
-fn results<M: Model>(page: &mut String, history: &History) -> Result<(), String> {
+fn results<M: Model>(page: &mut String, history: &History, critical: &[Critical]) -> Result<(), String> {
     let mut column = 0;
     for output in M::outputs() {
         let count = output.components.len().max(1);
-        let lines = (column..column + count).map(|index| history.keys.iter().copied().zip(history.column(index)));
+        let line = |index: usize| Line::new(history.keys.iter().copied().zip(history.column(index)), index - column);
+        // Over time the table below the chart is enough.
+        let of_equilibria = history.key.name != "t";
+        let dots = (column..column + count).filter_map(|index| {
+            let (low, high) = history.extremes(index)?;
+            let largest = if low.value.abs() > high.value.abs() { low } else { high };
+            (of_equilibria && low.value != high.value).then_some(((largest.at, largest.value), index - column))
+        });
         let chart = Chart {
             x: history.key.head(),
             y: format!("{} [{}]", output.name, output.unit),
             logarithmic: false,
-            lines: lines.map(Iterator::collect).collect(),
+            lines: (column..column + count).map(line).collect(),
+            marks: marks(critical),
+            dots: dots.collect(),
+            is_tall: false,
         };
         let caption = format!("{}<span>{}</span>", escape(output.name), escape(output.doc.trim()));
         figure(page, &caption, &chart, &extremes(output, history, column))?;
@@ -143,12 +173,19 @@ fn step_chart(page: &mut String, steps: &[StepTaken]) -> Result<(), String> {
         x: "t [s]".into(),
         y: "h [s]".into(),
         logarithmic: true,
-        lines: vec![line.collect()],
+        lines: vec![Line::new(line, 0)],
+        marks: Vec::new(),
+        dots: Vec::new(),
+        is_tall: false,
     };
     figure(page, "Step size<span>of the accepted steps</span>", &chart, "")
 }
 
-fn figure(page: &mut String, caption: &str, chart: &Chart, below: &str) -> Result<(), String> {
+/// A chart with its caption; `below` stands under it.
+///
+/// # Errors
+/// A chart that cannot be drawn.
+pub(super) fn figure(page: &mut String, caption: &str, chart: &Chart, below: &str) -> Result<(), String> {
     let svg = chart.to_svg()?;
     let _ = write!(
         page,
@@ -213,6 +250,9 @@ fn label(key: &str) -> String {
         "cpu_clock" => "clock of the processor time",
         "wall_seconds" => "wall time",
         "t_end" => "end time",
+        "at" => "time whose spin and loads hold",
+        "stability_margin" => "stability margin (largest re)",
+        "circular_whirl" => "modes whirl on circles",
         "every" => "time between rows",
         "max_step" => "step ceiling",
         "energy_error" => "relative energy error",
@@ -234,10 +274,10 @@ fn shown(key: &str, value: &Value) -> String {
         _ => "none",
     };
     let unit = match key {
-        "cpu_seconds" | "wall_seconds" | "t_end" | "every" | "smallest_step" | "largest_step" | "max_step" | "step" => {
-            " s"
-        }
+        "cpu_seconds" | "wall_seconds" | "t_end" | "at" | "every" | "smallest_step" | "largest_step" | "max_step"
+        | "step" => " s",
         "spin" => " rad/s",
+        "stability_margin" => " 1/s",
         _ => "",
     };
     match value {
@@ -253,7 +293,7 @@ fn shown(key: &str, value: &Value) -> String {
 }
 
 /// Text that stands for itself in HTML.
-fn escape(text: &str) -> String {
+pub(super) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

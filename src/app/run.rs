@@ -3,9 +3,11 @@
 use std::fmt;
 use std::ops::ControlFlow;
 
+use super::campbell::Campbell;
 use super::clock::{Clock, Seconds};
-use super::history::History;
-use super::steady::{self, SteadyResult};
+use super::envelopes::Envelopes;
+use super::history::{Column, History};
+use super::steady::{self, Equilibria};
 use crate::{
     Formulation, Integrator, Joints, Method, Model, ModelError, Options, Scene, SolveError, Start, State, Statistics,
     StepSize,
@@ -72,6 +74,8 @@ pub struct RunResult {
     pub settings: RunSettings,
     /// Outputs at whole multiples of `every`, by the method's dense output.
     pub history: History,
+    /// Largest section forces and stresses of the bodies, over the rows of the history.
+    pub envelopes: Envelopes,
     /// All accepted steps.
     pub steps: Vec<StepTaken>,
     /// Counts of the integration.
@@ -103,6 +107,8 @@ pub enum Incomplete {
     Solve(SolveError),
     /// An output became infinite or not a number; the text names it.
     Output(String),
+    /// There is no equilibrium, or no modes, beyond a value of what is continued; the text names it.
+    Equilibrium(String),
 }
 
 /// Why a run has no complete result.
@@ -116,8 +122,12 @@ pub enum RunError {
     Start(SolveError),
     /// The run stopped on its way; the result up to there.
     Incomplete(Box<RunResult>),
+    /// There is no equilibrium, or no modes; the text says why and where.
+    Equilibrium(String),
     /// The continuation of equilibria stopped on its way; the result up to there.
-    Steady(Box<SteadyResult>),
+    Equilibria(Box<Equilibria>),
+    /// The modes over a parameter or the spin stopped on their way; the result up to there.
+    Campbell(Box<Campbell>),
 }
 
 impl fmt::Display for Incomplete {
@@ -125,7 +135,7 @@ impl fmt::Display for Incomplete {
         match self {
             Incomplete::Interrupted => f.write_str("interrupted by the user"),
             Incomplete::Solve(error) => error.fmt(f),
-            Incomplete::Output(text) => f.write_str(text),
+            Incomplete::Output(text) | Incomplete::Equilibrium(text) => f.write_str(text),
         }
     }
 }
@@ -142,11 +152,17 @@ impl fmt::Display for RunError {
                 Some(reason) => write!(f, "stopped at t = {} s: {reason}", result.state.t),
                 None => f.write_str("stopped before the end"),
             },
-            RunError::Steady(result) => match &result.incomplete {
-                Some(reason) => reason.fmt(f),
-                None => f.write_str("stopped before the full spin"),
-            },
+            RunError::Equilibrium(text) => f.write_str(text),
+            RunError::Equilibria(result) => stopped(f, result.incomplete.as_ref()),
+            RunError::Campbell(result) => stopped(f, result.incomplete.as_ref()),
         }
+    }
+}
+
+fn stopped(f: &mut fmt::Formatter<'_>, reason: Option<&Incomplete>) -> fmt::Result {
+    match reason {
+        Some(reason) => write!(f, "{reason}"),
+        None => f.write_str("stopped before the end"),
     }
 }
 
@@ -186,7 +202,8 @@ pub fn run_watched<M: Model>(
     };
     let mut result = RunResult {
         settings,
-        history: History::new::<M>("t", "s"),
+        history: History::new::<M>(Column::time()),
+        envelopes: Envelopes::new(scene.as_ref(), &Column::time()),
         steps: Vec::new(),
         statistics: Statistics::default(),
         unknowns: scene.unknowns(),
@@ -257,7 +274,7 @@ fn integrate(
     let mut energy = EnergyDrift::default();
     rows.state.clone_from(integrator.state());
     energy.meet(integrator.system().energy(&rows.state));
-    let mut incomplete = rows.record(&mut integrator, &mut result.history).err();
+    let mut incomplete = rows.record(&mut integrator, result).err();
     while incomplete.is_none() {
         let stop = match integrator.step() {
             Ok(stop) => stop,
@@ -273,7 +290,7 @@ fn integrate(
             rows.state.clone_from(integrator.state());
             energy.meet(integrator.system().energy(&rows.state));
         }
-        incomplete = rows.record(&mut integrator, &mut result.history).err();
+        incomplete = rows.record(&mut integrator, result).err();
         if stop == crate::Stop::End {
             break;
         }
@@ -282,7 +299,8 @@ fn integrate(
         }
     }
     result.energy_error = energy.relative();
-    result.warnings = moved.into_iter().chain(rows.warnings).collect();
+    let yielding = result.envelopes.warning();
+    result.warnings = moved.into_iter().chain(rows.warnings).chain(yielding).collect();
     result.state.clone_from(integrator.state());
     result.statistics = integrator.statistics().clone();
     result.incomplete = incomplete;
@@ -344,7 +362,7 @@ impl Rows {
     fn record(
         &mut self,
         integrator: &mut Integrator<'_, dyn Scene + '_>,
-        history: &mut History,
+        result: &mut RunResult,
     ) -> Result<(), Incomplete> {
         let reached = integrator.state().t;
         while self.next < self.count {
@@ -367,7 +385,8 @@ impl Rows {
                     self.warnings.push(text);
                 }
             }
-            history.push(time, &self.values).map_err(Incomplete::Output)?;
+            result.history.push(time, &self.values).map_err(Incomplete::Output)?;
+            result.envelopes.meet(integrator.system(), time, &self.state);
             self.next += 1;
         }
         Ok(())
@@ -416,6 +435,7 @@ impl EnergyDrift {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::sweep::SweepSettings;
     use crate::app::testing::Rotor;
 
     const METHODS: [Method; 3] = [
@@ -454,7 +474,7 @@ mod tests {
         assert_eq!(result.warnings, ["the spring is soft at 6 rad/s"]);
         let summary = crate::app::summary::of_run(&rotor, &result);
         assert_eq!(summary["notes"][1], "the spring is soft at 6 rad/s");
-        let steady = steady::steady(&rotor, &RunSettings::default()).unwrap();
+        let steady = steady::steady(&rotor, &SweepSettings::default()).unwrap();
         assert_eq!(steady.warnings, result.warnings);
     }
 

@@ -1,97 +1,113 @@
-//! Relative equilibria at constant spin, from rest up to the spin at a time; nothing is printed or
+//! Relative and static equilibria along a parameter, the spin or the load; nothing is printed or
 //! written here.
 
-use super::clock::{Clock, Seconds};
-use super::history::History;
-use super::run::{RunError, RunSettings};
-use crate::equilibrium::{self, Uniform, follow};
-use crate::error::SolveErrorKind;
-use crate::model::FrameState;
-use crate::{Formulation, Joints, Model, Scene, SolveError, State};
+use std::ops::ControlFlow;
 
-/// Relative equilibria at growing spin; always in referenced coordinates with eliminated joints.
+use super::clock::{Clock, Seconds};
+use super::envelopes::Envelopes;
+use super::history::History;
+use super::run::{Incomplete, RunError};
+use super::sweep::{Line, SweepProgress, SweepSettings};
+use crate::equilibrium::{self, Kind};
+use crate::model::FrameState;
+use crate::modes::Critical;
+use crate::{Formulation, Joints, Model};
+
+/// Equilibria one after the other; always in referenced coordinates with eliminated joints.
 #[derive(Clone, Debug)]
-pub struct SteadyResult {
-    /// Time whose spin is reached, s.
+pub struct Equilibria {
+    /// Rotation or rest.
+    pub kind: Kind,
+    /// What was asked for.
+    pub settings: SweepSettings,
+    /// Time whose motions and loads hold at the last equilibrium, s.
     pub t: f64,
-    /// Spin at that time, rad/s.
+    /// Spin of the last equilibrium, rad/s.
     pub spin: f64,
-    /// Outputs over the spin, one row for each step of the continuation.
+    /// Outputs over the first column, one row for each step of the continuation: the parameter in its
+    /// declared unit, `spin [rad/s]` or `load_factor [1]`.
     pub history: History,
+    /// Largest section forces and stresses of the bodies, over the rows of the history.
+    pub envelopes: Envelopes,
+    /// Of static equilibria: values of the first column where the number of negative directions of the
+    /// stiffness changes and the bodies buckle or snap.
+    pub critical: Vec<Critical>,
     /// Number of unknowns.
     pub unknowns: usize,
     /// Number of constraints with multipliers.
     pub constraints: usize,
     /// Newton iterations of all steps.
     pub newton_iterations: u64,
-    /// What the scene warns of at the full spin.
+    /// What the scene warns of at the last equilibrium.
     pub warnings: Vec<String>,
     /// Time that it took.
     pub seconds: Seconds,
-    /// Why the last equilibrium is not that of the full spin; `None` where it is.
-    pub incomplete: Option<SolveError>,
+    /// Why the last equilibrium is not that of the end; `None` where it is.
+    pub incomplete: Option<Incomplete>,
 }
 
-/// Rows close enough for a chart; a power of two, so that the scales are exact.
-const LARGEST_STEP: f64 = 1.0 / 32.0;
-
-/// Follows the relative equilibria of a model from rest to the spin at `settings.t_end` (`None`: the
-/// model's end time); no other setting is used.
+/// Follows the relative equilibria of a model (THEORY 8.1): from rest to its spin, or along a parameter.
 ///
 /// # Errors
-/// A model that cannot be built; [`RunError::Start`] where no equilibrium exists, with the frame or
-/// load that stands against it; [`RunError::Steady`] with the rows found where the way ends early.
-pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResult, RunError> {
+/// A model that cannot be built; [`RunError::Equilibrium`] where none exists, with the frame or load that
+/// stands against it; [`RunError::Equilibria`] with the rows found where the way ends early.
+pub fn steady<M: Model>(model: &M, settings: &SweepSettings) -> Result<Equilibria, RunError> {
+    equilibria(model, Kind::Steady, settings, |_| ControlFlow::Continue(()))
+}
+
+/// Follows the equilibria at rest of a model: with growing loads, or along a parameter.
+///
+/// # Errors
+/// As [`steady`].
+pub fn static_equilibria<M: Model>(model: &M, settings: &SweepSettings) -> Result<Equilibria, RunError> {
+    equilibria(model, Kind::Static, settings, |_| ControlFlow::Continue(()))
+}
+
+/// As [`steady`] or [`static_equilibria`]; `watch` is called after every step, and ends the way by
+/// [`ControlFlow::Break`].
+///
+/// # Errors
+/// As [`steady`].
+pub fn equilibria<M: Model>(
+    model: &M,
+    kind: Kind,
+    settings: &SweepSettings,
+    mut watch: impl FnMut(&SweepProgress) -> ControlFlow<()>,
+) -> Result<Equilibria, RunError> {
     let clock = Clock::start();
-    let t = settings.t_end.unwrap_or(model.run().t_end);
-    if !(t >= 0.0 && t.is_finite()) {
-        return Err(RunError::Settings(format!(
-            "the time is {t} s; it must not be negative"
-        )));
+    let mut line = Line::start(model, kind, settings)?;
+    let mut history = History::new::<M>(line.column());
+    let mut envelopes = Envelopes::new(line.station().scene, &history.key);
+    let mut critical = Vec::new();
+    let mut incomplete = record(&mut line, &mut history, &mut envelopes).err();
+    while incomplete.is_none() && !line.is_done() {
+        if let Err(text) = line.advance() {
+            if line.iterations == 0 {
+                return Err(RunError::Equilibrium(text));
+            }
+            incomplete = Some(Incomplete::Equilibrium(text));
+            break;
+        }
+        incomplete = record(&mut line, &mut history, &mut envelopes).err();
+        critical.extend(buckling(&mut line));
+        if watch(&line.progress()).is_break() && !line.is_done() {
+            incomplete = incomplete.or(Some(Incomplete::Interrupted));
+        }
     }
-    let mut scene = referenced(model)?;
-    let spin = scene.spin(t);
-    let at = Uniform::steady(t);
-    let mut history = History::new::<M>("spin", "rad/s");
-    let mut row = vec![0.0; scene.output_columns()];
-    let mut spoiled = None;
-    let mut newton_iterations = 0;
-    let mut record = |scene: &mut dyn Scene, scale: f64, state: &State| {
-        if spoiled.is_none() {
-            scene.uniform_outputs(&at.scaled(scale), state, &mut row);
-            spoiled = history.push(scale * spin, &row).err();
-        }
-    };
-    let mut rest = scene.uniform_guess(&at);
-    scene.uniform_state(&at.scaled(0.0), &mut rest);
-    record(scene.as_mut(), 0.0, &rest);
-    let outcome = follow(scene.as_mut(), &at, LARGEST_STEP, |scene, step| {
-        newton_iterations += u64::from(step.iterations);
-        record(scene, step.scale, &step.state);
-    });
-    // Where no equilibrium is found the warning may say why.
-    let last = outcome.as_ref().ok().and_then(equilibrium::Equilibrium::state);
-    let warnings = scene.warnings(last.unwrap_or(&rest));
-    let incomplete = match (outcome, spoiled) {
-        (Err(error), _) if newton_iterations == 0 => return Err(RunError::Start(error)),
-        (Err(error), _) => Some(error),
-        (Ok(_), Some(text)) => Some(SolveError {
-            kind: SolveErrorKind::NoEquilibrium(text),
-            t,
-            h: 0.0,
-            worst: None,
-        }),
-        (Ok(found), None) => {
-            newton_iterations = u64::from(found.iterations());
-            None
-        }
-    };
-    let result = SteadyResult {
-        t,
-        spin,
+    let newton_iterations = line.iterations;
+    let station = line.station();
+    let mut warnings = station.scene.warnings(station.state);
+    warnings.extend(envelopes.warning());
+    let result = Equilibria {
+        kind,
+        settings: *settings,
+        t: station.at.t,
+        spin: station.spin,
         history,
-        unknowns: scene.unknowns(),
-        constraints: scene.constraints(),
+        envelopes,
+        critical,
+        unknowns: station.scene.unknowns(),
+        constraints: station.scene.constraints(),
         newton_iterations,
         warnings,
         seconds: clock.seconds(),
@@ -99,35 +115,63 @@ pub fn steady<M: Model>(model: &M, settings: &RunSettings) -> Result<SteadyResul
     };
     match result.incomplete {
         None => Ok(result),
-        Some(_) => Err(RunError::Steady(Box::new(result))),
+        Some(_) => Err(RunError::Equilibria(Box::new(result))),
     }
+}
+
+fn record<M: Model>(
+    line: &mut Line<'_, M>,
+    history: &mut History,
+    envelopes: &mut Envelopes,
+) -> Result<(), Incomplete> {
+    let station = line.station();
+    let mut row = vec![0.0; station.scene.output_columns()];
+    station.scene.uniform_outputs(&station.at, station.state, &mut row);
+    history.push(station.key, &row).map_err(Incomplete::Output)?;
+    envelopes.meet_uniform(station.scene, &station.at, station.key, station.state);
+    Ok(())
+}
+
+/// Where the number of negative directions changed in the last step.
+fn buckling<M: Model>(line: &mut Line<'_, M>) -> Vec<Critical> {
+    let (Some(before), after) = line.last_two() else {
+        return Vec::new();
+    };
+    let (Some(low), Some(high)) = (before.negative, after.negative) else {
+        return Vec::new();
+    };
+    if low == high {
+        return Vec::new();
+    }
+    let (before, after) = (before.clone(), after.clone());
+    let found = line.critical(&before, &after, [low, high], |_, _, step| step.negative);
+    found
+        .into_iter()
+        .map(|(value, change)| Critical { value, change })
+        .collect()
 }
 
 /// Nodal vectors of the relative equilibrium with the spin at `t`, for a start in any formulation.
 pub(super) fn frame_state<M: Model>(model: &M, t: f64) -> Result<FrameState, RunError> {
-    let mut scene = referenced(model)?;
+    let mut scene = model
+        .build(Formulation::Rncf, Joints::Eliminated)
+        .map_err(RunError::Model)?;
     let found = equilibrium::steady(scene.as_mut(), t).map_err(RunError::Start)?;
     Ok(scene.frame_state(found.state().unwrap_or(&scene.rest(t))))
-}
-
-/// Eliminated joints give the same equilibrium with fewer unknowns.
-fn referenced<M: Model>(model: &M) -> Result<Box<dyn Scene>, RunError> {
-    model
-        .build(Formulation::Rncf, Joints::Eliminated)
-        .map_err(RunError::Model)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::run::run;
+    use crate::app::run::{RunSettings, run};
+    use crate::app::sweep::Range;
     use crate::app::testing::Rotor;
     use crate::{Options, Start};
 
     #[test]
     fn the_spring_stretches_by_the_centrifugal_force() {
         let rotor = Rotor::default();
-        let result = steady(&rotor, &RunSettings::default()).unwrap();
+        let result = steady(&rotor, &SweepSettings::default()).unwrap();
         assert_eq!((result.spin, result.unknowns), (3.0, 2));
         assert_eq!(result.history.keys.first(), Some(&0.0));
         assert_eq!(result.history.keys.last(), Some(&3.0));
@@ -136,6 +180,77 @@ mod tests {
             let exact = 2.0 * 50.0 / (50.0 - spin * spin);
             assert!((x - exact).abs() < 1e-12, "{x} {exact}");
         }
+    }
+
+    #[test]
+    fn a_parameter_is_continued_through_the_critical_speed() {
+        // Softer springs at 3 rad/s: critical at 9 N/m, 18 N/m for each of two coils.
+        let range = Range {
+            param: 2,
+            from: 100.0,
+            to: 10.0,
+        };
+        let settings = SweepSettings {
+            range: Some(range),
+            steps: 7,
+            ..SweepSettings::default()
+        };
+        let result = steady(&Rotor::default(), &settings).unwrap();
+        assert_eq!(result.history.key.head(), "stiffness [N/m]");
+        assert_eq!((result.history.keys[0], result.history.keys[7]), (100.0, 10.0));
+        for (stiffness, x) in result.history.keys.iter().zip(result.history.column(0)) {
+            let k = 0.5 * stiffness;
+            assert!((x - 2.0 * k / (k - 9.0)).abs() < 1e-9 * x.abs(), "{stiffness} {x}");
+        }
+    }
+
+    #[test]
+    fn where_the_way_ends_the_reason_names_the_value() {
+        let settings = SweepSettings {
+            range: Some(Range {
+                param: 2,
+                from: 100.0,
+                to: -10.0,
+            }),
+            ..SweepSettings::default()
+        };
+        let ended = |rotor: &Rotor| {
+            let Err(RunError::Equilibria(result)) = steady(rotor, &settings) else {
+                panic!("negative springs")
+            };
+            let reason = result.incomplete.as_ref().unwrap().to_string();
+            (reason, *result.history.keys.last().unwrap())
+        };
+        let balanced = Rotor {
+            length: 0.0,
+            ..Rotor::default()
+        };
+        let (reason, last) = ended(&balanced);
+        assert!(reason.starts_with("beyond stiffness = 0.00"), "{reason}");
+        assert!(reason.ends_with("parameter `stiffness` must be positive"), "{reason}");
+        assert!(last < 0.01, "{last}");
+        // The stretched spring without bound: 9 N/m of two coils.
+        let (reason, last) = ended(&Rotor::default());
+        assert!(reason.starts_with("beyond stiffness = 18.0"), "{reason}");
+        assert!((last - 18.0).abs() < 0.1, "{last}");
+    }
+
+    #[test]
+    fn a_watcher_ends_the_way_in_good_order() {
+        let outcome = equilibria(&Rotor::default(), Kind::Static, &SweepSettings::default(), |progress| {
+            if progress.share >= 0.25 {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        });
+        let Err(RunError::Equilibria(result)) = outcome else {
+            panic!("not interrupted")
+        };
+        assert_eq!(result.incomplete, Some(Incomplete::Interrupted));
+        assert_eq!(result.history.key.head(), "load_factor [1]");
+        assert_eq!(result.history.keys.last(), Some(&0.25));
+        assert_eq!(result.history.column(0).last(), Some(2.0));
     }
 
     #[test]

@@ -2,10 +2,17 @@
 
 use serde_json::{Map, Value, json};
 
+use super::campbell::Campbell;
 use super::clock::Seconds;
-use super::history::History;
+use super::history::{Column, History};
+use super::modes::{Modes, SeenMode, growth};
+use super::parameters::in_unit;
 use super::run::{RunResult, RunSettings, times};
-use super::steady::SteadyResult;
+use super::section_table;
+use super::steady::Equilibria;
+use super::sweep::SweepSettings;
+use crate::equilibrium::Kind;
+use crate::modes::Critical;
 use crate::{Joints, Method, Model, ParamKind, Start, StepSize};
 
 /// Keys in the order in which they are written.
@@ -24,7 +31,11 @@ pub(super) const SETTINGS: &[&str] = &[
     "max_step",
     "t_end",
     "every",
+    "at",
+    "continued",
+    "continuation_steps",
     "spin",
+    "frame_of_observation",
 ];
 
 /// Keys of counts and times, for the report.
@@ -78,25 +89,164 @@ pub(super) fn of_run<M: Model>(model: &M, result: &RunResult) -> Summary {
         "velocity_correction",
         json!(result.statistics.velocity_correction),
     );
+    section_table::put(&mut summary, &result.envelopes);
     tail::<M>(&mut summary, &result.history, &result.warnings);
     summary
 }
 
-/// Summary of relative equilibria.
-pub(super) fn of_steady<M: Model>(model: &M, result: &SteadyResult) -> Summary {
-    let mut summary = head(model, "steady");
+/// Summary of relative or static equilibria.
+pub(super) fn of_equilibria<M: Model>(model: &M, result: &Equilibria) -> Summary {
+    let is_static = result.kind == Kind::Static;
+    let mut summary = head(model, if is_static { "static" } else { "steady" });
     outcome(&mut summary, result.incomplete.as_ref().map(ToString::to_string));
-    put(&mut summary, "formulation", json!("rncf"));
-    put(&mut summary, "joints", json!(joints(Joints::Eliminated)));
-    put(&mut summary, "t_end", json!(result.t));
-    put(&mut summary, "spin", json!(result.spin));
-    put(&mut summary, "unknowns", json!(result.unknowns));
-    put(&mut summary, "constraints", json!(result.constraints));
+    equilibrium::<M>(&mut summary, &result.settings, result.t);
+    if is_static {
+        put(
+            &mut summary,
+            "critical_values",
+            criticals(&result.history.key, &result.critical),
+        );
+    } else {
+        put(&mut summary, "spin", json!(result.spin));
+    }
+    counted(
+        &mut summary,
+        [result.unknowns, result.constraints],
+        result.newton_iterations,
+    );
     put(&mut summary, "steps", json!(result.history.keys.len()));
-    put(&mut summary, "newton_iterations", json!(result.newton_iterations));
     seconds(&mut summary, result.seconds);
+    section_table::put(&mut summary, &result.envelopes);
     tail::<M>(&mut summary, &result.history, &result.warnings);
     summary
+}
+
+/// Summary of the modes about an equilibrium.
+pub(super) fn of_modes<M: Model>(model: &M, result: &Modes) -> Summary {
+    let mut summary = head(model, "modes");
+    outcome(&mut summary, None);
+    equilibrium::<M>(
+        &mut summary,
+        &SweepSettings {
+            range: None,
+            ..result.settings
+        },
+        result.t,
+    );
+    put(&mut summary, "spin", json!(result.spin));
+    put(&mut summary, "frame_of_observation", json!(REFERENCE));
+    put(&mut summary, "circular_whirl", json!(result.is_round));
+    put(&mut summary, "stability_margin", json!(result.margin));
+    put(&mut summary, "is_unstable", json!(growth(&result.modes).is_some()));
+    let modes = result.modes.iter().enumerate().map(|(index, mode)| {
+        let Value::Object(mut entry) = mode_entry(mode) else {
+            return Value::Null;
+        };
+        entry.shift_insert(0, "mode".into(), json!(index + 1));
+        entry.insert(
+            "inertial [rad/s]".into(),
+            json!(mode.inertial(result.spin, result.is_round)),
+        );
+        Value::Object(entry)
+    });
+    put(&mut summary, "modes", modes.collect());
+    counted(
+        &mut summary,
+        [result.unknowns, result.constraints],
+        result.newton_iterations,
+    );
+    seconds(&mut summary, result.seconds);
+    put(&mut summary, "notes", notes::<M>(&result.warnings));
+    summary
+}
+
+/// Summary of a Campbell diagram.
+pub(super) fn of_campbell<M: Model>(model: &M, result: &Campbell) -> Summary {
+    let mut summary = head(model, "campbell");
+    outcome(&mut summary, result.incomplete.as_ref().map(ToString::to_string));
+    equilibrium::<M>(&mut summary, &result.settings, result.t);
+    put(&mut summary, "frame_of_observation", json!(REFERENCE));
+    put(&mut summary, "circular_whirl", json!(result.is_round));
+    put(
+        &mut summary,
+        "critical_values",
+        criticals(&result.key, &result.critical),
+    );
+    let key = result.key.head();
+    let crossings = result.crossings.iter().map(|crossing| {
+        json!({
+            "mode": crossing.track + 1,
+            "order": crossing.order,
+            key.as_str(): crossing.key,
+            "im [rad/s]": crossing.im,
+        })
+    });
+    put(&mut summary, "crossings", crossings.collect());
+    let margins = result.margins();
+    let largest = margins
+        .iter()
+        .zip(&result.keys)
+        .filter_map(|(margin, key)| margin.map(|margin| (margin, key)));
+    let largest = largest.max_by(|a, b| a.0.total_cmp(&b.0));
+    put(
+        &mut summary,
+        "stability_margin",
+        json!(largest.map(|(margin, _)| margin)),
+    );
+    put(&mut summary, "stability_margin_at", json!(largest.map(|(_, key)| key)));
+    let tracks = result.tracks.iter().enumerate().map(|(index, track)| {
+        let mut seen = track.iter().flatten();
+        let first = seen.next();
+        let last = seen.next_back().or(first);
+        json!({ "mode": index + 1, "first": first.map(mode_entry), "last": last.map(mode_entry) })
+    });
+    put(&mut summary, "modes", tracks.collect());
+    counted(
+        &mut summary,
+        [result.unknowns, result.constraints],
+        result.newton_iterations,
+    );
+    put(&mut summary, "steps", json!(result.keys.len()));
+    seconds(&mut summary, result.seconds);
+    put(&mut summary, "notes", notes::<M>(&result.warnings));
+    summary
+}
+
+/// Where the frequencies are seen.
+const REFERENCE: &str = "reference frame, which turns with the system";
+
+fn mode_entry(mode: &SeenMode) -> Value {
+    json!({
+        "re [1/s]": mode.re,
+        "im [rad/s]": mode.im,
+        "damping_ratio": mode.damping_ratio(),
+        "whirl": mode.whirl.name(),
+        "circulation": mode.circulation,
+    })
+}
+
+fn criticals(key: &Column, critical: &[Critical]) -> Value {
+    let entry = |critical: &Critical| json!({ key.head().as_str(): critical.value, "directions": critical.change });
+    critical.iter().map(entry).collect()
+}
+
+/// What was asked of equilibria.
+fn equilibrium<M: Model>(summary: &mut Summary, settings: &SweepSettings, t: f64) {
+    put(summary, "formulation", json!("rncf"));
+    put(summary, "joints", json!(joints(Joints::Eliminated)));
+    put(summary, "at", json!(t));
+    if let Some(range) = settings.range {
+        let param = &M::params()[range.param];
+        let [from, to] = [range.from, range.to].map(|value| in_unit(param, value));
+        put(summary, "continued", json!(format!("{} = {from} .. {to}", param.name)));
+    }
+    put(summary, "continuation_steps", json!(settings.steps));
+}
+
+fn counted(summary: &mut Summary, [unknowns, constraints]: [usize; 2], newton_iterations: u64) {
+    put(summary, "unknowns", json!(unknowns));
+    put(summary, "constraints", json!(constraints));
+    put(summary, "newton_iterations", json!(newton_iterations));
 }
 
 fn put(summary: &mut Summary, key: &str, value: Value) {
@@ -197,7 +347,7 @@ fn seconds(summary: &mut Summary, seconds: Seconds) {
     put(summary, "wall_seconds", json!(seconds.wall));
 }
 
-fn tail<M: Model>(summary: &mut Summary, history: &History, notes: &[String]) {
+fn tail<M: Model>(summary: &mut Summary, history: &History, notes_of_run: &[String]) {
     put(summary, "rows", json!(history.keys.len()));
     // `t_min` reads as in the first column: a time, or a spin in a steady run.
     let (low_at, high_at) = (format!("{}_min", history.key.name), format!("{}_max", history.key.name));
@@ -214,12 +364,13 @@ fn tail<M: Model>(summary: &mut Summary, history: &History, notes: &[String]) {
         Value::Object(entry)
     });
     put(summary, "outputs", outputs.collect());
-    let all: Vec<&str> = M::NOTES
-        .iter()
-        .copied()
-        .chain(notes.iter().map(String::as_str))
-        .collect();
-    put(summary, "notes", json!(all));
+    put(summary, "notes", notes::<M>(notes_of_run));
+}
+
+/// What the generator and the scene have to say.
+fn notes<M: Model>(warnings: &[String]) -> Value {
+    let all = M::NOTES.iter().copied().chain(warnings.iter().map(String::as_str));
+    all.map(|text| json!(text)).collect()
 }
 
 /// The text of the file.

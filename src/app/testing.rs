@@ -21,6 +21,8 @@ pub(super) struct Rotor {
     pub stiffness: f64,
     pub loss: f64,
     pub fail_at: f64,
+    /// Length of the spring, m; 0: balanced.
+    pub length: f64,
 }
 
 const LENGTH: f64 = 2.0;
@@ -83,6 +85,7 @@ impl Default for Rotor {
             stiffness,
             loss,
             fail_at,
+            length: LENGTH,
         }
     }
 }
@@ -138,6 +141,7 @@ impl Model for Rotor {
             stiffness,
             damping: 2.0 * self.loss * stiffness.sqrt(),
             fail_at: self.fail_at,
+            length: self.length,
             absolute: formulation == Formulation::Ancf,
             pattern: Pattern::new(2, 2, [(0, 0), (0, 1), (1, 0), (1, 1)]),
             none: Pattern::new(2, 0, []),
@@ -151,6 +155,7 @@ struct RotorScene {
     stiffness: f64,
     damping: f64,
     fail_at: f64,
+    length: f64,
     absolute: bool,
     pattern: Pattern,
     none: Pattern,
@@ -174,7 +179,7 @@ impl RotorScene {
     }
 
     fn force(&self, x: [f64; 2], v: [f64; 2]) -> [f64; 2] {
-        let spring = [self.stiffness * (x[0] - LENGTH), self.stiffness * x[1]];
+        let spring = [self.stiffness * (x[0] - self.length), self.stiffness * x[1]];
         [spring[0] + self.damping * v[0], spring[1] + self.damping * v[1]]
     }
 }
@@ -259,7 +264,7 @@ impl System for RotorScene {
             return None;
         }
         let (x, v) = self.in_frame(state);
-        let (dx, w) = (x[0] - LENGTH, self.omega);
+        let (dx, w) = (x[0] - self.length, self.omega);
         let kinetic = 0.5 * (v[0] * v[0] + v[1] * v[1] - w * w * (x[0] * x[0] + x[1] * x[1]));
         Some(kinetic + 0.5 * self.stiffness * (dx * dx + x[1] * x[1]))
     }
@@ -283,7 +288,7 @@ impl Scene for RotorScene {
     fn rest(&self, t: f64) -> State {
         self.state_of_frame(&FrameState {
             t,
-            q: vec![LENGTH, 0.0],
+            q: vec![self.length, 0.0],
             v: vec![0.0; 2],
             poses: Vec::new(),
         })
@@ -347,6 +352,14 @@ impl Scene for RotorScene {
 
     fn uniform_obstacle(&mut self, _: &Uniform, _: &State) -> Option<String> {
         None
+    }
+
+    /// In the plane z = x + i y; the sense of the spin is that of omega.
+    fn circulation(&mut self, at: &Uniform, _: &State, shape: &[[f64; 2]]) -> Option<f64> {
+        let ([re1, im1], [re2, im2]) = (shape[0], shape[1]);
+        let size = re1 * re1 + im1 * im1 + re2 * re2 + im2 * im2;
+        let spin = at.speed() * self.omega;
+        (spin != 0.0 && size > 0.0).then(|| 2.0 * (im1 * re2 - re1 * im2) / size * spin.signum())
     }
 
     fn warnings(&mut self, _: &State) -> Vec<String> {

@@ -295,10 +295,7 @@ fn governor(omega: f64) -> [f64; 2] {
 fn flyball_governor() {
     let mut guess: Option<State> = None;
     for omega in [5.2, 5.0, 4.8, 4.6] {
-        let model = FlyballGovernor {
-            omega_0: omega,
-            ..FlyballGovernor::default()
-        };
+        let model = FlyballGovernor { omega_0: omega };
         let [alpha, height] = governor(omega);
         let mut scene = referenced(&model);
         let at = Uniform::steady(0.0);

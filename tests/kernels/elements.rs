@@ -31,6 +31,7 @@ fn another_exponent_is_one_line() {
             evaluation: Evaluation::Automatic,
             damped: false,
             curved: false,
+            material: None,
         };
         let kernels = elastic_kernels(&variant, &library);
         let energy = kernel(&variant, &library, Form::Points, Quantity::Energy).unwrap();

@@ -121,6 +121,7 @@ fn variant(dimension: usize, exact: usize, quadrature: Quadrature, damped: bool,
         evaluation,
         damped,
         curved,
+        material: None,
     }
 }
 

@@ -1,11 +1,13 @@
 //! Compiled kernels against the expression graphs that they were written from, and the checked-in
 //! expansion against the generator.
 
+mod beams;
 mod by_hand;
 mod complex;
 mod elements;
 mod generated;
 mod jacobians;
+mod materials;
 mod models;
 mod objectivity;
 mod scenes;

@@ -480,6 +480,7 @@ pub enum Fidelity {
 
 /// The stress-free axis of a body.
 #[derive(Clone, Debug)]
+#[allow(clippy::large_enum_variant)] // there are few lines, and none is moved often
 pub enum Line {
     /// A straight line.
     Straight {

@@ -219,14 +219,10 @@ impl Newton {
         let violations = &mut others[..m];
         scene.uniform_residual(at, state, forces);
         scene.small_motions(at, state, &mut self.tangent);
-        let sizes = || self.inverse_sizes.iter().map(|inverse| 1.0 / inverse);
-        let largest = |forces: &[f64]| {
-            forces
-                .iter()
-                .zip(sizes())
-                .fold(0.0, |sum: f64, (f, size)| sum.max((f * size).abs()))
-        };
-        self.acting = largest(forces);
+        let energies = forces.iter().zip(&self.inverse_sizes);
+        self.acting = energies.fold(0.0, |largest: f64, (force, inverse)| {
+            largest.max((force / inverse).abs())
+        });
         if m > 0 {
             scene.constraint(ConstraintLevel::Position, state, violations);
             scene.constraint_jacobian(state, &mut self.jacobian);
@@ -297,7 +293,7 @@ impl Newton {
             let negative = values.iter().filter(|&&value| value < 0.0).count();
             return negative.saturating_sub(bordering);
         }
-        usize::from(self.lu.is_determinant_negative() != !bordering.is_multiple_of(2))
+        usize::from(self.lu.is_determinant_negative() == bordering.is_multiple_of(2))
     }
 
     /// The whole matrix, equilibrated by a congruence; `None` where it is not symmetric.

@@ -178,7 +178,7 @@ fn determinant(size: usize, columns: &[f64]) -> f64 {
             .map(|(_, &value)| value)
             .collect()
     };
-    let sign = |row: usize| if row % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = |row: usize| if row.is_multiple_of(2) { 1.0 } else { -1.0 };
     let term = |row: usize| sign(row) * columns[row] * determinant(size - 1, &minor(row));
     (0..size).map(term).sum()
 }

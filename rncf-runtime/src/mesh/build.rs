@@ -17,7 +17,7 @@ use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints};
 use crate::vector::Vector;
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Builds the scene: geometry, numbering, patterns.
     ///
     /// In absolute coordinates a frame that follows the mean axes of its bodies is no unknown: it
@@ -26,7 +26,7 @@ impl<P: Parts> MeshScene<P> {
     /// # Errors
     /// A count, length, material or section that makes no sense, a frame whose parent or plane does
     /// not fit its motions, or something that acts where it cannot, by name.
-    pub fn new(mut parts: P, formulation: Formulation, joints: Joints) -> Result<Self, ModelError> {
+    pub fn new(mut parts: Box<dyn Parts>, formulation: Formulation, joints: Joints) -> Result<Self, ModelError> {
         parts.check()?;
         let specs = parts.bodies();
         let Frames {
@@ -34,15 +34,15 @@ impl<P: Parts> MeshScene<P> {
             free_of,
             fixed,
             motions,
-        } = Frames::new(&parts, &specs, formulation)?;
-        let declared_free: Vec<bool> = declared_free(&parts);
+        } = Frames::new(&*parts, &specs, formulation)?;
+        let declared_free: Vec<bool> = declared_free(&*parts);
         let joint_specs = parts.joints();
-        let firsts = prepare(&mut parts, &specs)?;
+        let firsts = prepare(&mut *parts, &specs)?;
         let absolute = |body: &BodySpec| formulation == Formulation::Ancf || body.frame == 0;
         let mut conditions = Vec::new();
         for (index, joint) in joint_specs.iter().enumerate() {
             let body = &specs[joint.body];
-            check_joint(&parts, joint, body, &declared_free)?;
+            check_joint(&*parts, joint, body, &declared_free)?;
             // In absolute coordinates constraints on markers stand for a joint to the body's own free frame.
             if declared_free[body.frame] && absolute(body) {
                 continue;
@@ -86,12 +86,12 @@ impl<P: Parts> MeshScene<P> {
             in_modes: false,
             buffers: Buffers::new(layout.components(), motions),
             bodies,
-            markers: markers(&parts, &specs, &free_of)?,
+            markers: markers(&*parts, &specs, &free_of)?,
             free,
             free_of,
             fixed,
             turns,
-            constraints: linked(&parts, &specs, absolute),
+            constraints: linked(&*parts, &specs, absolute),
             forces: parts.forces(),
             marked_loads: Vec::new(),
             fixtures: Vec::new(),
@@ -322,7 +322,7 @@ impl<P: Parts> MeshScene<P> {
 }
 
 /// Prepares the elements of all bodies; the first nodal vector of each.
-fn prepare<P: Parts>(parts: &mut P, specs: &[BodySpec]) -> Result<Vec<usize>, ModelError> {
+fn prepare(parts: &mut dyn Parts, specs: &[BodySpec]) -> Result<Vec<usize>, ModelError> {
     let mut next = 0;
     let mut firsts = Vec::new();
     for (index, spec) in specs.iter().enumerate() {
@@ -346,7 +346,7 @@ fn plane_offset(spec: &BodySpec, absolute: bool, frame: &FrameMotion) -> Vector 
 }
 
 /// The constraints on markers that are there.
-fn linked<P: Parts>(parts: &P, specs: &[BodySpec], absolute: impl Fn(&BodySpec) -> bool) -> Vec<Linked> {
+fn linked(parts: &dyn Parts, specs: &[BodySpec], absolute: impl Fn(&BodySpec) -> bool) -> Vec<Linked> {
     let constraints = parts.constraints().into_iter().enumerate();
     let there = constraints.filter(|(_, spec)| match spec.when {
         When::Always => true,
@@ -381,7 +381,7 @@ fn numbering(specs: &[BodySpec], conditions: &[Condition], border: usize) -> Lay
 }
 
 /// A joint may tie a body to its own free frame; everything else between free frames is a constraint.
-fn check_joint<P: Parts>(parts: &P, joint: &JointSpec, body: &BodySpec, free: &[bool]) -> Result<(), ModelError> {
+fn check_joint(parts: &dyn Parts, joint: &JointSpec, body: &BodySpec, free: &[bool]) -> Result<(), ModelError> {
     if joint.frame == body.frame || !free[joint.frame] && !free[body.frame] {
         return Ok(());
     }

@@ -5,7 +5,7 @@ use super::assembly::evaluate;
 use super::evaluate::MAX_SIZE;
 use super::frame::{FrameAction, FrameMotion};
 use super::frames::Direction;
-use super::parts::{Carried, CarriedTangent, Parts};
+use super::parts::{Carried, CarriedTangent};
 use super::scene::{MeshPoint, MeshScene};
 use crate::system::Tangent;
 use crate::vector::{Vector, add, cross, dot};
@@ -158,7 +158,7 @@ fn chain(axes: &[usize], unknowns: &[Seen], force: Vector, tangent: &CarriedTang
     }
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Adds force and moment (rows) on a free frame to the forces of its unknowns.
     pub(super) fn add_to_frame(&mut self, free: usize, axes: &[usize], rows: &[f64]) {
         let frame = &self.free[free];

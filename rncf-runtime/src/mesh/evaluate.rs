@@ -3,7 +3,7 @@
 use super::assembly::evaluate;
 use super::conditions::Condition;
 use super::moments::turned_by_moments;
-use super::parts::{LoadKind, Parts, Prescribed};
+use super::parts::{LoadKind, Prescribed};
 use super::scene::{Buffers, MeshBody, MeshScene, PlaceVector, Regime};
 use crate::model::Scene;
 use crate::rotation::Rotation;
@@ -24,7 +24,7 @@ pub(super) fn weighted(full: &[f64], components: &[usize], dimension: usize, wei
     sum
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Fills the full state: prescribed frames, unknowns, free frames, prescribed vectors.
     pub(super) fn load(&mut self, t: f64, turns: &[Rotation], [x, v, a]: [&[f64]; 3], regime: Regime) {
         let buffers = &mut self.buffers;

@@ -3,7 +3,7 @@
 
 use super::evaluate::weighted;
 use super::markers::FixtureSpec;
-use super::parts::{BodySpec, Carried, CarriedTangent, Parts};
+use super::parts::{BodySpec, Carried, CarriedTangent};
 use super::scene::{MeshPoint, MeshScene, PlaceVector};
 use crate::system::Tangent;
 use crate::vector::Vector;
@@ -111,7 +111,7 @@ impl Fixture {
     }
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// The vectors of a fixture's place, and their derivatives.
     fn fixture_place(&self, fixture: &Fixture) -> Places {
         let body = &self.bodies[fixture.point.body];

@@ -252,7 +252,7 @@ impl Frames {
     ///
     /// # Errors
     /// A frame whose parent, plane or body does not fit its motions, by name.
-    pub fn new<P: Parts>(parts: &P, bodies: &[BodySpec], formulation: Formulation) -> Result<Self, ModelError> {
+    pub fn new(parts: &dyn Parts, bodies: &[BodySpec], formulation: Formulation) -> Result<Self, ModelError> {
         let mut motions = vec![FrameMotion::INERTIAL; parts.frame_count()];
         parts.frames(0.0, &mut motions);
         check_motions(parts, &motions)?;
@@ -296,7 +296,7 @@ impl Frames {
 }
 
 /// Prescribed motions have numbers at the start.
-fn check_motions<P: Parts>(parts: &P, motions: &[FrameMotion]) -> Result<(), ModelError> {
+fn check_motions(parts: &dyn Parts, motions: &[FrameMotion]) -> Result<(), ModelError> {
     let free = declared_free(parts);
     let Some(frame) = (0..motions.len()).find(|&frame| !free[frame] && !motions[frame].is_finite()) else {
         return Ok(());
@@ -308,7 +308,7 @@ fn check_motions<P: Parts>(parts: &P, motions: &[FrameMotion]) -> Result<(), Mod
 }
 
 /// Whether each frame was declared free.
-pub fn declared_free<P: Parts>(parts: &P) -> Vec<bool> {
+pub fn declared_free(parts: &dyn Parts) -> Vec<bool> {
     let mut free = vec![false; parts.frame_count()];
     for spec in parts.free() {
         free[spec.frame] = true;
@@ -404,7 +404,7 @@ fn check_plane(spec: &FreeSpec, name: &str, parent: &FrameMotion, start: &Pose) 
 ///
 /// # Errors
 /// The frame and its parent by name.
-pub fn check_parent<P: Parts>(parts: &P, free: &[FreeSpec], spec: &FreeSpec) -> Result<(), ModelError> {
+pub fn check_parent(parts: &dyn Parts, free: &[FreeSpec], spec: &FreeSpec) -> Result<(), ModelError> {
     let (name, parent) = (parts.frame_name(spec.frame), parts.frame_name(spec.parent));
     if free.iter().any(|other| other.frame == spec.parent) {
         return Err(ModelError::new(format!(

@@ -2,7 +2,7 @@
 
 use super::conditions::{directions, joint_data};
 use super::frame::FrameMotion;
-use super::parts::{BodySpec, Interpolant, JointData, JointKind, JointSpec, Parts};
+use super::parts::{BodySpec, Interpolant, JointData, JointKind, JointSpec};
 use super::scene::MeshScene;
 use crate::error::ModelError;
 use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
@@ -24,7 +24,7 @@ fn place_of(of: Interpolant, order: usize) -> usize {
     }
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Components of all nodal vectors and of their rates at t = 0, in their declared frames.
     pub(super) fn initial_shape(&self) -> [Vec<f64>; 2] {
         let (mut q, mut v) = (Vec::new(), Vec::new());

@@ -2,7 +2,7 @@
 //! nodal vectors, `d^a (q_a - q0_a) = 0` and `M^ab q0_a x q_b = 0`, kept with multipliers.
 
 use super::line::Line;
-use super::parts::{BodySpec, Parts};
+use super::parts::BodySpec;
 use super::scene::{MeshBody, MeshScene};
 use crate::error::ModelError;
 use crate::system::ConstraintLevel;
@@ -120,7 +120,7 @@ pub(super) fn check(spec: &BodySpec, frame: &str, unknowns: usize) -> Result<(),
     )))
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Rows of all mean axes at the loaded state.
     pub(super) fn mean_axes_rows(&self, level: ConstraintLevel, out: &mut [f64]) {
         let buffers = &self.buffers;

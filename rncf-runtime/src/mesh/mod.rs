@@ -25,6 +25,7 @@ mod neutral;
 mod outputs;
 mod parts;
 mod points;
+mod sampling;
 mod scene;
 mod section;
 mod section_spec;
@@ -49,7 +50,8 @@ pub use parts::{
     BodySpec, Carried, CarriedTangent, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec,
     NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed,
 };
-pub use points::{Blocks, Relative, Rule, Tile, Vectors};
+pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
+pub use sampling::SectionBody;
 pub use scene::MeshScene;
 pub use section::SectionState;
 pub use section_spec::{SectionQuantity, SectionShape, SectionSpec};

@@ -2,7 +2,7 @@
 //! moment acts on the slope of a centre line, and on the axes of a section (THEORY 5.2.1).
 
 use super::evaluate::weighted;
-use super::parts::{BodySpec, Parts};
+use super::parts::BodySpec;
 use super::scene::{MeshPoint, MeshScene, PlaceVector};
 
 /// Most components of the vectors that a moment acts on.
@@ -17,7 +17,7 @@ pub(super) fn turned_by_moments(spec: &BodySpec) -> &'static [PlaceVector] {
     }
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// The vectors of a place that a moment acts on, one after the other in the body's order.
     fn turned_at(&self, point: &MeshPoint) -> [f64; MOST] {
         let body = &self.bodies[point.body];

@@ -3,7 +3,7 @@
 //! what acts on the frames, at the loaded state.
 
 use super::linked::Marker;
-use super::parts::{LoadKind, Parts};
+use super::parts::LoadKind;
 use super::scene::MeshScene;
 use super::symmetry::{Displacement, normalise, reduce};
 use crate::equilibrium::{Spin, Uniform};
@@ -57,7 +57,7 @@ impl Screw {
     }
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Directions of the unknowns that change nothing in the uniform motion at the state.
     pub(super) fn neutral(&mut self, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
         let mut found: Vec<Vec<f64>> = Vec::new();
@@ -95,7 +95,7 @@ impl<P: Parts> MeshScene<P> {
     fn try_screw(&mut self, at: &Uniform, screw: Screw, moved: &[bool], is_own: bool, found: &mut Vec<Vec<f64>>) {
         let mut direction = self.direction(screw, moved);
         let whole: f64 = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if !(whole > 0.0) || reduce(&mut direction, found) < 1e-6 * whole {
+        if whole == 0.0 || !whole.is_finite() || reduce(&mut direction, found) < 1e-6 * whole {
             return;
         }
         let size = self.sizes.iter().fold(0.0, |size: f64, other| size.max(*other));

@@ -3,13 +3,13 @@
 use super::evaluate::MAX_SIZE;
 use super::linked::Linked;
 use super::markers::When;
-use super::parts::{JointKind, JointSpec, LoadKind, ObservedSpec, Parts, PointQuantity};
+use super::parts::{JointKind, JointSpec, LoadKind, ObservedSpec, PointQuantity};
 use super::scene::{MeshBody, MeshScene, PlaceVector};
 use crate::model::Scene;
 use crate::system::{State, System};
 use crate::vector::{Vector, add, cross, dot, subtract};
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Energy of a conservative model: kinetic, strain, and potential of gravity and dead forces.
     pub(super) fn total_energy(&mut self, state: &State) -> Option<f64> {
         if !self.parts.conservative() {
@@ -215,6 +215,11 @@ impl<P: Parts> MeshScene<P> {
         }
     }
 
+    /// Remembers the gravity that acts at the loaded state.
+    pub(super) fn set_gravity(&mut self, t: f64, load_scale: f64) {
+        self.buffers.gravity = self.gravity(t).map(|g| load_scale * g);
+    }
+
     /// Output columns at the loaded state.
     pub(super) fn evaluate_outputs(&mut self, t: f64, load_scale: f64, lambda: &[f64], out: &mut [f64]) {
         if self.outputs_need_acceleration() {
@@ -223,6 +228,7 @@ impl<P: Parts> MeshScene<P> {
             self.add_marker_constraint_forces(t, lambda);
             self.hold_modes();
         }
+        self.set_gravity(t, load_scale);
         let observed: Vec<f64> = (0..self.observed.len())
             .map(|index| self.observe(index, t, lambda))
             .collect();

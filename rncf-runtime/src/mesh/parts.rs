@@ -357,7 +357,7 @@ pub struct CarriedTangent {
 
 /// One model, as emitted: specifications and kernels. Indices follow the order of the declaration;
 /// frame 0 is the inertial one. `absolute` means that the body's vectors are in the inertial frame.
-pub trait Parts: Clone + Send + Sync + 'static {
+pub trait Parts: Send + Sync + 'static {
     /// Bodies.
     fn bodies(&self) -> Vec<BodySpec>;
     /// Joints.

@@ -215,7 +215,7 @@ impl<const P: usize, const F: usize, const S: usize> Rule<P, F, S> {
 
     /// Fields at a point.
     #[inline(always)]
-    fn fields<const D: usize, const G: usize>(&self, point: usize, vectors: &Relative<D, G, S>) -> [[f64; D]; F] {
+    pub fn fields<const D: usize, const G: usize>(&self, point: usize, vectors: &Relative<D, G, S>) -> [[f64; D]; F] {
         let mut fields = [[0.0; D]; F];
         for f in 0..F {
             let group = &vectors[self.groups[f]];
@@ -326,5 +326,88 @@ impl<const P: usize, const SS: usize, const B: usize> Blocks<P, SS, B> {
                 tiles[tile][rc] = sum;
             }
         }
+    }
+}
+
+/// Particles of a circle or tube of an outer radius (m): y, z (m) and weight (m^2). Two rings of six points, the
+/// inner one turned by half a step; exact to degree 5 in the coordinates for a full circle, whose thickness is
+/// its radius. The area, the second and the fourth polar moments are exact for every tube.
+pub fn round_particles(radius: f64, thickness: f64) -> [[f64; 3]; 12] {
+    let inner = ((radius - thickness) / radius).powi(2);
+    let area = std::f64::consts::PI * radius * radius * (1.0 - inner);
+    std::array::from_fn(|at| {
+        let ring = at / 6;
+        // Two Gauss points in the square of the distance from the axis.
+        let place = 0.5 + [-0.5, 0.5][ring] / 3.0_f64.sqrt();
+        let distance = radius * (inner + (1.0 - inner) * place).sqrt();
+        let angle = ((at % 6) as f64 + 0.5 * (1 - ring) as f64) * std::f64::consts::FRAC_PI_3;
+        [distance * angle.cos(), distance * angle.sin(), area / 12.0]
+    })
+}
+
+/// Particles of a rectangle with sizes along y and z (m): y, z (m) and weight (m^2), 3 x 3 Gauss points.
+pub fn rectangle_particles(sizes: [f64; 2]) -> [[f64; 3]; 9] {
+    let place = [-(0.6_f64.sqrt()), 0.0, 0.6_f64.sqrt()];
+    let weight = [5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0];
+    std::array::from_fn(|at| {
+        let (i, j) = (at / 3, at % 3);
+        let share = weight[i] * weight[j];
+        [
+            0.5 * sizes[0] * place[i],
+            0.5 * sizes[1] * place[j],
+            share * sizes[0] * sizes[1],
+        ]
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{rectangle_particles, round_particles};
+
+    fn moment(particles: &[[f64; 3]], y: i32, z: i32) -> f64 {
+        particles.iter().map(|p| p[2] * p[0].powi(y) * p[1].powi(z)).sum()
+    }
+
+    #[track_caller]
+    fn assert_moments(particles: &[[f64; 3]], wanted: &[(i32, i32, f64)], size: f64) {
+        for &(y, z, wanted) in wanted {
+            let (found, scale) = (moment(particles, y, z), size.powi(2 + y + z));
+            assert!(
+                (found - wanted).abs() < 1e-14 * scale,
+                "{y} {z}: {found} instead of {wanted}"
+            );
+        }
+        for (y, z) in [(1, 0), (0, 1), (1, 1), (3, 0), (1, 2), (2, 1), (3, 1), (5, 0), (2, 3)] {
+            let (found, scale) = (moment(particles, y, z), size.powi(2 + y + z));
+            assert!(found.abs() < 1e-14 * scale, "{y} {z}: {found} instead of 0");
+        }
+    }
+
+    #[test]
+    fn sections_have_the_moments_of_their_shapes() {
+        let pi = std::f64::consts::PI;
+        let r: f64 = 0.3;
+        let (i, four) = (0.25 * pi * r.powi(4), pi * r.powi(6) / 8.0);
+        let circle = [
+            (0, 0, pi * r * r),
+            (2, 0, i),
+            (0, 2, i),
+            (4, 0, four),
+            (0, 4, four),
+            (2, 2, four / 3.0),
+        ];
+        assert_moments(&round_particles(r, r), &circle, r);
+        let (inner, i) = (0.2_f64, 0.25 * pi * (r.powi(4) - 0.2_f64.powi(4)));
+        let area = pi * (r * r - inner * inner);
+        assert_moments(&round_particles(r, r - inner), &[(0, 0, area), (2, 0, i), (0, 2, i)], r);
+        let (b, h) = (0.3_f64, 0.2_f64);
+        let wanted = [
+            (0, 0, b * h),
+            (2, 0, b.powi(3) * h / 12.0),
+            (0, 2, b * h.powi(3) / 12.0),
+            (4, 0, b.powi(5) * h / 80.0),
+            (2, 2, b.powi(3) * h.powi(3) / 144.0),
+        ];
+        assert_moments(&rectangle_particles([b, h]), &wanted, b);
     }
 }

@@ -116,6 +116,8 @@ pub(super) struct Buffers {
     pub force: Vec<f64>,
     pub frames: Vec<FrameMotion>,
     pub results: Vec<f64>,
+    /// Gravity of the loads that are applied, m/s^2, inertial axes; for section forces.
+    pub gravity: Vector,
 }
 
 impl Buffers {
@@ -129,6 +131,7 @@ impl Buffers {
             force: zeros(),
             frames,
             results: Vec::new(),
+            gravity: [0.0; 3],
         }
     }
 }
@@ -143,9 +146,10 @@ pub(super) enum Regime {
     Uniform(f64),
 }
 
-/// The scene of a model with emitted parts `P`.
-pub struct MeshScene<P> {
-    pub(super) parts: P,
+/// The scene of a model with emitted parts. They stand behind a pointer, so that the runtime is compiled once and
+/// not for every model.
+pub struct MeshScene {
+    pub(super) parts: Box<dyn Parts>,
     pub(super) formulation: Formulation,
     pub(super) bodies: Vec<MeshBody>,
     pub(super) joints: Vec<JointSpec>,
@@ -194,7 +198,7 @@ pub(super) enum Row {
     Linked { linked: usize, row: usize },
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Whether the elements of a body are left out at present.
     pub(super) fn is_left_to_modes(&self, body: &MeshBody) -> bool {
         self.in_modes && body.modes.is_some()
@@ -287,7 +291,7 @@ impl<P: Parts> MeshScene<P> {
     }
 
     pub(super) fn point(&self, body: usize, at: Place, user: &str) -> Result<MeshPoint, ModelError> {
-        place_on(&self.parts, &self.bodies[body].spec, body, at, user)
+        place_on(&*self.parts, &self.bodies[body].spec, body, at, user)
     }
 
     /// A vector at a point in one of the full arrays, `sum_a weight_a q_a`, frame axes.
@@ -299,8 +303,8 @@ impl<P: Parts> MeshScene<P> {
 }
 
 /// The place of a marker on a body.
-pub(super) fn mesh_point<P: Parts>(
-    parts: &P,
+pub(super) fn mesh_point(
+    parts: &dyn Parts,
     bodies: &[BodySpec],
     body: usize,
     at: Place,
@@ -310,7 +314,7 @@ pub(super) fn mesh_point<P: Parts>(
 }
 
 /// Element and weights of a place on a body.
-fn place_on<P: Parts>(parts: &P, spec: &BodySpec, body: usize, at: Place, user: &str) -> Result<MeshPoint, ModelError> {
+fn place_on(parts: &dyn Parts, spec: &BodySpec, body: usize, at: Place, user: &str) -> Result<MeshPoint, ModelError> {
     let length = spec.line.length();
     let (element, xi) = match at {
         Place::Start => (0, 0.0),
@@ -331,7 +335,7 @@ fn place_on<P: Parts>(parts: &P, spec: &BodySpec, body: usize, at: Place, user: 
 }
 
 /// The point of an element at `xi` in [0, 1].
-pub(super) fn point_of<P: Parts>(parts: &P, spec: &BodySpec, body: usize, element: usize, xi: f64) -> MeshPoint {
+pub(super) fn point_of(parts: &dyn Parts, spec: &BodySpec, body: usize, element: usize, xi: f64) -> MeshPoint {
     let vectors = [
         PlaceVector::Position,
         PlaceVector::Slope,

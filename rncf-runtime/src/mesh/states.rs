@@ -1,12 +1,12 @@
 //! States of a scene in the declared frames and back.
 
 use super::frame::FrameMotion;
-use super::parts::{Parts, PointQuantity};
+use super::parts::PointQuantity;
 use super::scene::{MeshBody, MeshScene};
 use crate::model::Pose;
 use crate::system::State;
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Nodal vectors of all bodies, from the full arrays, in their declared frames.
     pub(super) fn vectors_in_frames(&self, full: [&[f64]; 2]) -> [Vec<f64>; 2] {
         let mut result = [Vec::new(), Vec::new()];

@@ -3,7 +3,7 @@
 
 use super::conditions::Condition;
 use super::frame::FrameMotion;
-use super::parts::{JointKind, LoadKind, Parts};
+use super::parts::{JointKind, LoadKind};
 use super::scene::MeshScene;
 use super::symmetry::Displacement;
 use crate::equilibrium::{Kind, Spin, Uniform};
@@ -33,7 +33,7 @@ fn carried(frame: &FrameMotion, point: [f64; 3]) -> [f64; 3] {
     add(frame.velocity, cross(turning(frame), subtract(point, frame.position)))
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// The rotation of what moves freely, at scale 1; rest where nothing turns.
     ///
     /// # Errors

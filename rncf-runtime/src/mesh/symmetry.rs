@@ -4,7 +4,6 @@
 
 use super::frame::FrameMotion;
 use super::linked::{Linked, Marker};
-use super::parts::Parts;
 use super::scene::MeshScene;
 use crate::rotation::Rotation;
 use crate::system::ConstraintLevel;
@@ -67,14 +66,16 @@ impl Displacement {
 
 /// Whether two lists of numbers differ by more than round-off of the given size.
 fn differ(a: &[f64], b: &[f64], size: f64) -> bool {
-    a.iter().zip(b).any(|(a, b)| !((a - b).abs() <= ROUND_OFF * size))
+    a.iter()
+        .zip(b)
+        .any(|(a, b)| (a - b).abs() > ROUND_OFF * size || (a - b).is_nan())
 }
 
 fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Whether the moved free frames can follow a displacement at the loaded state.
     pub(super) fn follows(&self, displacement: &Displacement) -> bool {
         let turn = displacement.turn;

@@ -3,7 +3,7 @@
 use super::conditions::{row_count, width};
 use super::evaluate::MOST;
 use super::layout::VectorKind;
-use super::parts::{Interpolant, JointKind, Parts};
+use super::parts::{Interpolant, JointKind};
 use super::scene::{MeshScene, Regime, Row};
 use crate::linalg::Pattern;
 use crate::system::{ConstraintLevel, State, System, Tangent};
@@ -11,7 +11,7 @@ use crate::system::{ConstraintLevel, State, System, Tangent};
 /// Letters of the components.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-impl<P: Parts> System for MeshScene<P> {
+impl System for MeshScene {
     fn unknowns(&self) -> usize {
         self.layout.unknowns()
     }
@@ -136,8 +136,9 @@ impl<P: Parts> System for MeshScene<P> {
     }
 
     fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
-        // Conditions on nodes and mean axes are linear in the unknowns.
+        // Mean axes are linear in the unknowns with constant factors.
         values.fill(0.0);
+        self.condition_rate_tangents(state.t, values);
         if !self.constraints.is_empty() {
             self.load_state(state);
             self.marker_rate_tangents(state.t, self.first_linked(), values);
@@ -224,7 +225,7 @@ impl<P: Parts> System for MeshScene<P> {
     }
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Fills the full state with the highest derivative of the level left out.
     fn load_level(&mut self, level: ConstraintLevel, state: &State) {
         let zeros = vec![0.0; state.x.len()];
@@ -241,5 +242,41 @@ impl<P: Parts> MeshScene<P> {
         let gravity = self.gravity(t);
         self.add_carried_tangents(gravity, out);
         self.add_fixture_borders(gravity, out);
+    }
+}
+
+impl MeshScene {
+    /// Rates of the conditions' Jacobians, `J(t)` of `J q - c = 0`: columns of the part of `J' q - c'` that is linear in q.
+    fn condition_rate_tangents(&self, t: f64, values: &mut [f64]) {
+        let mut column = 0;
+        for condition in self.conditions.iter().filter(|condition| !condition.rows.is_empty()) {
+            let joint = &self.joints[condition.joint];
+            let spec = &self.bodies[joint.body].spec;
+            let (count, width) = (row_count(joint.kind, spec), width(joint.kind, spec));
+            let still = [0.0; MOST];
+            let rates = |q: &[f64; MOST]| {
+                let (level, still, mut rows) = (ConstraintLevel::Velocity, &still[..width], [0.0; MOST]);
+                let (index, absolute, data) = (condition.joint, condition.absolute, &condition.data);
+                let out = &mut rows[..count];
+                self.parts
+                    .condition(index, absolute, level, t, data, &q[..width], still, still, out);
+                rows
+            };
+            let constant = rates(&still);
+            for (place, &component) in condition.components.iter().enumerate() {
+                let Some((unknown, factor)) = self.layout.unknown(component) else {
+                    continue;
+                };
+                let mut unit = still;
+                unit[place] = 1.0;
+                let moved = rates(&unit);
+                for (offset, &row) in condition.rows.iter().enumerate() {
+                    if let Some(entry) = self.constraint_pattern.find(unknown, column + offset) {
+                        values[entry] += factor * (moved[row] - constant[row]);
+                    }
+                }
+            }
+            column += condition.rows.len();
+        }
     }
 }

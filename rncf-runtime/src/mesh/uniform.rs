@@ -2,7 +2,6 @@
 
 use super::frame::FrameMotion;
 use super::frames::angle_axis;
-use super::parts::Parts;
 use super::scene::{MeshScene, Regime};
 use crate::equilibrium::{Kind, Uniform};
 use crate::linalg::Pattern;
@@ -54,7 +53,7 @@ impl Corotation {
     }
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Fills the full state of a uniform motion.
     pub(super) fn load_uniform(&mut self, at: &Uniform, state: &State) {
         let unknowns = [&state.x[..], &state.v, &state.a];

@@ -1,13 +1,15 @@
 //! A scene as the application sees it.
 
-use super::parts::{ObservedSpec, Parts};
+use super::parts::ObservedSpec;
+use super::sampling::SectionBody;
 use super::scene::MeshScene;
+use super::section::SectionState;
 use crate::equilibrium::Uniform;
 use crate::model::{FrameState, Scene};
 use crate::system::{State, Tangent};
 use crate::vector::norm;
 
-impl<P: Parts> Scene for MeshScene<P> {
+impl Scene for MeshScene {
     fn output_columns(&self) -> usize {
         self.parts.output_columns()
     }
@@ -24,6 +26,22 @@ impl<P: Parts> Scene for MeshScene<P> {
     fn outputs(&mut self, state: &State, out: &mut [f64]) {
         self.load_state(state);
         self.evaluate_outputs(state.t, 1.0, &state.lambda, out);
+    }
+
+    fn section_bodies(&self) -> Vec<SectionBody> {
+        self.sectioned()
+    }
+
+    fn section_states(&mut self, state: &State, out: &mut Vec<SectionState>) {
+        self.load_state(state);
+        self.set_gravity(state.t, 1.0);
+        self.sample_sections(out);
+    }
+
+    fn uniform_section_states(&mut self, at: &Uniform, state: &State, out: &mut Vec<SectionState>) {
+        self.load_uniform(at, state);
+        self.set_gravity(at.t, at.load());
+        self.sample_sections(out);
     }
 
     fn rest(&self, t: f64) -> State {

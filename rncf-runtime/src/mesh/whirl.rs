@@ -1,13 +1,12 @@
 //! Circulation of the bodies' points about the axis of a uniform rotation, from the shape of a mode.
 
-use super::parts::Parts;
 use super::scene::MeshScene;
 use crate::equilibrium::Uniform;
 use crate::modes::circulation;
 use crate::system::State;
 use crate::vector::{Vector, add, cross, norm, perpendicular, scale};
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Circulation of all nodes, of the origins of free frames, and of two points of every rigid body
     /// on both sides of its origin along the axis, as far away as its radius of gyration: they see the
     /// body's tilt.

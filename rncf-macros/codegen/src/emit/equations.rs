@@ -83,7 +83,7 @@ impl Equations {
         let mut variants: Vec<VariantKernels> = Vec::new();
         let mut variant_of = Vec::new();
         for body in &model.bodies {
-            let variant = Variant::of(body, library);
+            let variant = Variant::of(model, body, library);
             let index = variants
                 .iter()
                 .position(|other| other.variant == variant)
@@ -165,7 +165,11 @@ impl Equations {
         let mut add = |kernel: &Kernel| text += &function(kernel);
         for variant in &self.variants {
             if let Some(fields) = &variant.elastic.fields {
-                fields.rules.iter().flat_map(|rule| &rule.kernels).for_each(&mut add);
+                let kernels = fields
+                    .rules
+                    .iter()
+                    .flat_map(|rule| rule.particles.iter().chain(&rule.kernels));
+                kernels.for_each(&mut add);
             }
             for kernel in [
                 &variant.elastic.force,
@@ -313,11 +317,15 @@ fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Librar
         "#[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct {} {{\n/// Length, m.\npub length: f64,\n",
         crate::lower::camel_case(name)
     );
-    for coefficient in element.coefficients_in(variant.dimension, &variant.options) {
+    for coefficient in variant.coefficients(library) {
         let factors = coefficient.factors.join(" * ");
         text += &format!("/// {factors}, {}.\npub {}: f64,\n", coefficient.unit, coefficient.name);
     }
-    text + "/// Damping of the strain measures, s.\npub damping: f64,\n}\n"
+    text += "/// Damping of the strain measures, s.\npub damping: f64,\n";
+    match &variant.material {
+        Some(material) => text + &super::points::material_fields(name, material),
+        None => text + "}\n",
+    }
 }
 
 /// Energy is conserved where no frame that matters moves in a prescribed way, no load, constraint or

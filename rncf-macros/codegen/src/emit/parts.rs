@@ -360,13 +360,16 @@ impl Parts<'_> {
             let element = variant.variant.declaration(self.library);
             let mut text = self.properties(body);
             let mut fields = vec!["length".to_string()];
-            for coefficient in element.coefficients_in(variant.variant.dimension, &variant.variant.options) {
+            for coefficient in variant.variant.coefficients(self.library) {
                 fields.push(format!("{}: {}", coefficient.name, super::section::coefficient(body, coefficient)));
             }
             if body.properties.contains_key(element.damping) {
                 fields.push(format!("damping: {}", element.damping));
             } else {
                 fields.push("damping: 0.0".to_string());
+            }
+            if let Some(material) = &variant.variant.material {
+                fields.extend(super::points::material_values(&variant.name, material, body, |expr| self.expr(expr)));
             }
             let _ = writeln!(text, "self.row_{} = {} {{ {} }};", body.name, camel_case(&variant.name), fields.join(", "));
             if let Some((kernel, count)) = &variant.elastic.reference {

@@ -1,7 +1,10 @@
 //! The constants of an element in the form by fields: its vectors, rules and blocks.
 
 use super::number::number;
+use crate::lower::camel_case;
 use crate::lower::elastic::{FieldBlocks, FieldKernels, FieldRule};
+use crate::lower::material::{Material, SectionRule};
+use crate::model::{Body, Expr, SectionShape};
 
 /// Statics `{NAME}_VECTORS`, and for each rule `{NAME}_POINTS{n}`, `.._STIFFNESS`, `.._DAMPING`.
 pub fn tables(name: &str, dimension: usize, fields: &FieldKernels) -> String {
@@ -70,4 +73,51 @@ fn rule_table(name: &str, size: usize, rule: &FieldRule) -> String {
         }
     }
     text
+}
+
+/// The last fields of the struct with the constants of an element whose material is given by its energy, and
+/// the struct with its parameters.
+pub fn material_fields(name: &str, material: &Material) -> String {
+    let name = camel_case(name);
+    let params = material.params();
+    let fields = params
+        .iter()
+        .map(|(param, _)| format!("/// Parameter of the model.\npub {param}: f64,\n"));
+    format!(
+        "/// Particles of the section: y, z (m) and weight (m^2).\npub section: [[f64; 3]; {}],\n\
+         /// Parameters of the energy.\npub material: {name}Material,\n}}\n\
+         /// Parameters of the energy of `{}`.\n\
+         #[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct {name}Material {{\n{}}}\n",
+        material.section.count(),
+        material.name,
+        fields.collect::<String>(),
+    )
+}
+
+/// Initialisers of these fields.
+pub fn material_values(name: &str, material: &Material, body: &Body, text: impl Fn(&Expr) -> String) -> Vec<String> {
+    let section = match (&body.shape, material.section) {
+        (SectionShape::Rectangle { sizes: [y, z] }, _) => {
+            format!("::rncf::mesh::rectangle_particles([{}, {}])", text(y), text(z))
+        }
+        (SectionShape::Circle { radius }, SectionRule::Round) => {
+            format!("::rncf::mesh::round_particles({0}, {0})", text(radius))
+        }
+        (SectionShape::Tube { radius, thickness }, SectionRule::Round) => {
+            format!("::rncf::mesh::round_particles({}, {})", text(radius), text(thickness))
+        }
+        _ => format!("[[0.0; 3]; {}]", material.section.count()),
+    };
+    let params = material.params();
+    let params = params
+        .iter()
+        .map(|(param, is_count)| format!("{param}: model.{param}{}", if *is_count { " as f64" } else { "" }));
+    vec![
+        format!("section: {section}"),
+        format!(
+            "material: {}Material {{ {} }}",
+            camel_case(name),
+            params.collect::<Vec<_>>().join(", ")
+        ),
+    ]
 }

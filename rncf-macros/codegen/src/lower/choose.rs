@@ -39,12 +39,13 @@ const FIELDS_FROM: usize = 6;
 /// The kernels by fields, which an element of many vectors or with several rules has alone.
 fn by_fields(variant: &Variant, library: &Library) -> ElasticKernels {
     let fields = field_kernels(variant, library);
-    let reference = variant
-        .curved
-        .then(|| kernel(variant, library, Form::Points, Quantity::Reference))
-        .flatten()
-        .map(|kernel| (kernel.outputs.len(), kernel))
-        .map(|(count, kernel)| (kernel, count));
+    let reference = variant.curved.then(|| match variant.material {
+        Some(_) => Signature::fields_before(variant, library, &fields),
+        None => {
+            kernel(variant, library, Form::Points, Quantity::Reference).map(|kernel| (kernel.outputs.len(), kernel))
+        }
+    });
+    let reference = reference.flatten().map(|(count, kernel)| (kernel, count));
     let signature = Signature {
         variant,
         library,

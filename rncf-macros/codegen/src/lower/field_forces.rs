@@ -1,6 +1,7 @@
 //! Forces on the fields of an element at a point of its axis: what section forces follow from.
 
 use super::kernel::Kernel;
+use super::quadratic::length_power;
 use super::signature::Signature;
 use super::variant::Variant;
 use crate::elements::{Density, Invariants, Library};
@@ -18,7 +19,8 @@ fn symbols(graph: &mut Graph, name: &str, count: usize, dimension: usize) -> Vec
 
 /// Inner products of vectors, as an energy takes them.
 fn invariants(graph: &mut Graph, fields: &[Vector], dimension: usize) -> Invariants {
-    let mut table = |product: &dyn Fn(&mut Graph, &[Id], &[Id]) -> Id| -> Vec<Vec<Id>> {
+    type Product<'a> = dyn Fn(&mut Graph, &[Id], &[Id]) -> Id + 'a;
+    let mut table = |product: &Product<'_>| -> Vec<Vec<Id>> {
         let row = |left: &Vector, graph: &mut Graph| fields.iter().map(|right| product(graph, left, right)).collect();
         fields.iter().map(|left| row(left, graph)).collect()
     };
@@ -37,8 +39,75 @@ fn invariants(graph: &mut Graph, fields: &[Vector], dimension: usize) -> Invaria
     }
 }
 
+/// The same of a material with an energy: its kernel at a point, which takes derivatives on the unit element.
+fn of_material(variant: &Variant, library: &Library) -> Kernel {
+    let element = variant.declaration(library);
+    let dimension = variant.dimension;
+    let powers: Vec<i32> = element.fields_in(dimension).map(length_power).collect();
+    let count = powers.len();
+    let signature = Signature {
+        variant,
+        library,
+        references: 0,
+    };
+    let scales: Vec<String> = powers
+        .iter()
+        .map(|power| format!("row.length.powi({})", -power))
+        .collect();
+    let mut inputs = vec!["fields"];
+    if variant.curved {
+        inputs.push("stress_free");
+    }
+    if variant.damped {
+        inputs.push("rates");
+    }
+    let mut bindings = vec![format!("let scales = [{}];", scales.join(", "))];
+    for input in inputs {
+        bindings.push(format!(
+            "let {input}: [[f64; {dimension}]; {count}] = \
+             ::std::array::from_fn(|f| ::std::array::from_fn(|c| scales[f] * {input}[f * {dimension} + c]));"
+        ));
+    }
+    let name = variant.name(library);
+    bindings.push(format!("let mut sums = [[0.0; {dimension}]; {count}];"));
+    bindings.push(format!(
+        "{name}_points{}_force(row, {}&fields, {}&mut sums);",
+        element.default_points,
+        if variant.curved {
+            "::rncf::mesh::array(stress_free.as_flattened()), "
+        } else {
+            ""
+        },
+        if variant.damped { "&rates, " } else { "" },
+    ));
+    bindings.push(format!(
+        "for f in 0..{count} {{ for c in 0..{dimension} {{ \
+         forces[f * {dimension} + c] = scales[f] * sums[f][c] / row.length; }} }}"
+    ));
+    let mut arguments = vec![format!("row: &{}", signature.row())];
+    for name in ["stress_free", "fields", "rates"] {
+        if name != "rates" || variant.damped {
+            arguments.push(format!("{name}: &[f64; {}]", count * dimension));
+        }
+    }
+    arguments.push(format!("forces: &mut [f64; {}]", count * dimension));
+    Kernel {
+        name: format!("{name}_field_forces"),
+        doc: vec!["Writes the forces on the fields at a point, dU/d(field) per unit length.".to_string()],
+        arguments,
+        bindings,
+        graph: Graph::new(),
+        points: None,
+        outputs: Vec::new(),
+        assign: true,
+    }
+}
+
 /// Writes dU/d(field) per unit length, all terms of the energy together.
 pub fn field_forces_kernel(variant: &Variant, library: &Library) -> Kernel {
+    if variant.material.is_some() {
+        return of_material(variant, library);
+    }
     let element = variant.declaration(library);
     let dimension = variant.dimension;
     let count = element.fields_in(dimension).count();

@@ -301,6 +301,7 @@ mod tests {
             evaluation: Evaluation::Automatic,
             damped: false,
             curved: false,
+            material: None,
         };
         let closed = [
             [13.0 / 35.0, 11.0 / 210.0, 9.0 / 70.0, -13.0 / 420.0],

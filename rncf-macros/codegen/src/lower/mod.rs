@@ -15,6 +15,7 @@ pub mod joints;
 pub mod kernel;
 pub mod loads;
 pub mod markers;
+pub mod material;
 pub mod motions;
 pub mod quadratic;
 mod signature;

@@ -14,6 +14,18 @@ pub(super) struct Signature<'a> {
     pub references: usize,
 }
 
+/// What a kernel of the fields at a point takes and gives.
+pub(super) struct PointInputs {
+    /// Names of the fields.
+    pub names: Vec<&'static str>,
+    /// Names of their components and of those of their rates.
+    pub inputs: [Vec<Vec<String>>; 2],
+    /// Names of their components in the stress-free shape, where a kernel takes these.
+    pub before: Vec<String>,
+    /// Numbers of blocks of stiffness and damping.
+    pub blocks: [usize; 2],
+}
+
 impl Signature<'_> {
     /// The row's fields and the nodal components, bound to the names that the symbols have.
     pub fn bindings(&self, coefficients: bool, states: &[(&str, &str)]) -> Vec<String> {
@@ -21,8 +33,8 @@ impl Signature<'_> {
         let mut fields = vec!["length"];
         if coefficients {
             fields.extend(
-                element
-                    .coefficients_in(self.variant.dimension, &self.variant.options)
+                self.variant
+                    .coefficients(self.library)
                     .into_iter()
                     .map(|c| c.name)
                     .filter(|&name| element.inertia.iter().all(|inertia| inertia.coefficient != name)),
@@ -125,16 +137,18 @@ impl Signature<'_> {
         }
     }
 
-    /// Wraps the expressions of a kernel of the fields at a point: names of the fields, of their components
-    /// and rates, and how many blocks of stiffness and damping there are.
+    /// Wraps the expressions of a kernel of the fields at a point.
     pub fn field_point(
         &self,
         points: usize,
         quantity: Quantity,
         graph: Graph,
         outputs: Vec<(String, Id)>,
-        (names, inputs, blocks): (&[&str], [Vec<Vec<String>>; 2], [usize; 2]),
+        point: &PointInputs,
     ) -> Kernel {
+        let PointInputs {
+            names, inputs, blocks, ..
+        } = point;
         let (dimension, count) = (self.variant.dimension, names.len());
         let with_rates = self.variant.damped && quantity != Quantity::Energy;
         let mut arguments = vec![format!("row: &{}", self.row())];
@@ -142,7 +156,7 @@ impl Signature<'_> {
             arguments.push(format!("reference: &[f64; {}]", self.references));
         }
         let mut bindings = self.bindings(true, &[]);
-        for (argument, components) in ["fields", "rates"].into_iter().zip(&inputs) {
+        for (argument, components) in ["fields", "rates"].into_iter().zip(inputs) {
             if argument == "fields" || with_rates {
                 arguments.push(format!("{argument}: &[[f64; {dimension}]; {count}]"));
                 let vectors: Vec<String> = components.iter().map(|c| format!("[{}]", c.join(", "))).collect();
@@ -182,6 +196,71 @@ impl Signature<'_> {
             outputs,
             assign: true,
         }
+    }
+
+    /// A kernel of the fields at a particle of the section, and one that sums it over the section.
+    pub fn particle(
+        &self,
+        points: usize,
+        quantity: Quantity,
+        graph: Graph,
+        outputs: Vec<(String, Id)>,
+        point: &PointInputs,
+    ) -> [Kernel; 2] {
+        let mut particle = self.field_point(points, quantity, graph, outputs, point);
+        let mut sum = particle.clone();
+        let words: Vec<&str> = particle
+            .arguments
+            .iter()
+            .filter_map(|text| text.split(':').next())
+            .collect();
+        let call = format!(
+            "{}(y, z, weight, {});",
+            particle.name.replace("_points", "_particle"),
+            words.join(", ")
+        );
+        sum.bindings = vec![format!("for &[y, z, weight] in &row.section {{ {call} }}")];
+        (sum.graph, sum.outputs) = (Graph::new(), Vec::new());
+        sum.doc.push("Summed over the particles of the section.".to_string());
+        particle.name = particle.name.replace("_points", "_particle");
+        particle.doc = vec![
+            "Adds what one particle (y, z) of the section does, of a material with an energy per volume: strain \
+             E = 1/2 (G^T G - G0^T G0) with G = [r_x + y r_y' + z r_z', r_y, r_z], stress dW/dE (THEORY 4.2)."
+                .to_string(),
+        ];
+        particle.assign = false;
+        for (at, argument) in ["y: f64", "z: f64", "weight: f64"].into_iter().enumerate() {
+            particle.arguments.insert(at, argument.to_string());
+        }
+        particle.bindings.push("let model = &row.material;".to_string());
+        if self.variant.curved {
+            particle
+                .bindings
+                .push(format!("let [{}] = *reference;", point.before.join(", ")));
+        }
+        [sum, particle]
+    }
+
+    /// The fields at all points in the stress-free shape, which a material with an energy needs.
+    pub fn fields_before(variant: &Variant, library: &Library, fields: &FieldKernels) -> Option<(usize, Kernel)> {
+        let rule = fields.rules.first()?;
+        let count = rule.references * rule.points;
+        let signature = Signature {
+            variant,
+            library,
+            references: count,
+        };
+        let mut kernel = signature.elastic(Form::Fields, Quantity::Reference, Graph::new(), None, Vec::new());
+        let upper = variant.name(library).to_uppercase();
+        kernel.bindings = vec![
+            format!("let vectors = {upper}_VECTORS.relative(row.length, q);"),
+            format!(
+                "for (point, reference) in reference.chunks_exact_mut({}).enumerate() {{ \
+                 reference.copy_from_slice({upper}_POINTS{}.fields(point, &vectors).as_flattened()); }}",
+                rule.references, rule.points
+            ),
+        ];
+        Some((count, kernel))
     }
 
     /// A kernel that calls those of the fields at the points.

@@ -1,11 +1,12 @@
 //! What distinguishes one emitted element from another: one set of kernels serves every body that
 //! agrees in all of this, whatever its lengths, stiffnesses and densities.
 
-use crate::elements::{Element, Library, NodalVector, Node};
-use crate::model::{Body, ElementId, Evaluation, Expr, Line, Quadrature};
+use super::material::Material;
+use crate::elements::{Coefficient, Element, Library, NodalVector, Node};
+use crate::model::{Body, ElementId, Evaluation, Expr, Line, Model, Quadrature};
 
 /// A specialised element.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Variant {
     /// Element of the library.
     pub element: ElementId,
@@ -21,6 +22,8 @@ pub struct Variant {
     pub damped: bool,
     /// Whether the stress-free axis is curved, or its section twisted.
     pub curved: bool,
+    /// Material that is given by its energy, integrated over the section; `None`: by the element's terms.
+    pub material: Option<Material>,
 }
 
 /// Words for the components of a vector in generated code.
@@ -28,7 +31,7 @@ const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
 impl Variant {
     /// The variant that a body needs.
-    pub fn of(body: &Body, library: &Library) -> Self {
+    pub fn of(model: &Model, body: &Body, library: &Library) -> Self {
         let damping = body.properties.get(library.elements[body.element.0].damping);
         Self {
             element: body.element,
@@ -38,12 +41,23 @@ impl Variant {
             evaluation: body.evaluation,
             damped: damping.is_some_and(|value| *value != Expr::Number(0.0)),
             curved: matches!(body.line, Line::Arc { .. }) || body.twist != Expr::Number(0.0),
+            material: Material::of(model, body),
         }
     }
 
     /// The element's declaration.
     pub fn declaration<'l>(&self, library: &'l Library) -> &'l Element {
         &library.elements[self.element.0]
+    }
+
+    /// Coefficients of the element that its kernels use.
+    pub fn coefficients(&self, library: &Library) -> Vec<&'static Coefficient> {
+        let element = self.declaration(library);
+        let mut list = element.coefficients_in(self.dimension, &self.options);
+        if self.material.is_some() {
+            list.retain(|one| element.inertia.iter().any(|inertia| inertia.coefficient == one.name));
+        }
+        list
     }
 
     /// Nodal vectors of one element.
@@ -73,6 +87,9 @@ impl Variant {
             Evaluation::Points => "_points",
             Evaluation::Loop => "_loop",
         };
+        if let Some(material) = &self.material {
+            name += &material.suffix();
+        }
         if self.curved {
             name += "_curved";
         }

@@ -1,6 +1,5 @@
 //! Constraints on markers: values, Jacobians, and what their forces add to the stiffness.
 
-use super::super::parts::Parts;
 use super::super::scene::MeshScene;
 use super::Linked;
 use super::jets::{Column, Marker};
@@ -23,7 +22,7 @@ pub(super) fn block_product(matrix: &[f64], markers: usize, m: usize, n: usize, 
         .sum()
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     fn constraint_marker(&self, linked: &Linked, place: usize) -> &Marker {
         &self.markers[linked.spec.markers[place]]
     }

@@ -1,7 +1,7 @@
 //! Forces on markers, and declared loads where frames are free: the frame feels them, too.
 
 use super::super::frame::FrameMotion;
-use super::super::parts::{LoadKind, Parts};
+use super::super::parts::LoadKind;
 use super::super::scene::{MeshPoint, MeshScene};
 use super::constraints::{block_product, part};
 use super::jets::{Column, Marker};
@@ -15,7 +15,7 @@ pub(in super::super) struct MarkedLoad {
     pub markers: Vec<Marker>,
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Adds the forces on markers (to the left side, where they are negative) at the loaded state.
     pub(in super::super) fn add_marker_forces(&mut self, t: f64, load_scale: f64) {
         for index in 0..self.forces.len() {

@@ -1,7 +1,6 @@
 //! Markers at a state: values, time derivatives, and how they depend on the unknowns.
 
 use super::super::frame::FrameMotion;
-use super::super::parts::Parts;
 use super::super::scene::{MeshPoint, MeshScene, PlaceVector};
 use crate::vector::{Vector, add, apply, cross, dot};
 
@@ -89,7 +88,7 @@ fn turned(frame: &FrameMotion, within: [Vector; 4]) -> [Vector; 4] {
     result
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Frame that a marker's vectors live in.
     pub(in super::super) fn marker_frame(&self, marker: &Marker) -> usize {
         match marker {

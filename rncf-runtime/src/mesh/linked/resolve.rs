@@ -17,8 +17,8 @@ const USER: &str = "a joint, force or output";
 ///
 /// # Errors
 /// A place beyond a body's end, or the angle of a frame that has none.
-pub(in super::super) fn markers<P: Parts>(
-    parts: &P,
+pub(in super::super) fn markers(
+    parts: &dyn Parts,
     bodies: &[BodySpec],
     free_of: &[Option<usize>],
 ) -> Result<Vec<Marker>, ModelError> {
@@ -62,7 +62,7 @@ fn endless() -> ModelError {
     ModelError::new("markers refer to each other without end: let one of them be given by a frame or body")
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Finds the constants of markers that are fixed in one frame and equal, or normal, to another
     /// marker; the state at t = 0 must be loaded.
     pub(in super::super) fn resolve_markers(&mut self) -> Result<(), ModelError> {

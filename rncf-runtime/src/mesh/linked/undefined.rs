@@ -1,7 +1,6 @@
 //! Names what has no finite value: a spring whose ends coincide, a motion that leaves the range of its
 //! function.
 
-use super::super::parts::Parts;
 use super::super::scene::MeshScene;
 use crate::system::System;
 
@@ -12,7 +11,7 @@ fn finite(values: &[f64]) -> bool {
     values.iter().all(|value| value.is_finite())
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// The first motion, load, constraint or force at the loaded state that is not finite.
     pub(in super::super) fn undefined_now(&self, t: f64) -> Option<String> {
         let motion = self.undefined_frame().or_else(|| self.undefined_load(t));

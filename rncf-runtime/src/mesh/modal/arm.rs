@@ -51,8 +51,8 @@ impl Arm {
         self.cable.dimension
     }
 
-    pub fn scene(&self) -> MeshScene<Arm> {
-        MeshScene::new(self.clone(), Formulation::Rncf, Joints::Eliminated).unwrap()
+    pub fn scene(&self) -> MeshScene {
+        MeshScene::new(Box::new(self.clone()), Formulation::Rncf, Joints::Eliminated).unwrap()
     }
 
     /// Constants of something whose components are its own modes.

@@ -11,7 +11,9 @@ use crate::linalg::Pattern;
 use crate::mesh::carried::Beside;
 use crate::mesh::frame::FrameAction;
 use crate::mesh::parts::{Fidelity, Parts};
+use crate::mesh::sampling::SectionBody;
 use crate::mesh::scene::MeshScene;
+use crate::mesh::section::SectionState;
 use crate::model::{Formulation, FrameState, Joints, Scene};
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
@@ -19,7 +21,11 @@ use crate::system::{ConstraintLevel, State, System, Tangent};
 ///
 /// # Errors
 /// As [`MeshScene::new`], and a body whose modes do not exist or do not suffice, by name.
-pub fn build<P: Parts>(parts: P, formulation: Formulation, joints: Joints) -> Result<Box<dyn Scene>, ModelError> {
+pub fn build(parts: impl Parts, formulation: Formulation, joints: Joints) -> Result<Box<dyn Scene>, ModelError> {
+    build_boxed(Box::new(parts), formulation, joints)
+}
+
+fn build_boxed(parts: Box<dyn Parts>, formulation: Formulation, joints: Joints) -> Result<Box<dyn Scene>, ModelError> {
     let scene = MeshScene::new(parts, formulation, joints)?;
     if scene.bodies.iter().all(|body| body.spec.fidelity == Fidelity::Full) {
         return Ok(Box::new(scene));
@@ -28,9 +34,9 @@ pub fn build<P: Parts>(parts: P, formulation: Formulation, joints: Joints) -> Re
 }
 
 /// A scene some of whose bodies have modal coordinates.
-pub struct ModalScene<P> {
+pub struct ModalScene {
     /// With all nodal vectors; the elements of modal bodies are left out.
-    scene: MeshScene<P>,
+    scene: MeshScene,
     reduction: Reduction,
     /// Body of every block of the reduction.
     bodies: Vec<usize>,
@@ -44,12 +50,12 @@ pub struct ModalScene<P> {
     scratch: Vec<f64>,
 }
 
-impl<P: Parts> ModalScene<P> {
+impl ModalScene {
     /// Finds the modes of the bodies that ask for them.
     ///
     /// # Errors
     /// As [`build`].
-    pub(super) fn new(mut scene: MeshScene<P>) -> Result<Self, ModelError> {
+    pub(super) fn new(mut scene: MeshScene) -> Result<Self, ModelError> {
         let (mut blocks, mut bodies) = (Vec::new(), Vec::new());
         for index in 0..scene.bodies.len() {
             let fidelity = scene.bodies[index].spec.fidelity;
@@ -59,7 +65,7 @@ impl<P: Parts> ModalScene<P> {
             scene.check_modal(index)?;
             let (nodal, first) = scene.nodal(index);
             let elements = Kernels {
-                parts: &scene.parts,
+                parts: &*scene.parts,
                 body: index,
             };
             let modes = ModalBody::new(nodal, fidelity, &elements)?;
@@ -145,7 +151,7 @@ impl<P: Parts> ModalScene<P> {
             if let Some(modes) = &body.modes {
                 let action = self.scene.buffers.frames[body.frame].action(body.spec.axes, gravity);
                 let elements = Kernels {
-                    parts: &self.scene.parts,
+                    parts: &*self.scene.parts,
                     body: index,
                 };
                 call(block, index, modes, &elements, &action);
@@ -275,7 +281,7 @@ impl<P: Parts> ModalScene<P> {
     }
 
     /// Calls with the scene in which modal bodies are made of elements, for what is read off it.
-    fn in_elements<T>(&mut self, call: impl FnOnce(&mut MeshScene<P>, &State) -> T) -> T {
+    fn in_elements<T>(&mut self, call: impl FnOnce(&mut MeshScene, &State) -> T) -> T {
         self.scene.in_modes = false;
         let result = call(&mut self.scene, &self.full);
         self.scene.in_modes = true;
@@ -293,7 +299,7 @@ fn transposed(matrix: &[f64], k: usize, n: usize) -> Vec<f64> {
     (0..n).flat_map(|c| (0..k).map(move |i| matrix[i * n + c])).collect()
 }
 
-impl<P: Parts> System for ModalScene<P> {
+impl System for ModalScene {
     fn unknowns(&self) -> usize {
         self.reduction.unknowns()
     }
@@ -405,7 +411,7 @@ impl<P: Parts> System for ModalScene<P> {
     }
 }
 
-impl<P: Parts> Scene for ModalScene<P> {
+impl Scene for ModalScene {
     fn output_columns(&self) -> usize {
         self.scene.output_columns()
     }
@@ -417,6 +423,20 @@ impl<P: Parts> Scene for ModalScene<P> {
     fn outputs(&mut self, state: &State, out: &mut [f64]) {
         self.expand(state);
         self.in_elements(|scene, full| scene.outputs(full, out));
+    }
+
+    fn section_bodies(&self) -> Vec<SectionBody> {
+        self.scene.section_bodies()
+    }
+
+    fn section_states(&mut self, state: &State, out: &mut Vec<SectionState>) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.section_states(full, out));
+    }
+
+    fn uniform_section_states(&mut self, at: &Uniform, state: &State, out: &mut Vec<SectionState>) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.uniform_section_states(at, full, out));
     }
 
     fn rest(&self, t: f64) -> State {

@@ -32,7 +32,7 @@ fn moving(scene: &dyn Scene, part: f64) -> State {
     state
 }
 
-fn expanded(scene: &ModalScene<Arm>, state: &State) -> State {
+fn expanded(scene: &ModalScene, state: &State) -> State {
     let mut full = state.clone();
     let reduction = scene.reduction();
     reduction.expand(&state.x, true, &mut full.x);
@@ -42,7 +42,7 @@ fn expanded(scene: &ModalScene<Arm>, state: &State) -> State {
 }
 
 /// Every free and prescribed, planar and spatial arm with the given modes.
-fn each(fidelity: Fidelity, mut call: impl FnMut(Arm, ModalScene<Arm>, MeshScene<Arm>)) {
+fn each(fidelity: Fidelity, mut call: impl FnMut(Arm, ModalScene, MeshScene)) {
     for (dimension, free) in [(2, false), (3, false), (2, true), (3, true)] {
         let arm = Arm::new(dimension, fidelity, free);
         let modal = ModalScene::new(arm.scene()).unwrap();

@@ -11,14 +11,14 @@ use crate::mesh::scene::MeshScene;
 const ROUND_OFF: f64 = 1e-9;
 
 /// Elements of a body as emitted.
-pub struct Kernels<'a, P> {
+pub struct Kernels<'a> {
     /// Emitted parts.
-    pub parts: &'a P,
+    pub parts: &'a dyn Parts,
     /// Body.
     pub body: usize,
 }
 
-impl<P: Parts> Elements for Kernels<'_, P> {
+impl Elements for Kernels<'_> {
     fn force(&self, element: usize, q: &[f64], v: &[f64], force: &mut [f64]) {
         let (still, rest) = (FrameAction::default(), vec![0.0; q.len()]);
         self.parts.force(self.body, element, true, &still, q, v, &rest, force);
@@ -31,7 +31,7 @@ impl<P: Parts> Elements for Kernels<'_, P> {
     }
 }
 
-impl<P: Parts> MeshScene<P> {
+impl MeshScene {
     /// Refuses what modes cannot describe.
     pub(super) fn check_modal(&self, index: usize) -> Result<(), ModelError> {
         let body = &self.bodies[index];
@@ -129,7 +129,7 @@ impl<P: Parts> MeshScene<P> {
             if let Some(modes) = &body.modes {
                 let first = self.layout.offset(body.first_vector);
                 let elements = Kernels {
-                    parts: &self.parts,
+                    parts: &*self.parts,
                     body: index,
                 };
                 modes.held(&elements, &mut self.buffers.force[first..first + modes.shape().len()]);

@@ -14,7 +14,7 @@ use crate::vector::{Vector, norm, scale, subtract};
 const G: f64 = 9.81;
 
 /// Accelerations and multipliers at a state, from the whole bordered matrix.
-fn solve(scene: &mut MeshScene<Hand>, state: &mut State) {
+fn solve(scene: &mut MeshScene, state: &mut State) {
     let (n, m) = (scene.unknowns(), scene.constraints());
     state.a.fill(0.0);
     let mut right = vec![0.0; n + m];
@@ -49,7 +49,7 @@ fn solve(scene: &mut MeshScene<Hand>, state: &mut State) {
     state.lambda.copy_from_slice(&right[n..]);
 }
 
-fn outputs(scene: &mut MeshScene<Hand>, state: &State) -> Vec<f64> {
+fn outputs(scene: &mut MeshScene, state: &State) -> Vec<f64> {
     let mut out = vec![0.0; scene.output_columns()];
     scene.outputs(state, &mut out);
     out

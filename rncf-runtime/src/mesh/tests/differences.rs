@@ -23,7 +23,7 @@ fn dense(pattern: &Pattern, values: &[f64]) -> Vec<Vec<f64>> {
 }
 
 /// Residual with the constraint forces.
-fn balance(scene: &mut MeshScene<Hand>, state: &State) -> Vec<f64> {
+fn balance(scene: &mut MeshScene, state: &State) -> Vec<f64> {
     let mut out = vec![0.0; scene.unknowns()];
     scene.residual(state, &mut out);
     let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
@@ -35,7 +35,7 @@ fn balance(scene: &mut MeshScene<Hand>, state: &State) -> Vec<f64> {
 }
 
 /// `C`, and `C_x v + C_t`.
-fn constraints(scene: &mut MeshScene<Hand>, state: &State) -> [Vec<f64>; 2] {
+fn constraints(scene: &mut MeshScene, state: &State) -> [Vec<f64>; 2] {
     let zeros = || vec![0.0; state.lambda.len()];
     let (mut values, mut rates) = (zeros(), zeros());
     scene.constraint(ConstraintLevel::Position, state, &mut values);
@@ -56,7 +56,7 @@ fn difference(high: &[f64], low: &[f64]) -> Vec<f64> {
 }
 
 /// Compares column `column` of a matrix, relative to its largest entry.
-fn compare(what: &str, matrix: &[Vec<f64>], column: usize, expected: &[f64], scene: &MeshScene<Hand>) {
+fn compare(what: &str, matrix: &[Vec<f64>], column: usize, expected: &[f64], scene: &MeshScene) {
     let scale = matrix
         .iter()
         .flatten()
@@ -81,7 +81,7 @@ fn check(hand: Hand, formulation: Formulation, seed: u64) {
     scene.tangent(&state, &mut tangent);
     let mut mass = vec![0.0; scene.pattern().entries()];
     scene.mass(&state, &mut mass);
-    let of = |values: &[f64], scene: &MeshScene<Hand>| dense(scene.pattern(), values);
+    let of = |values: &[f64], scene: &MeshScene| dense(scene.pattern(), values);
     let [by_x, by_v, by_a] = [&tangent.stiffness, &tangent.damping, &tangent.mass].map(|values| of(values, &scene));
     let mass = of(&mass, &scene);
     let mut values = vec![0.0; scene.constraint_pattern().entries()];

@@ -1,7 +1,6 @@
 //! Levels of the constraints against time differences along a smooth motion.
 
 use super::super::MeshScene;
-use super::model::Hand;
 use super::random::Random;
 use super::sections::everything_with_sections;
 use crate::model::{Formulation, Scene};
@@ -27,7 +26,7 @@ fn angles(t: f64) -> [[f64; 3]; 2] {
 }
 
 impl Motion {
-    fn new(scene: &MeshScene<Hand>) -> Self {
+    fn new(scene: &MeshScene) -> Self {
         let mut random = Random(11);
         let mut start = scene.rest(0.2);
         random.shake(scene, &mut start, 0.2);
@@ -39,7 +38,7 @@ impl Motion {
     }
 
     /// State at `s` seconds after the start.
-    fn at(&self, scene: &MeshScene<Hand>, s: f64) -> State {
+    fn at(&self, scene: &MeshScene, s: f64) -> State {
         let mut state = self.start.clone();
         state.t += s;
         let [first, second, third] = &self.rates;
@@ -65,7 +64,7 @@ impl Motion {
     }
 
     /// Jerks at `s`.
-    fn jerk(&self, scene: &MeshScene<Hand>, s: f64) -> Vec<f64> {
+    fn jerk(&self, scene: &MeshScene, s: f64) -> Vec<f64> {
         let [high, low] = [STEP, -STEP].map(|step| self.at(scene, s + step).a);
         high.iter()
             .zip(&low)
@@ -75,7 +74,7 @@ impl Motion {
 }
 
 /// Time derivative of the given order of all constraints.
-fn derivative(scene: &mut MeshScene<Hand>, motion: &Motion, s: f64, level: ConstraintLevel) -> Vec<f64> {
+fn derivative(scene: &mut MeshScene, motion: &Motion, s: f64, level: ConstraintLevel) -> Vec<f64> {
     let state = motion.at(scene, s);
     let mut out = vec![0.0; scene.constraints()];
     scene.constraint(level, &state, &mut out);

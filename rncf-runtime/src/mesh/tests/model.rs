@@ -60,13 +60,13 @@ const DENSITY: f64 = 0.7;
 
 impl Hand {
     /// The scene; absolute coordinates have no held components here.
-    pub fn scene(mut self, formulation: Formulation) -> MeshScene<Self> {
+    pub fn scene(mut self, formulation: Formulation) -> MeshScene {
         if formulation == Formulation::Ancf {
             let free: Vec<usize> = self.free.iter().map(|spec| spec.frame).collect();
             let stays = |joint: &JointSpec| joint.kind == JointKind::Pin || free.contains(&joint.frame);
             self.joints.retain(stays);
         }
-        MeshScene::new(self, formulation, Joints::Eliminated).expect("the scene makes sense")
+        MeshScene::new(Box::new(self), formulation, Joints::Eliminated).expect("the scene makes sense")
     }
 
     /// Mass matrix of an element: Hermite's, with a section as integrals of all interpolants.

@@ -80,7 +80,7 @@ fn circles_of_nodes_are_seen_in_turned_frames() {
     };
     let state = scene.rest(0.0);
     let rotation = state.turns[0].matrix();
-    let shape = |scene: &super::super::MeshScene<Hand>, second: f64| -> Vec<[f64; 2]> {
+    let shape = |scene: &super::super::MeshScene, second: f64| -> Vec<[f64; 2]> {
         // (1, second i, 0) in space, in the nodes' positions.
         let [real, imaginary] = [[1.0, 0.0, 0.0], [0.0, second, 0.0]].map(|direction| {
             let within = apply_transposed(&rotation, direction);

@@ -7,7 +7,7 @@ use super::scenery::everything;
 use crate::model::{Formulation, Joints};
 
 fn refused(hand: Hand) -> String {
-    let result = MeshScene::new(hand, Formulation::Rncf, Joints::Eliminated);
+    let result = MeshScene::new(Box::new(hand), Formulation::Rncf, Joints::Eliminated);
     result.err().expect("the scene makes no sense").message
 }
 

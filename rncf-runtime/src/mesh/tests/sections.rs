@@ -220,7 +220,7 @@ pub fn everything_with_sections() -> Hand {
 }
 
 /// The scene of one body in the inertial frame, with its joints.
-fn alone(body: BodySpec, kinds: &[JointKind], joints: Joints) -> Result<MeshScene<Hand>, crate::ModelError> {
+fn alone(body: BodySpec, kinds: &[JointKind], joints: Joints) -> Result<MeshScene, crate::ModelError> {
     let hand = Hand {
         frames: vec!["inertial"],
         joints: kinds.iter().map(|&kind| joint("end", kind, 0, true, 0)).collect(),
@@ -243,7 +243,7 @@ fn alone(body: BodySpec, kinds: &[JointKind], joints: Joints) -> Result<MeshScen
         ],
         ..Hand::default()
     };
-    MeshScene::new(hand, Formulation::Rncf, joints)
+    MeshScene::new(Box::new(hand), Formulation::Rncf, joints)
 }
 
 #[test]
@@ -403,7 +403,7 @@ fn mean_axes_tie_the_turning_of_a_straight_body_with_a_section() {
         bodies: vec![rod.clone()],
         ..Hand::default()
     };
-    let mut scene = MeshScene::new(hand, Formulation::Rncf, Joints::Eliminated).unwrap();
+    let mut scene = MeshScene::new(Box::new(hand), Formulation::Rncf, Joints::Eliminated).unwrap();
     assert_eq!(scene.constraints(), 6);
     let mut state = scene.rest(0.0);
     for within in 0..rod.vectors() {
@@ -438,7 +438,7 @@ fn a_centre_line_carries_what_its_energy_says() {
         ],
         ..Hand::default()
     };
-    let mut scene = MeshScene::new(hand, Formulation::Rncf, Joints::Eliminated).unwrap();
+    let mut scene = MeshScene::new(Box::new(hand), Formulation::Rncf, Joints::Eliminated).unwrap();
     // r = (x, c x^2/2), which the shape functions contain: r_x = (1, c x), r_xx = (0, c).
     let c: f64 = -0.4;
     let mut state = scene.rest(0.0);

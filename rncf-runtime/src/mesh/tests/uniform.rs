@@ -28,7 +28,7 @@ fn dense(pattern: &Pattern, values: &[f64]) -> Vec<Vec<f64>> {
 
 /// `M a + f + C_x^T lambda` with the velocities and accelerations of the uniform motion, to which rates are
 /// added: v + y', a + g y'.
-fn balance(scene: &mut MeshScene<Hand>, at: &Uniform, state: &State, rates: [&[f64]; 2]) -> Vec<f64> {
+fn balance(scene: &mut MeshScene, at: &Uniform, state: &State, rates: [&[f64]; 2]) -> Vec<f64> {
     let mut state = state.clone();
     scene.uniform_state(at, &mut state);
     for i in 0..state.x.len() {
@@ -45,7 +45,7 @@ fn balance(scene: &mut MeshScene<Hand>, at: &Uniform, state: &State, rates: [&[f
     out
 }
 
-fn compare(what: &str, matrix: &[Vec<f64>], column: usize, [high, low]: [Vec<f64>; 2], scene: &MeshScene<Hand>) {
+fn compare(what: &str, matrix: &[Vec<f64>], column: usize, [high, low]: [Vec<f64>; 2], scene: &MeshScene) {
     let size = matrix
         .iter()
         .flatten()
@@ -108,7 +108,7 @@ fn small_motions_are_derivatives_in_corotating_axes() {
 }
 
 /// What a unit rate of one unknown adds to the accelerations: `2 W x y'` of positions, `w x y'` of orientations.
-fn coriolis(scene: &MeshScene<Hand>, state: &State, rotation: Vector, unknown: usize) -> Vec<f64> {
+fn coriolis(scene: &MeshScene, state: &State, rotation: Vector, unknown: usize) -> Vec<f64> {
     let mut result = vec![0.0; state.x.len()];
     let border = scene.layout.unknowns() - scene.layout.border();
     for frame in &scene.free {

@@ -1,12 +1,13 @@
 //! Elastic kernels of elements with many nodal vectors: for each integration rule one straight-line
 //! kernel of the fields at a point; the runtime carries nodal vectors there and back (`mesh/points.rs`).
 
+use super::particles::OnFields;
 use super::{Builder, Form, Quantity, State, rules};
 use crate::elements::{Interpolant, Library, NodalVector};
 use crate::lower::invariants::{Blocks, Invariant, Response};
 use crate::lower::kernel::Kernel;
 use crate::lower::quadratic::{base_vector, is_position, length_power, relative_shapes};
-use crate::lower::signature::Signature;
+use crate::lower::signature::{PointInputs, Signature};
 use crate::lower::variant::Variant;
 use crate::symbolic::{Cost, Id, linear::Vector};
 use crate::tensors::gauss_rule;
@@ -52,7 +53,7 @@ impl Groups {
         self.nodal.iter().map(Vec::len).max().unwrap_or(0)
     }
 
-    fn group(&self, of: Interpolant) -> usize {
+    pub(super) fn group(&self, of: Interpolant) -> usize {
         self.of.iter().position(|&group| group == of).unwrap_or(0)
     }
 }
@@ -81,6 +82,8 @@ pub struct FieldRule {
     pub shapes: Vec<Vec<Vec<f64>>>,
     /// Kernels at a point: force, tangent, energy.
     pub kernels: [Kernel; 3],
+    /// Kernels at a particle of the section that those at a point call, of a material given by its energy.
+    pub particles: Vec<Kernel>,
     /// Blocks of the stiffness.
     pub stiffness: FieldBlocks,
     /// Blocks of the damping matrix, where damped.
@@ -96,6 +99,8 @@ pub struct FieldKernels {
     pub groups: Groups,
     /// One entry for each rule.
     pub rules: Vec<FieldRule>,
+    /// Particles of a section, of a material given by its energy; otherwise 0.
+    pub particles: usize,
 }
 
 /// Derives the kernels at a point.
@@ -106,7 +111,11 @@ pub fn field_kernels(variant: &Variant, library: &Library) -> FieldKernels {
         let [force, tangent, energy] = [Quantity::Force, Quantity::Tangent, Quantity::Energy].map(|quantity| {
             let mut builder = Builder::new(variant, library, Form::Fields, quantity);
             builder.rule = points;
-            builder.field_point(&groups)
+            if variant.material.is_some() {
+                builder.particle(&groups)
+            } else {
+                builder.field_point(&groups)
+            }
         });
         let shapes = shapes(variant, library, &groups, &tangent.fields, points);
         FieldRule {
@@ -118,11 +127,16 @@ pub fn field_kernels(variant: &Variant, library: &Library) -> FieldKernels {
             stiffness: tangent.stiffness.unwrap_or_else(no_blocks),
             damping: tangent.damping,
             references: tangent.references,
+            particles: [force.particle, tangent.particle, energy.particle]
+                .into_iter()
+                .flatten()
+                .collect(),
             kernels: [force.kernel, tangent.kernel, energy.kernel],
         }
     });
     FieldKernels {
         rules: rules.collect(),
+        particles: variant.material.as_ref().map_or(0, |material| material.section.count()),
         groups,
     }
 }
@@ -160,14 +174,19 @@ fn shapes(
         .collect()
 }
 
+/// Places and values.
+type Outputs = Vec<(String, Id)>;
+
 /// One kernel and what it turned out to depend on.
-struct Point {
-    kernel: Kernel,
-    fields: Vec<usize>,
-    groups: Vec<usize>,
-    stiffness: Option<FieldBlocks>,
-    damping: Option<FieldBlocks>,
-    references: usize,
+pub(super) struct Point {
+    pub kernel: Kernel,
+    /// What the kernel calls at every particle of the section.
+    pub particle: Option<Kernel>,
+    pub fields: Vec<usize>,
+    pub groups: Vec<usize>,
+    pub stiffness: Option<FieldBlocks>,
+    pub damping: Option<FieldBlocks>,
+    pub references: usize,
 }
 
 impl Builder<'_> {
@@ -180,7 +199,8 @@ impl Builder<'_> {
             self.field_symbols("v_")
         };
         let mut state = self.field_state(&fields, &rates, self.length);
-        self.to_unit(&mut state);
+        self.on_unit_element(&mut state);
+        let on_fields = self.respond(&state, &inputs, &input_rates);
         let used: Vec<usize> = (0..fields.len())
             .filter(|&field| state.invariants.iter().any(|it| it.i == field || it.j == field))
             .collect();
@@ -188,8 +208,7 @@ impl Builder<'_> {
             .iter()
             .map(|&field| groups.group(self.declared[field].of))
             .collect();
-        let (outputs, stiffness, damping) =
-            self.field_outputs(&state, &inputs, &input_rates, &used, (&group_of, groups.of.len()));
+        let (outputs, stiffness, damping) = self.field_outputs(&on_fields, &used, (&group_of, groups.of.len()));
         let names: Vec<&str> = used.iter().map(|&field| self.declared[field].name).collect();
         let inputs = ["", "v_"].map(|prefix| self.input_names(prefix, &used));
         let blocks = [&stiffness, &damping].map(|blocks| blocks.as_ref().map_or(0, |blocks| blocks.pairs.len()));
@@ -199,9 +218,21 @@ impl Builder<'_> {
             library: self.library,
             references,
         };
-        let kernel = signature.field_point(self.rule, self.quantity, self.graph, outputs, (&names, inputs, blocks));
+        let kernel = signature.field_point(
+            self.rule,
+            self.quantity,
+            self.graph,
+            outputs,
+            &PointInputs {
+                names,
+                inputs,
+                before: Vec::new(),
+                blocks,
+            },
+        );
         Point {
             kernel,
+            particle: None,
             fields: used,
             groups: group_of,
             stiffness,
@@ -211,13 +242,13 @@ impl Builder<'_> {
     }
 
     /// Text of the input for a component of a field: its derivative on the unit element.
-    fn input_name(&self, prefix: &str, field: usize, c: usize) -> String {
+    pub(super) fn input_name(&self, prefix: &str, field: usize, c: usize) -> String {
         let declared = self.declared[field];
         let unit = if length_power(declared) == 0 { "" } else { "unit_" };
         format!("{prefix}{unit}{}_{}", declared.name, ["x", "y", "z"][c])
     }
 
-    fn input_names(&self, prefix: &str, fields: &[usize]) -> Vec<Vec<String>> {
+    pub(super) fn input_names(&self, prefix: &str, fields: &[usize]) -> Vec<Vec<String>> {
         let names = |&field: &usize| {
             (0..self.variant.dimension)
                 .map(|c| self.input_name(prefix, field, c))
@@ -248,7 +279,7 @@ impl Builder<'_> {
     }
 
     /// The stress on invariants of the fields as one on those of their derivatives on the unit element.
-    fn to_unit(&mut self, state: &mut State) {
+    fn on_unit_element(&mut self, state: &mut State) {
         let power = |builder: &Self, it: &Invariant| {
             length_power(builder.declared[it.i]) + length_power(builder.declared[it.j])
         };
@@ -266,15 +297,8 @@ impl Builder<'_> {
         }
     }
 
-    #[allow(clippy::type_complexity)]
-    fn field_outputs(
-        &mut self,
-        state: &State,
-        fields: &[Vector],
-        rates: &[Vector],
-        used: &[usize],
-        groups: (&[usize], usize),
-    ) -> (Vec<(String, Id)>, Option<FieldBlocks>, Option<FieldBlocks>) {
+    /// Force, tangent and energy of a stress on the inner products of fields.
+    fn respond(&mut self, state: &State, fields: &[Vector], rates: &[Vector]) -> OnFields {
         let response = Response {
             invariants: &state.invariants,
             stress: &state.stress,
@@ -283,24 +307,45 @@ impl Builder<'_> {
             vectors: fields,
             rates,
         };
+        let mut result = OnFields {
+            energy: state.energy,
+            force: Vec::new(),
+            stiffness: Vec::new(),
+            viscosity: None,
+        };
         match self.quantity {
-            Quantity::Energy | Quantity::Reference => (vec![("*energy".to_string(), state.energy)], None, None),
+            Quantity::Energy | Quantity::Reference => {}
+            Quantity::Force => result.force = response.force(&mut self.graph),
+            Quantity::Tangent => {
+                (result.stiffness, result.viscosity) = response.combined_tangent(&mut self.graph);
+            }
+        }
+        result
+    }
+
+    /// What a kernel writes, and which blocks these are.
+    pub(super) fn field_outputs(
+        &mut self,
+        on_fields: &OnFields,
+        used: &[usize],
+        groups: (&[usize], usize),
+    ) -> (Outputs, Option<FieldBlocks>, Option<FieldBlocks>) {
+        match self.quantity {
+            Quantity::Energy | Quantity::Reference => (vec![("*energy".to_string(), on_fields.energy)], None, None),
             Quantity::Force => {
-                let force = response.force(&mut self.graph);
                 let mut outputs = Vec::new();
                 for (place, &field) in used.iter().enumerate() {
-                    for (c, &value) in force[field].iter().enumerate() {
+                    for (c, &value) in on_fields.force[field].iter().enumerate() {
                         outputs.push((format!("forces[{place}][{c}]"), value));
                     }
                 }
                 (outputs, None, None)
             }
             Quantity::Tangent => {
-                let symmetric = state.viscosity.is_empty();
-                let (stiffness, viscosity) = response.combined_tangent(&mut self.graph);
-                let (mut outputs, stiffness) = self.blocks(&stiffness, "stiffness", symmetric, used, groups);
-                let damping = viscosity.map(|viscosity| {
-                    let (more, damping) = self.blocks(&viscosity, "damping_matrix", true, used, groups);
+                let symmetric = on_fields.viscosity.is_none();
+                let (mut outputs, stiffness) = self.blocks(&on_fields.stiffness, "stiffness", symmetric, used, groups);
+                let damping = on_fields.viscosity.as_ref().map(|viscosity| {
+                    let (more, damping) = self.blocks(viscosity, "damping_matrix", true, used, groups);
                     outputs.extend(more);
                     damping
                 });
@@ -318,7 +363,7 @@ impl Builder<'_> {
         symmetric: bool,
         used: &[usize],
         (groups, count): (&[usize], usize),
-    ) -> (Vec<(String, Id)>, FieldBlocks) {
+    ) -> (Outputs, FieldBlocks) {
         let all = (0..count).flat_map(|g| (0..count).map(move |h| (g, h)));
         let all = all.filter(|&(g, h)| !symmetric || g <= h);
         let (mut outputs, mut list) = (Vec::new(), no_blocks());
@@ -382,7 +427,13 @@ impl FieldKernels {
                 Quantity::Tangent => blocks * dimension * dimension * size * size,
                 Quantity::Energy | Quantity::Reference => 1,
             };
-            cost = cost + (kernel.cost() + pairs(states * to + back)) * rule.points;
+            let particle = match quantity {
+                Quantity::Force => rule.particles.first(),
+                Quantity::Tangent => rule.particles.get(1),
+                Quantity::Energy | Quantity::Reference => rule.particles.get(2),
+            };
+            let inside = particle.map_or(kernel.cost(), |particle| particle.cost() * self.particles);
+            cost = cost + (inside + pairs(states * to + back)) * rule.points;
         }
         cost
     }

@@ -3,6 +3,7 @@
 
 mod fields;
 mod nodal;
+mod particles;
 mod points;
 mod stress;
 mod tensor;
@@ -14,6 +15,7 @@ pub use fields::{FieldBlocks, FieldKernels, FieldRule, Groups, field_kernels};
 use crate::elements::{Element, Field, Library, NodalVector};
 use crate::lower::invariants::{Blocks, Invariant};
 use crate::lower::kernel::{Kernel, PointLoop};
+use crate::lower::material::{Density, Material};
 use crate::lower::quadratic::{base_vector, is_position};
 use crate::lower::signature::Signature;
 use crate::lower::variant::Variant;
@@ -57,6 +59,10 @@ pub fn points(element: &Element, quadrature: Quadrature) -> usize {
 /// Numbers of integration points that the terms of the energy ask for, each once, in the order of the terms.
 pub fn rules(variant: &Variant, element: &Element) -> Vec<usize> {
     let default = points(element, variant.quadrature);
+    if variant.material.is_some() {
+        // Gradients and strains of the axis are in one energy, so that two points are not enough.
+        return vec![default];
+    }
     let (_, terms) = element.terms_in(variant.dimension, &variant.options);
     let mut rules = Vec::new();
     for term in terms {
@@ -126,17 +132,25 @@ struct Builder<'a> {
     /// Measures at the points before.
     passed: usize,
     points: Option<PointLoop>,
+    /// Energy of the material, where it is given by one, and the particle's place in the section.
+    density: Option<Density>,
+    particle_y: Id,
+    particle_z: Id,
 }
 
 impl<'a> Builder<'a> {
     fn new(variant: &'a Variant, library: &'a Library, form: Form, quantity: Quantity) -> Self {
         let element = variant.declaration(library);
-        let mut graph = Graph::new();
+        let mut density = variant.material.as_ref().map(Material::density);
+        let mut graph = density
+            .as_mut()
+            .map_or_else(Graph::new, |density| std::mem::take(&mut density.graph));
         let length = graph.symbol("length");
         let one = graph.one();
         let inverse_length = graph.divide(one, length);
         graph.name(inverse_length, "inverse_length");
         let damping = graph.symbol("damping");
+        let [particle_y, particle_z] = ["y", "z"].map(|name| graph.symbol(name));
         let coefficients = element
             .coefficients
             .iter()
@@ -163,6 +177,9 @@ impl<'a> Builder<'a> {
             references: Vec::new(),
             rule: 0,
             passed: 0,
+            density,
+            particle_y,
+            particle_z,
             points: None,
             graph,
         };

@@ -17,7 +17,7 @@ fn beam() -> ElementId {
 }
 
 fn variant(dimension: usize, damped: bool) -> Variant {
-    let mut variant = Variant::of(&base().bodies[0], &Library::standard());
+    let mut variant = Variant::of(&base(), &base().bodies[0], &Library::standard());
     (variant.element, variant.dimension, variant.damped) = (beam(), dimension, damped);
     variant
 }

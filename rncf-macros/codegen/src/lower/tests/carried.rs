@@ -16,6 +16,7 @@ fn variant(element: &str, dimension: usize) -> Variant {
         evaluation: Evaluation::Automatic,
         damped: false,
         curved: false,
+        material: None,
     }
 }
 

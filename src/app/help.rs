@@ -1,0 +1,63 @@
+//! What the help says of a model.
+
+use super::command::Command;
+use super::parameters::{in_unit, short};
+use crate::Model;
+
+/// The model in a sentence.
+pub(super) fn about<M: Model>() -> String {
+    let doc = M::DOC.trim();
+    if doc.is_empty() {
+        M::NAME.into()
+    } else {
+        format!("{}: {doc}", M::NAME)
+    }
+}
+
+/// Commands, parameters and outputs; `more` stands at the end.
+pub(super) fn after_help<M: Model>(default: Command, more: &str) -> String {
+    let rows = Command::ALL.map(|command| {
+        let mark = if command == default { " (default)" } else { "" };
+        [command.name().into(), String::new(), format!("{}{mark}", command.doc())]
+    });
+    let mut text = table("Commands:", rows.to_vec()).trim_start().to_owned();
+    let params = M::params();
+    let rows = params
+        .iter()
+        .map(|p| [p.name.into(), in_unit(p, p.default), p.doc.into()]);
+    text += &table("Parameters, with defaults:", rows.collect());
+    let outputs = M::outputs();
+    let unit = |o: &crate::Output| match o.components {
+        [] => format!("[{}]", o.unit),
+        components => format!("[{}] ({})", o.unit, components.join(", ")),
+    };
+    let rows = outputs.iter().map(|o| [o.name.into(), unit(o), o.doc.into()]);
+    text += &table("Outputs:", rows.collect());
+    let run = M::default().run();
+    let (t_end, every) = (short(run.t_end), short(run.every));
+    text += &format!("\nThe model runs to {t_end} s with a row every {every} s.");
+    text += more;
+    text
+}
+
+/// Lines of three columns under a title; nothing without rows.
+fn table(title: &str, rows: Vec<[String; 3]>) -> String {
+    if rows.is_empty() {
+        return String::new();
+    }
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let (first, second) = (width(0), width(1));
+    let mut text = format!("\n{title}\n");
+    for [name, value, doc] in &rows {
+        let doc = doc.split_whitespace().collect::<Vec<_>>().join(" ");
+        let value = if second > 0 {
+            format!("{value:second$}  ")
+        } else {
+            String::new()
+        };
+        let line = format!("  {name:first$}  {value}{doc}");
+        text += line.trim_end();
+        text.push('\n');
+    }
+    text
+}

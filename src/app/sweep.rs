@@ -1,0 +1,456 @@
+//! Equilibria one after the other along a parameter, along the spin or along the load: the way that
+//! `steady`, `static` and `campbell` share; nothing is printed or written here.
+
+use super::history::Column;
+use super::parameters::digits;
+use super::run::RunError;
+use crate::equilibrium::{Continued, Kind, Spin, Uniform, continue_from, follow};
+use crate::error::SolveErrorKind;
+use crate::{Formulation, Joints, Model, ParamKind, Scene, SolveError, State};
+
+/// A parameter that is continued from one value to another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Index in [`Model::params`]; a quantity, not a count.
+    pub param: usize,
+    /// First value, SI.
+    pub from: f64,
+    /// Last value, SI; may be less than the first one.
+    pub to: f64,
+}
+
+/// Which equilibria are looked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SweepSettings {
+    /// Time whose motions, loads and constraints hold, s; `None`: the model's end time.
+    pub at: Option<f64>,
+    /// Parameter that is continued; `None`: the spin or the load grows from nothing.
+    pub range: Option<Range>,
+    /// Number of continuation steps; more are taken where Newton's iteration needs shorter ones.
+    pub steps: u32,
+    /// Rotation of what moves freely; `None`: that of the prescribed frames or of the declared start.
+    pub spin: Option<Spin>,
+    /// Number of modes.
+    pub count: usize,
+}
+
+impl Default for SweepSettings {
+    /// 32 steps of the spin or load at the model's end time; eight modes.
+    fn default() -> Self {
+        Self {
+            at: None,
+            range: None,
+            steps: 32,
+            spin: None,
+            count: 8,
+        }
+    }
+}
+
+/// How far a sweep is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SweepProgress {
+    /// Part of the way, 0 to 1.
+    pub share: f64,
+    /// Value of the first column.
+    pub key: f64,
+}
+
+/// A step may be halved until there are this many in one.
+const PARTS: u64 = 2048;
+/// Most continuation steps that may be asked for.
+const MOST_STEPS: u32 = 1_000_000;
+/// Width to which critical values are located, part of the way.
+const WIDTH: f64 = 1e-7;
+
+/// The way and where on it the last equilibrium is.
+pub(super) struct Line<'m, M> {
+    model: &'m M,
+    kind: Kind,
+    settings: SweepSettings,
+    /// Spin at the end of the way, rad/s, where it grows.
+    full_spin: f64,
+    place: u64,
+    increment: u64,
+    scene: Box<dyn Scene>,
+    at: Uniform,
+    /// The last equilibria, at most two.
+    last: Found,
+    before: Option<Found>,
+    /// Newton iterations so far.
+    pub iterations: u64,
+}
+
+/// An equilibrium on the way.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    /// Part of the way, 0 to 1.
+    pub share: f64,
+    pub state: State,
+    /// As [`Continued::negative`].
+    pub negative: Option<usize>,
+}
+
+/// The last equilibrium, to look at.
+pub(super) struct Station<'l> {
+    /// Value of the first column.
+    pub key: f64,
+    pub scene: &'l mut dyn Scene,
+    pub at: Uniform,
+    pub state: &'l State,
+    /// Angular velocity, rad/s.
+    pub spin: f64,
+}
+
+impl<'m, M: Model> Line<'m, M> {
+    /// The first equilibrium: at the first value of the parameter, or without spin and loads.
+    ///
+    /// # Errors
+    /// Settings out of range, a model that cannot be built, and the reason why there is no equilibrium.
+    pub fn start(model: &'m M, kind: Kind, settings: &SweepSettings) -> Result<Self, RunError> {
+        check::<M>(settings)?;
+        let (mut scene, at) = placed(model, kind, settings, 0.0).map_err(|failure| match failure {
+            Unplaced::Model(error) => RunError::Model(error),
+            Unplaced::Time(text) => RunError::Settings(text),
+        })?;
+        let mut iterations = 0;
+        let (state, negative) = match settings.range {
+            Some(range) => {
+                let found = follow(scene.as_mut(), &at, 1.0, |_, _| ());
+                let found = found.map_err(|error| {
+                    let value = value_of::<M>(range.param, range.from);
+                    RunError::Equilibrium(format!("at {value}: {}", reason(&error, true)))
+                })?;
+                iterations = u64::from(found.iterations());
+                let last = found.path.last();
+                (
+                    last.map_or_else(|| scene.uniform_guess(&at), |step| step.state.clone()),
+                    last.and_then(|step| step.negative),
+                )
+            }
+            None => {
+                let mut rest = scene.uniform_guess(&at);
+                scene.uniform_state(&at, &mut rest);
+                (rest, None)
+            }
+        };
+        let full_spin = spin(scene.as_ref(), &Uniform { scale: 1.0, ..at });
+        Ok(Self {
+            model,
+            kind,
+            settings: *settings,
+            full_spin,
+            place: 0,
+            increment: PARTS,
+            scene,
+            at,
+            last: Found {
+                share: 0.0,
+                state,
+                negative,
+            },
+            before: None,
+            iterations,
+        })
+    }
+
+    /// Head of the first column: the parameter in its declared unit, the spin, or the load factor.
+    pub fn column(&self) -> Column {
+        match (self.settings.range, self.kind) {
+            (Some(range), _) => {
+                let param = &M::params()[range.param];
+                Column {
+                    name: param.name.into(),
+                    unit: if param.unit.is_empty() { "1" } else { param.unit },
+                }
+            }
+            (None, Kind::Steady) => Column {
+                name: "spin".into(),
+                unit: "rad/s",
+            },
+            (None, Kind::Static) => Column {
+                name: "load_factor".into(),
+                unit: "1",
+            },
+        }
+    }
+
+    /// Value of the first column at a part of the way.
+    pub fn key(&self, share: f64) -> f64 {
+        match (self.settings.range, self.kind) {
+            (Some(range), _) => between(range, share) / M::params()[range.param].unit_si,
+            (None, Kind::Steady) => share * self.full_spin,
+            (None, Kind::Static) => share,
+        }
+    }
+
+    /// The last equilibrium.
+    pub fn station(&mut self) -> Station<'_> {
+        Station {
+            key: self.key(self.last.share),
+            spin: spin(self.scene.as_ref(), &self.at),
+            scene: self.scene.as_mut(),
+            at: self.at,
+            state: &self.last.state,
+        }
+    }
+
+    /// The last equilibrium and the one before it.
+    pub fn last_two(&self) -> (Option<&Found>, &Found) {
+        (self.before.as_ref(), &self.last)
+    }
+
+    /// Whether the end of the way is reached.
+    pub fn is_done(&self) -> bool {
+        self.place == self.total()
+    }
+
+    /// How far it is.
+    pub fn progress(&self) -> SweepProgress {
+        SweepProgress {
+            share: self.last.share,
+            key: self.key(self.last.share),
+        }
+    }
+
+    /// The next equilibrium; the step is halved where Newton's iteration fails.
+    ///
+    /// # Errors
+    /// Why there is none, with the value beyond which.
+    pub fn advance(&mut self) -> Result<(), String> {
+        loop {
+            let target = (self.place + self.increment).min(self.total());
+            match self.attempt(target as f64 / self.total() as f64) {
+                Ok(()) => {
+                    self.place = target;
+                    if self.increment < PARTS && target.is_multiple_of(2 * self.increment) {
+                        self.increment *= 2;
+                    }
+                    return Ok(());
+                }
+                Err(text) if self.increment == 1 => {
+                    let Column { name, unit } = self.column();
+                    let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+                    let key = digits(self.key(self.last.share), 7);
+                    return Err(format!("beyond {name} = {key}{unit}: {text}"));
+                }
+                Err(_) => self.increment /= 2,
+            }
+        }
+    }
+
+    fn total(&self) -> u64 {
+        u64::from(self.settings.steps) * PARTS
+    }
+
+    fn attempt(&mut self, share: f64) -> Result<(), String> {
+        let (mut scene, at) =
+            placed(self.model, self.kind, &self.settings, share).map_err(|failure| failure.to_string())?;
+        let guess = self.predicted(scene.as_ref(), share)?;
+        let mut found = continue_from(scene.as_mut(), &at, &guess);
+        if found.is_err() && guess.x != self.last.state.x {
+            found = continue_from(scene.as_mut(), &at, &self.last.state);
+        }
+        let found = found.map_err(|error| reason(&error, self.settings.range.is_some()))?;
+        self.iterations += u64::from(found.iterations);
+        let found = Found {
+            share,
+            state: found.state,
+            negative: found.negative,
+        };
+        self.before = Some(std::mem::replace(&mut self.last, found));
+        (self.scene, self.at) = (scene, at);
+        Ok(())
+    }
+
+    /// On the secant through the last two equilibria; orientations as in the last one.
+    fn predicted(&self, scene: &dyn Scene, share: f64) -> Result<State, String> {
+        let mut guess = self.last.state.clone();
+        if guess.x.len() != scene.unknowns() || guess.lambda.len() != scene.constraints() {
+            return Err("the number of unknowns changes: the equilibria do not continue each other".into());
+        }
+        let Some(before) = &self.before else {
+            return Ok(guess);
+        };
+        let ratio = (share - self.last.share) / (self.last.share - before.share);
+        let carried = |to: &mut [f64], from: &[f64]| {
+            for (value, earlier) in to.iter_mut().zip(from) {
+                *value += ratio * (*value - earlier);
+            }
+        };
+        carried(&mut guess.x, &before.state.x);
+        carried(&mut guess.lambda, &before.state.lambda);
+        for &turn in scene.turns() {
+            guess.x[turn..turn + 3].copy_from_slice(&self.last.state.x[turn..turn + 3]);
+        }
+        Ok(guess)
+    }
+
+    /// Where between two equilibria the number of negative directions changes: the value of the first
+    /// column and by how many the number rises. `count` tells it at an equilibrium.
+    pub fn critical(
+        &mut self,
+        low: &Found,
+        high: &Found,
+        [before, after]: [usize; 2],
+        mut count: impl FnMut(&mut dyn Scene, &Uniform, &Continued) -> Option<usize>,
+    ) -> Vec<(f64, isize)> {
+        let mut found = Vec::new();
+        let mut open = vec![(low.share, low.state.clone(), before, high.share, after)];
+        while let Some((low, state, before, high, after)) = open.pop() {
+            if before == after {
+                continue;
+            }
+            let middle = 0.5 * (low + high);
+            let between = if high - low > WIDTH {
+                self.looked_at(middle, &state, &mut count)
+            } else {
+                None
+            };
+            match between {
+                Some((at_middle, number)) => {
+                    open.push((middle, at_middle, number, high, after));
+                    open.push((low, state, before, middle, number));
+                }
+                None => found.push((self.key(middle), after as isize - before as isize)),
+            }
+        }
+        found
+    }
+
+    /// The equilibrium near a guess at a part of the way, and its number of negative directions.
+    fn looked_at(
+        &mut self,
+        share: f64,
+        guess: &State,
+        count: &mut impl FnMut(&mut dyn Scene, &Uniform, &Continued) -> Option<usize>,
+    ) -> Option<(State, usize)> {
+        let (mut scene, at) = placed(self.model, self.kind, &self.settings, share).ok()?;
+        let found = continue_from(scene.as_mut(), &at, guess).ok()?;
+        self.iterations += u64::from(found.iterations);
+        let number = count(scene.as_mut(), &at, &found)?;
+        Some((found.state, number))
+    }
+}
+
+/// Why there is no scene at a part of the way.
+enum Unplaced {
+    Model(crate::ModelError),
+    Time(String),
+}
+
+impl std::fmt::Display for Unplaced {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Unplaced::Model(error) => error.fmt(f),
+            Unplaced::Time(text) => f.write_str(text),
+        }
+    }
+}
+
+/// The scene at a part of the way, and its uniform motion; eliminated joints give the same equilibrium
+/// with fewer unknowns.
+fn placed<M: Model>(
+    model: &M,
+    kind: Kind,
+    settings: &SweepSettings,
+    share: f64,
+) -> Result<(Box<dyn Scene>, Uniform), Unplaced> {
+    let mut model = model.clone();
+    let mut scale = share;
+    if let Some(range) = settings.range {
+        model.set(range.param, between(range, share));
+        scale = 1.0;
+    }
+    let t = time(&model, settings).map_err(Unplaced::Time)?;
+    let scene = model
+        .build(Formulation::Rncf, Joints::Eliminated)
+        .map_err(Unplaced::Model)?;
+    let at = Uniform {
+        t,
+        scale,
+        kind,
+        spin: settings.spin,
+    };
+    Ok((scene, at))
+}
+
+/// The time whose motions and loads hold, s.
+pub(super) fn time<M: Model>(model: &M, settings: &SweepSettings) -> Result<f64, String> {
+    let t = settings.at.unwrap_or_else(|| model.run().t_end);
+    if t >= 0.0 && t.is_finite() {
+        Ok(t)
+    } else {
+        Err(format!("the time is {t} s; it must not be negative"))
+    }
+}
+
+/// The model with the last value of the parameter that is continued.
+pub(super) fn at_the_end<M: Model>(model: &M, settings: &SweepSettings) -> M {
+    let mut model = model.clone();
+    if let Some(range) = settings.range {
+        model.set(range.param, range.to);
+    }
+    model
+}
+
+/// Angular velocity of a uniform motion, rad/s.
+pub(super) fn spin(scene: &dyn Scene, at: &Uniform) -> f64 {
+    let full = match at.spin {
+        Some(spin) => crate::vector::norm(spin.velocity),
+        None => scene.spin(at.t),
+    };
+    at.speed() * full
+}
+
+fn between(range: Range, share: f64) -> f64 {
+    if share == 1.0 {
+        range.to
+    } else {
+        range.from + share * (range.to - range.from)
+    }
+}
+
+/// A parameter and its value in the declared unit.
+pub(super) fn value_of<M: Model>(param: usize, value: f64) -> String {
+    let param = &M::params()[param];
+    format!("{} = {}", param.name, super::parameters::in_unit(param, value))
+}
+
+/// Why there is no equilibrium; with `whole`, the scale is always 1 and says nothing.
+pub(super) fn reason(error: &SolveError, whole: bool) -> String {
+    let mut text = error.to_string();
+    if let (true, SolveErrorKind::NoEquilibrium(_)) = (whole, &error.kind) {
+        for scale in [" beyond 1 of the angular velocity", " beyond 1 of the load"] {
+            text = text.replace(scale, "");
+        }
+    }
+    text
+}
+
+fn check<M: Model>(settings: &SweepSettings) -> Result<(), RunError> {
+    if !(1..=MOST_STEPS).contains(&settings.steps) {
+        let text = format!("{} steps: the number lies between 1 and {MOST_STEPS}", settings.steps);
+        return Err(RunError::Settings(text));
+    }
+    let Some(range) = settings.range else {
+        return Ok(());
+    };
+    let Some(param) = M::params().get(range.param) else {
+        return Err(RunError::Settings(format!(
+            "{} has no parameter {}",
+            M::NAME,
+            range.param
+        )));
+    };
+    let problem = if param.kind == ParamKind::Count {
+        "a count does not change continuously: give one value"
+    } else if !(range.from.is_finite() && range.to.is_finite()) {
+        "the range is not finite"
+    } else if range.from == range.to {
+        "the range begins where it ends: give one value"
+    } else {
+        return Ok(());
+    };
+    Err(RunError::Settings(format!("`{}`: {problem}", param.name)))
+}

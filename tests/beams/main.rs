@@ -1,0 +1,11 @@
+//! Scenes of beams with cross-sections against references that were written by hand from THEORY.
+
+mod buckling;
+mod cantilever;
+mod curved;
+mod motor;
+mod motor_runs;
+mod roll_up;
+mod runs;
+mod scenes;
+mod statics;

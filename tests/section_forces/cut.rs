@@ -1,0 +1,130 @@
+//! Section states of a body beside what they must be for the cut part to be in equilibrium in the deformed
+//! shape: the force is the dead force at the tip, the moment that of the tip and `(r_tip - r) x F`.
+
+use rncf::Scene;
+use rncf::equilibrium::{Uniform, static_load};
+use rncf::mesh::SectionState;
+use rncf::vector::{Vector, add, cross, dot, norm, scale, subtract};
+
+/// Place and axes (x along `r_y x r_z`) of a section in the deformed shape.
+#[derive(Clone, Copy, Debug)]
+pub struct Section {
+    pub position: Vector,
+    pub axes: [Vector; 3],
+}
+
+/// What a body is made of, for the order of its nodal vectors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    PlanarCable,
+    PlanarBeam,
+    SpatialBeam,
+}
+
+impl Kind {
+    /// Vectors of a node, vectors from one node to the next, components.
+    fn counts(self) -> [usize; 3] {
+        match self {
+            Kind::PlanarCable => [2, 2, 2],
+            Kind::PlanarBeam => [3, 4, 2],
+            Kind::SpatialBeam => [4, 6, 3],
+        }
+    }
+
+    /// Numbers of a body.
+    pub fn size(self, elements: usize) -> usize {
+        let [node, stride, dimension] = self.counts();
+        (elements * stride + node) * dimension
+    }
+}
+
+fn unit(u: Vector) -> Vector {
+    scale(1.0 / norm(u), u)
+}
+
+/// Sections at the start, in the middle and at the end of every element, from the body's nodal vectors.
+pub fn sections(kind: Kind, elements: usize, length: f64, q: &[f64]) -> Vec<Section> {
+    let [_, stride, dimension] = kind.counts();
+    let at = |element: usize, vector: usize| -> Vector {
+        let mut found = [0.0; 3];
+        let first = (element * stride + vector) * dimension;
+        found[..dimension].copy_from_slice(&q[first..first + dimension]);
+        found
+    };
+    let h = length / elements as f64;
+    let normal = [0.0, 0.0, 1.0];
+    let axes = |slope: Vector, y: Vector, z: Vector| match kind {
+        Kind::PlanarCable => {
+            let along = unit(slope);
+            [along, cross(normal, along), normal]
+        }
+        Kind::PlanarBeam => [unit(cross(y, normal)), unit(y), normal],
+        Kind::SpatialBeam => {
+            let (along, y) = (unit(cross(y, z)), unit(y));
+            [along, y, cross(along, y)]
+        }
+    };
+    let mut found = Vec::new();
+    for element in 0..elements {
+        let next = element + 1;
+        let [r0, s0, r1, s1] = [at(element, 0), at(element, 1), at(next, 0), at(next, 1)];
+        // Hermite polynomials in the middle.
+        let middle = add(scale(0.5, add(r0, r1)), scale(h / 8.0, subtract(s0, s1)));
+        let slope = add(scale(1.5 / h, subtract(r1, r0)), scale(-0.25, add(s0, s1)));
+        let inside = |place: usize| match kind {
+            Kind::PlanarCable => [[0.0; 3]; 2],
+            Kind::PlanarBeam => [at(element, [2, 3, 6][place]), [0.0; 3]],
+            Kind::SpatialBeam => [at(element, [2, 4, 8][place]), at(element, [3, 5, 9][place])],
+        };
+        for (place, (position, slope)) in [(r0, s0), (middle, slope), (r1, s1)].into_iter().enumerate() {
+            let [y, z] = inside(place);
+            let axes = axes(slope, y, z);
+            found.push(Section { position, axes });
+        }
+    }
+    found
+}
+
+/// The static equilibrium of a scene at t = 0: section states of all bodies, and all nodal vectors.
+pub fn at_rest(scene: &mut dyn Scene) -> (Vec<SectionState>, Vec<f64>) {
+    let found = static_load(scene, 0.0).unwrap();
+    let state = found.state().unwrap();
+    let mut states = Vec::new();
+    scene.uniform_section_states(&Uniform::at_rest(0.0), state, &mut states);
+    (states, scene.frame_state(state).q)
+}
+
+/// Largest errors of axial force, shear, torque and moments against the equilibrium of the cut part, over
+/// force and moment at the root.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Errors {
+    pub axial: f64,
+    pub shear: f64,
+    pub torque: f64,
+    pub moment: f64,
+}
+
+/// Compares the states of a body with a dead force and moment at its tip.
+pub fn errors(kind: Kind, sections: &[Section], states: &[SectionState], [force, moment]: [Vector; 2]) -> Errors {
+    assert_eq!(sections.len(), states.len());
+    let tip = sections.last().unwrap().position;
+    let of = |section: &Section| add(moment, cross(subtract(tip, section.position), force));
+    let (size, lever) = (norm(force).max(1e-300), norm(of(&sections[0])));
+    let mut errors = Errors::default();
+    for (section, state) in sections.iter().zip(states) {
+        let [n, qy, qz] = section.axes.map(|axis| dot(axis, force));
+        let [t, my, mz] = section.axes.map(|axis| dot(axis, of(section)));
+        let larger = |error: &mut f64, found: f64, wanted: f64, size: f64| {
+            *error = error.max((found - wanted).abs() / size);
+        };
+        larger(&mut errors.axial, state.forces[0], n, size);
+        if kind != Kind::PlanarCable {
+            larger(&mut errors.shear, state.forces[1], qy, size);
+            larger(&mut errors.shear, state.forces[2], qz, size);
+        }
+        larger(&mut errors.torque, state.moments[0], t, lever);
+        larger(&mut errors.moment, state.moments[1], my, lever);
+        larger(&mut errors.moment, state.moments[2], mz, lever);
+    }
+    errors
+}

@@ -1,0 +1,8 @@
+//! What sections carry, against closed forms and equilibrium of cut parts.
+
+mod broken;
+mod cut;
+mod envelopes;
+mod models;
+mod rotation;
+mod statics;
