@@ -114,10 +114,16 @@ fn neo_hookean_bar_in_tension_and_compression() {
     let area = std::f64::consts::PI * 1e-4;
     for pull in [-60.0, 0.0, 50.0, 150.0, 400.0] {
         let [along, across] = stretches(pull / area);
-        let model = Materials { pull, ..Materials::default() };
+        let model = Materials {
+            pull,
+            ..Materials::default()
+        };
         let row = at_rest(&model, WAYS[0]);
         let errors = [row[6] / 0.3 - along, row[10] - across];
-        println!("{pull} N: stretch {along:.6}, {across:.6}, off by {errors:?}; tension {}", row[21]);
+        println!(
+            "{pull} N: stretch {along:.6}, {across:.6}, off by {errors:?}; tension {}",
+            row[21]
+        );
         assert!(errors.iter().all(|error| error.abs() < 1e-9), "{errors:?}");
     }
 }
@@ -125,7 +131,13 @@ fn neo_hookean_bar_in_tension_and_compression() {
 /// The lowest longitudinal vibration, kicked in its own shape, decays as that of a rod.
 #[test]
 fn damping_dissipates_as_in_a_rod() {
-    let model = Materials { bend: 0.0, turn: 0.0, damping: 5e-4, kick: 0.05, ..Materials::default() };
+    let model = Materials {
+        bend: 0.0,
+        turn: 0.0,
+        damping: 5e-4,
+        kick: 0.05,
+        ..Materials::default()
+    };
     let young: f64 = MU * (3.0 * LAMBDA + 2.0 * MU) / (LAMBDA + MU);
     let own = std::f64::consts::PI / 0.6 * (young / 1100.0).sqrt();
     let rate = own * own * model.damping / 2.0;

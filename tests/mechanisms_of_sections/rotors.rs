@@ -78,7 +78,11 @@ fn jeffcott(speed: f64, stiffness: f64, damping: f64) -> [f64; 2] {
 fn unbalance_response_of_isotropic_bearings() {
     for damping in [0.0, 500.0] {
         for speed in [50.0, 150.0, 180.0, 200.0, 300.0, 600.0] {
-            let model = Rotor { speed, damping, ..Rotor::default() };
+            let model = Rotor {
+                speed,
+                damping,
+                ..Rotor::default()
+            };
             let expected = jeffcott(speed, 2e5, damping);
             let size = expected[0].hypot(expected[1]);
             for (formulation, joints) in [WAYS[0], WAYS[1]] {
@@ -87,7 +91,10 @@ fn unbalance_response_of_isotropic_bearings() {
                 let mut row = vec![0.0; scene.output_columns()];
                 scene.uniform_outputs(&Uniform::steady(0.0), found.state().unwrap(), &mut row);
                 let error = (row[4] - expected[0]).hypot(row[5] - expected[1]) / size;
-                println!("{speed} rad/s, {damping} N s/m: {:.6e} {:.6e}, off by {error:.1e}", row[4], row[5]);
+                println!(
+                    "{speed} rad/s, {damping} N s/m: {:.6e} {:.6e}, off by {error:.1e}",
+                    row[4], row[5]
+                );
                 assert!(error < 1e-4, "{error}");
             }
         }
@@ -127,7 +134,11 @@ fn unbalance_response_of_anisotropic_bearings() {
 fn shaft_that_spins_freely() {
     for speed in [100.0, 400.0] {
         let whirl = jeffcott(speed, 2e5, 0.0)[0];
-        let model = Spinning { speed, beside: whirl, ..Spinning::default() };
+        let model = Spinning {
+            speed,
+            beside: whirl,
+            ..Spinning::default()
+        };
         let mut first: Option<Vec<Vec<f64>>> = None;
         for way in WAYS {
             let mut scene = build(&model, way);

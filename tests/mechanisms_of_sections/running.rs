@@ -54,7 +54,10 @@ pub fn rows(scene: &mut dyn Scene, states: &[State]) -> Vec<Vec<f64>> {
 /// Largest difference of the columns `from..to`.
 pub fn apart(a: &[Vec<f64>], b: &[Vec<f64>], columns: std::ops::Range<usize>) -> f64 {
     assert_eq!(a.len(), b.len());
-    let pairs = a.iter().zip(b).flat_map(|(a, b)| columns.clone().map(|k| (a[k] - b[k]).abs()));
+    let pairs = a
+        .iter()
+        .zip(b)
+        .flat_map(|(a, b)| columns.clone().map(|k| (a[k] - b[k]).abs()));
     pairs.fold(0.0, f64::max)
 }
 
@@ -86,7 +89,11 @@ pub fn momenta(scene: &mut dyn Scene, state: &State) -> [f64; 6] {
             });
             *pose = Pose {
                 velocity: if k < 3 { unit } else { turning },
-                spin: if k < 3 { [0.0; 3] } else { std::array::from_fn(|i| matrix[k - 3][i]) },
+                spin: if k < 3 {
+                    [0.0; 3]
+                } else {
+                    std::array::from_fn(|i| matrix[k - 3][i])
+                },
                 ..*pose
             };
         }

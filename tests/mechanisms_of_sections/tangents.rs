@@ -15,21 +15,39 @@ fn both<M: Model>(model: &M) {
 
 #[test]
 fn driven_chain() {
-    both(&Driven { elements: 1, ..Driven::default() });
+    both(&Driven {
+        elements: 1,
+        ..Driven::default()
+    });
 }
 
 #[test]
 fn floating_chain() {
-    both(&Floating { elements: 1, ..Floating::default() });
+    both(&Floating {
+        elements: 1,
+        ..Floating::default()
+    });
 }
 
 #[test]
 fn rotors() {
-    both(&Rotor { damping: 300.0, stiffness_z: 3e5, ..Rotor::default() });
-    both(&Spinning { damping: 300.0, stiffness_z: 3e5, ..Spinning::default() });
+    both(&Rotor {
+        damping: 300.0,
+        stiffness_z: 3e5,
+        ..Rotor::default()
+    });
+    both(&Spinning {
+        damping: 300.0,
+        stiffness_z: 3e5,
+        ..Spinning::default()
+    });
 }
 
 #[test]
 fn materials() {
-    both(&Materials { damping: 1e-3, pull: 50.0, ..Materials::default() });
+    both(&Materials {
+        damping: 1e-3,
+        pull: 50.0,
+        ..Materials::default()
+    });
 }

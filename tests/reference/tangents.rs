@@ -113,9 +113,7 @@ fn compare(name: &str, what: &str, unknown: &str, ours: &[f64], differences: &[f
 /// # Panics
 /// Where one of them is not the derivative, naming it, or where there is no scene.
 pub fn compare_tangents<M: Model>(model: &M, formulation: Formulation, joints: Joints) {
-    let mut scene = model
-        .build(formulation, joints)
-        .expect("the model has a scene");
+    let mut scene = model.build(formulation, joints).expect("the model has a scene");
     let scene = scene.as_mut();
     let state = disturbed(scene);
     let name = format!("{} in {}", M::NAME, formulation.name());

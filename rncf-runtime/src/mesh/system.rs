@@ -279,7 +279,8 @@ impl<P: Parts> MeshScene<P> {
             .conditions
             .iter()
             .flat_map(|condition| condition.rows.iter().map(move |&row| (row, condition)));
-        rows.enumerate().map(|(column, (row, condition))| (column, row, condition))
+        rows.enumerate()
+            .map(|(column, (row, condition))| (column, row, condition))
     }
 
     /// Adds what free frames carry at the loaded state.
