@@ -56,7 +56,7 @@ impl<'a> Check<'a> {
         let mesh = self.mesh(item, statements, *complete, known.space);
         let axes = self.section_axes(statements, known.space, line.as_ref());
         let fidelity = self.fidelity(statements);
-        let mean_axes = self.mean_axes(statements, known.frame, known.space);
+        let mean_axes = self.mean_axes(item, statements, known.frame, known.space);
         let initial = self.initial(item, statements, known.space);
         if mean_axes {
             // In a prescribed frame that is a mistake of its own.

@@ -179,6 +179,12 @@ impl<'a> Check<'a> {
         let (of, vector, place) = match &base.kind {
             ExprKind::Member { base: place, field, .. } => match VECTORS.iter().find(|(word, _)| *word == field.text) {
                 Some((_, of)) => (*of, Some(field), place.as_ref()),
+                None if matches!(place.kind, ExprKind::Member { .. }) => {
+                    let known = VECTORS.iter().map(|(word, _)| *word);
+                    self.errors
+                        .at(field.span, suggest::unknown("direction at an end", &field.text, known));
+                    return None;
+                }
                 None => (model::Held::Position, None, base.as_ref()),
             },
             _ => {
@@ -192,8 +198,11 @@ impl<'a> Check<'a> {
         }
         known.body = Some(place.body);
         let Some(axis) = AXES.iter().position(|axis| *axis == field.text) else {
-            self.errors
-                .at(field.span, suggest::unknown("component", &field.text, AXES));
+            let message = match VECTORS.iter().find(|(word, _)| *word == field.text) {
+                Some((word, _)) => say::usage("hold", &format!("hold(beam.end.{word}.z)")),
+                None => suggest::unknown("component", &field.text, AXES),
+            };
+            self.errors.at(field.span, message);
             return None;
         };
         if let Some(normal) = place.body.space.and_then(normal).filter(|normal| *normal == axis) {

@@ -3,7 +3,7 @@
 use super::{Check, say};
 use crate::errors::Area;
 use crate::model::{Fidelity, FrameId, Motions, Space};
-use crate::parse::tree::Statement;
+use crate::parse::tree::{Item, Statement};
 
 impl<'a> Check<'a> {
     /// `modal(n);`, `small(n);`, `rigid;` or nothing; `None`: reported.
@@ -31,9 +31,11 @@ impl<'a> Check<'a> {
         found.map_or(Some(Fidelity::Full), |(fidelity, _)| fidelity)
     }
 
-    /// Whether there is `mean_axes;`: the frame must be free, alike in dimension, and no body itself.
+    /// Whether there is `mean_axes;`: the frame must be free, alike in dimension, and no body itself, and the body
+    /// described by all its nodal vectors.
     pub(super) fn mean_axes(
         &mut self,
+        item: &Item,
         statements: &'a [Statement],
         frame: Option<FrameId>,
         space: Option<Space>,
@@ -51,10 +53,20 @@ impl<'a> Check<'a> {
         }
         if let (Some(frame), Some(space)) = (frame, space) {
             let frame = &self.model.frames[frame.0];
+            let has_modes = statements
+                .iter()
+                .any(|statement| matches!(statement, Statement::Fidelity { .. }));
             let message = match frame.free.as_ref() {
                 Some(free) if free.is_body => say::mean_axes_of_body(&frame.name),
                 Some(free) => match (free.motions, space) {
-                    (Motions::Spatial, Space::Spatial) | (Motions::Planar { .. }, Space::Planar { .. }) => return true,
+                    (Motions::Spatial, Space::Spatial) | (Motions::Planar { .. }, Space::Planar { .. })
+                        if !has_modes =>
+                    {
+                        return true;
+                    }
+                    (Motions::Spatial, Space::Spatial) | (Motions::Planar { .. }, Space::Planar { .. }) => {
+                        say::mean_axes_of_modes(&item.name.text)
+                    }
                     (Motions::Planar { .. }, Space::Spatial) => say::MEAN_AXES_IN_SPACE.into(),
                     _ => say::mean_axes_of_held(&frame.name),
                 },

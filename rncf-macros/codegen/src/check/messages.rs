@@ -86,6 +86,7 @@ pub const FIXTURE_PLACE: &str =
     "a place for a fixture is expected here: `arm`, `arm.at([1, 0, 0] m)`, `beam.end` or `beam.at(4 m)`";
 pub const MEAN_AXES_IN_SPACE: &str =
     "mean axes of a spatial body turn in space, but its frame moves in a plane: leave out `plane`";
+pub const MOMENT_ABOUT_AXIS: &str = "the moment about the axis of a body is its `torque`";
 pub const NOT_MODES: &str =
     "a number of modes is a whole number of at least 1: write e.g. `4`, or a `param n: count = 4;`";
 pub const LONE_AXIS: &str = "an axis does nothing without an angle about it: add `angle = 30 deg`";
@@ -99,6 +100,11 @@ pub const SPATIAL_INERTIA: &str = "in space an inertia has three components `[xx
 pub const NOT_DEFINITE: &str = "no body has this inertia: all principal moments must be greater than zero";
 pub const NEGATIVE_INERTIA: &str = "no body has this inertia: no principal moment may be negative";
 pub const TRIANGLE: &str = "no body has this inertia: no principal moment is greater than the sum of the other two";
+
+/// A vector of quantities, or of plain numbers, is wanted.
+pub fn vector_wanted(what: &str, unit: &str) -> String {
+    not_a_vector(what, format!("[x, y, z] {unit}").trim_end_matches(" 1"))
+}
 
 messages! {
     reserved(name) = "`{name}` has a meaning of its own: choose another name";
@@ -118,7 +124,7 @@ messages! {
     wrong_dimension(what, kind, found) = "{what} is {kind}, but this is {found}";
     bare_angle(what, text) = "{what} needs a unit: `{text} rad` or `{text} deg`";
     plain_angle(what) = "{what} must show that it is one, but this is a plain number: give it `rad` or `deg`";
-    not_a_vector(what, unit) = "{what} is a vector: write `[x, y, z] {unit}`";
+    not_a_vector(what, example) = "{what} is a vector: write `{example}`";
     param_in_constant(name) = "`{name}` is a parameter, known at run time only: constants and defaults are made of constants";
     motion_without_time(name) = "`{name}` is a function of time: write `{name}(t)`";
     whole_thing(name, kind, example) = "`{name}` is a {kind}: say what of it, e.g. `{name}.{example}`";
@@ -171,6 +177,7 @@ messages! {
     hinge_leaves_plane(frame, plane, axis) = "`{frame}` turns out of the {plane} plane of the body: its hinge must have the axis `{axis}`, or the body be `spatial`";
     body_in_point_mass(name) = "`{name}` is a point mass, which has no axes for a body: give it `inertia`, or declare the body elsewhere and join the two";
     initial_of_modes(word, name) = "`{name}` is described by `{word}`, which starts undeformed and at rest in its frame: leave out `{word}` or the initial shape";
+    mean_axes_of_modes(name) = "`{name}` cannot have both mean axes and modes: clamp it in its frame instead of `mean_axes`";
     mean_axes_of_body(name) = "`{name}` is a rigid body and does not follow the mean axes of another one: declare the body in a `free` frame";
     mean_axes_of_held(name) = "mean axes move in all directions, but `{name}` does not: declare the body in a `free` frame";
     mean_axes_of_prescribed(name) = "`{name}` moves in the prescribed way and follows no mean axes: declare the body in a `free` frame";

@@ -171,6 +171,10 @@ impl<'a> Check<'a> {
                 _ => (PointQuantity::SectionZ, rest),
             },
             Some(("position", rest)) => (PointQuantity::Position, rest),
+            Some(("moment_x", _)) if place.has_section => {
+                self.errors.at(fields[0].span, say::MOMENT_ABOUT_AXIS);
+                return None;
+            }
             Some((word, _)) if !AXES.contains(&word) => {
                 let mut known = vec!["x", "y", "z", "velocity", "slope", "position"];
                 known.extend(known_words(&place));

@@ -107,7 +107,7 @@ impl<'a> Check<'a> {
         let vector = match self.value(expr, Scope::Force)? {
             Quantity::Vector(vector) => vector,
             Quantity::Scalar(_) => {
-                self.errors.at(expr.area, say::not_a_vector(wanted.what, wanted.unit));
+                self.errors.at(expr.area, say::vector_wanted(wanted.what, wanted.unit));
                 return None;
             }
         };

@@ -195,7 +195,7 @@ impl<'a> Check<'a> {
         wanted: Wanted,
     ) -> Option<(Vec<model::Expr>, Vec<Area>)> {
         let ExprKind::Vector { components, unit } = &expr.kind else {
-            self.errors.at(expr.area, say::not_a_vector(wanted.what, wanted.unit));
+            self.errors.at(expr.area, say::vector_wanted(wanted.what, wanted.unit));
             return None;
         };
         let values: Vec<Option<model::Expr>> = match unit {

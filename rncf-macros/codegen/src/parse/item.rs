@@ -351,6 +351,9 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
                 angle: Box::new(expr::expression(cursor)?),
             }
         }
+        "section_y" | "twist" if cursor.is_punct('=') => {
+            return Err(Mistake::new(cursor.here(), say::no_equals(&word.text)));
+        }
         "section_y" => Statement::SectionY {
             area,
             value: expr::expression(cursor)?,

@@ -19,6 +19,7 @@ messages! {
     missing_name(keyword) = "`{keyword}` needs a name: `{keyword} name ..`";
     after_model(found) = "one `model!` declares one model: nothing may follow its braces, found {found}";
     missing_space(number, unit) = "a space is missing between number and unit: `{number} {unit}`";
+    no_equals(word) = "a statement of a body has no `=`: write the value right behind `{word}`";
     mode_count(word) = "`{word}` takes the number of modes: `{word}(4);`";
     unit_power(number, unit) = "after a number in an expression one unit symbol is read: write the power in brackets, `{number} [{unit}^2]`, or mean `({number} {unit})^2`";
     unit_after_slash(found) = "is {found} above or below the line? write `*`, or parentheses as in `W/(m K)`";
