@@ -75,7 +75,7 @@ impl MeshScene {
             self.parts
                 .prescribed(condition.joint, condition.absolute, t, &condition.data, &mut prescribed);
             if regime != Regime::Moving {
-                for values in [&mut prescribed.position, &mut prescribed.slope] {
+                for values in [&mut prescribed.position, &mut prescribed.slope, &mut prescribed.second] {
                     values[1..].fill([0.0; 3]);
                 }
             }
