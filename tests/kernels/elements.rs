@@ -24,7 +24,7 @@ fn another_exponent_is_one_line() {
     let mut random = Random(11);
     for dimension in [2, 3] {
         let variant = Variant {
-            element: ElementId(1),
+            element: library.find("rope").map(ElementId).unwrap(),
             dimension,
             options: Vec::new(),
             quadrature: Quadrature::Exact,
