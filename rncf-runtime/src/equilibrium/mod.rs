@@ -12,13 +12,16 @@ pub use uniform::{Kind, Spin, Uniform};
 use crate::error::{SolveError, SolveErrorKind};
 use crate::model::Scene;
 use crate::system::State;
-use newton::{Failure, Newton};
+use newton::{Failure, Newton, Patience};
 
 /// Smallest increment of the scale.
 const SMALLEST: f64 = 1.0 / 65536.0;
 
 /// Increment of the loads at which Newton's iteration seldom leaps over a limit point.
 const LOAD_STEP: f64 = 1.0 / 32.0;
+
+/// Distance, relative to the sizes of the unknowns, at which a way back has come to where it began.
+const RETURNED: f64 = 1e-6;
 
 /// An equilibrium and the way to it.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,11 +88,21 @@ pub fn follow<S: Scene + ?Sized>(
     scene: &mut S,
     at: &Uniform,
     largest: f64,
+    visit: impl FnMut(&mut S, &Continued),
+) -> Result<Equilibrium, SolveError> {
+    along(scene, at, largest, Patience::Patient, visit)
+}
+
+fn along<S: Scene + ?Sized>(
+    scene: &mut S,
+    at: &Uniform,
+    largest: f64,
+    patience: Patience,
     mut visit: impl FnMut(&mut S, &Continued),
 ) -> Result<Equilibrium, SolveError> {
     let mut last = scene.uniform_guess(at);
     check(scene, at, &last)?;
-    let mut newton = Newton::new(scene);
+    let mut newton = Newton::new(scene).with(patience);
     let largest = largest.clamp(SMALLEST, 1.0);
     let (mut scale, mut increment) = (0.0, largest);
     let mut found = Equilibrium {
@@ -98,24 +111,17 @@ pub fn follow<S: Scene + ?Sized>(
     };
     while scale < at.scale {
         let target = (scale + increment).min(at.scale);
-        let mut state = last.clone();
-        let (result, iterations) = newton.solve(scene, &at.scaled(target), &mut state);
+        let (result, wasted) = attempt(scene, &mut newton, at, [scale, target], &last);
+        found.wasted_iterations += wasted;
         match result {
-            Ok(()) => {
+            Ok(step) => {
                 scale = target;
                 increment = (2.0 * increment).min(largest);
-                last.clone_from(&state);
-                let step = Continued {
-                    scale,
-                    state,
-                    iterations,
-                    negative: newton.count(at),
-                };
+                last.clone_from(&step.state);
                 visit(scene, &step);
                 found.path.push(step);
             }
             Err(failure) => {
-                found.wasted_iterations += iterations;
                 increment = 0.5 * (target - scale);
                 if increment < SMALLEST {
                     return Err(failed(scene, at, &failure, scale));
@@ -124,6 +130,68 @@ pub fn follow<S: Scene + ?Sized>(
         }
     }
     Ok(found)
+}
+
+/// The equilibrium at the second of two scales from that at the first one; also the iterations that led nowhere or
+/// back.
+fn attempt<S: Scene + ?Sized>(
+    scene: &mut S,
+    newton: &mut Newton,
+    at: &Uniform,
+    [scale, target]: [f64; 2],
+    last: &State,
+) -> (Result<Continued, Failure>, u32) {
+    let mut state = last.clone();
+    let (result, iterations) = newton.solve(scene, &at.scaled(target), &mut state);
+    if let Err(failure) = result {
+        return (Err(failure), iterations);
+    }
+    let step = Continued {
+        scale: target,
+        state,
+        iterations,
+        negative: newton.count(at),
+    };
+    if !newton.has_wandered() {
+        return (Ok(step), 0);
+    }
+    let leapt = Failure::Leapt(newton.farthest());
+    if newton.has_turned_back() {
+        return (Err(leapt), iterations);
+    }
+    // The way back from another branch leads elsewhere.
+    let (start, mut wasted) = match scale > 0.0 {
+        true => (last.clone(), 0),
+        false => unloaded(scene, newton, at, last),
+    };
+    let mut back = step.state.clone();
+    let (result, more) = newton.solve(scene, &at.scaled(scale), &mut back);
+    wasted += more;
+    if result.is_ok() && distance(scene, &back, &start) <= RETURNED {
+        (Ok(step), wasted)
+    } else {
+        (Err(leapt), wasted + iterations)
+    }
+}
+
+/// The equilibrium without load next to the start, which need not be one.
+fn unloaded<S: Scene + ?Sized>(scene: &mut S, newton: &mut Newton, at: &Uniform, start: &State) -> (State, u32) {
+    let mut state = start.clone();
+    let (_, iterations) = newton.solve(scene, &at.scaled(0.0), &mut state);
+    (state, iterations)
+}
+
+/// Largest difference of two states' positions and orientations, relative to the sizes of the unknowns.
+fn distance<S: Scene + ?Sized>(scene: &S, a: &State, b: &State) -> f64 {
+    let mut b = b.clone();
+    // In the charts of a.
+    for (index, &unknown) in scene.turns().iter().enumerate() {
+        let away = a.turns[index].inverse().times(&b.orientation(index, unknown));
+        b.x[unknown..unknown + 3].copy_from_slice(&away.log());
+    }
+    // Those of equilibria have just begun anew.
+    let parts = a.x.iter().zip(&b.x).zip(scene.sizes());
+    parts.fold(0.0, |largest: f64, ((a, b), size)| largest.max((a - b).abs() / size))
 }
 
 /// The equilibrium near a guess, e.g. that of nearby parameters: positions, orientations and
