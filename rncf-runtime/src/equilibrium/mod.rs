@@ -93,6 +93,7 @@ pub fn follow<S: Scene + ?Sized>(
     along(scene, at, largest, Patience::Patient, visit)
 }
 
+/// [`follow`] with the given patience of the iteration.
 fn along<S: Scene + ?Sized>(
     scene: &mut S,
     at: &Uniform,
@@ -102,7 +103,7 @@ fn along<S: Scene + ?Sized>(
 ) -> Result<Equilibrium, SolveError> {
     let mut last = scene.uniform_guess(at);
     check(scene, at, &last)?;
-    let mut newton = Newton::new(scene).with(patience);
+    let mut newton = Newton::new(scene);
     let largest = largest.clamp(SMALLEST, 1.0);
     let (mut scale, mut increment) = (0.0, largest);
     let mut found = Equilibrium {
@@ -111,8 +112,19 @@ fn along<S: Scene + ?Sized>(
     };
     while scale < at.scale {
         let target = (scale + increment).min(at.scale);
-        let (result, wasted) = attempt(scene, &mut newton, at, [scale, target], &last);
-        found.wasted_iterations += wasted;
+        // At small spins the equilibria need not be near the start: they hang on the ratio of the loads alone.
+        let patiences = match (patience, at.kind) {
+            (Patience::Patient, Kind::Steady) if scale == 0.0 => &[Patience::Strict, Patience::Patient][..],
+            _ => &[patience],
+        };
+        let mut result = Err(Failure::NotFinite);
+        for &patience in patiences {
+            if result.is_err() {
+                let wasted;
+                (result, wasted) = attempt(scene, &mut newton, at, [scale, target], &last, patience);
+                found.wasted_iterations += wasted;
+            }
+        }
         match result {
             Ok(step) => {
                 scale = target;
@@ -140,9 +152,10 @@ fn attempt<S: Scene + ?Sized>(
     at: &Uniform,
     [scale, target]: [f64; 2],
     last: &State,
+    patience: Patience,
 ) -> (Result<Continued, Failure>, u32) {
     let mut state = last.clone();
-    let (result, iterations) = newton.solve(scene, &at.scaled(target), &mut state);
+    let (result, iterations) = newton.solve(scene, &at.scaled(target), &mut state, patience);
     if let Err(failure) = result {
         return (Err(failure), iterations);
     }
@@ -152,7 +165,7 @@ fn attempt<S: Scene + ?Sized>(
         iterations,
         negative: newton.count(at),
     };
-    if !newton.has_wandered() {
+    if patience == Patience::Strict || !newton.has_wandered() {
         return (Ok(step), 0);
     }
     let leapt = Failure::Leapt(newton.farthest());
@@ -160,25 +173,24 @@ fn attempt<S: Scene + ?Sized>(
         return (Err(leapt), iterations);
     }
     // The way back from another branch leads elsewhere.
-    let (start, mut wasted) = match scale > 0.0 {
-        true => (last.clone(), 0),
-        false => unloaded(scene, newton, at, last),
-    };
+    let (mut start, mut wasted) = (last.clone(), 0);
+    if scale == 0.0 {
+        // The start need be no equilibrium, nor be there one without loads.
+        let (result, more) = newton.solve(scene, &at.scaled(0.0), &mut start, patience);
+        wasted += more;
+        if result.is_err() {
+            let (result, more) = attempt(scene, newton, at, [scale, target], last, Patience::Strict);
+            return (result, wasted + iterations + more);
+        }
+    }
     let mut back = step.state.clone();
-    let (result, more) = newton.solve(scene, &at.scaled(scale), &mut back);
+    let (result, more) = newton.solve(scene, &at.scaled(scale), &mut back, patience);
     wasted += more;
     if result.is_ok() && distance(scene, &back, &start) <= RETURNED {
         (Ok(step), wasted)
     } else {
         (Err(leapt), wasted + iterations)
     }
-}
-
-/// The equilibrium without load next to the start, which need not be one.
-fn unloaded<S: Scene + ?Sized>(scene: &mut S, newton: &mut Newton, at: &Uniform, start: &State) -> (State, u32) {
-    let mut state = start.clone();
-    let (_, iterations) = newton.solve(scene, &at.scaled(0.0), &mut state);
-    (state, iterations)
 }
 
 /// Largest difference of two states' positions and orientations, relative to the sizes of the unknowns.
@@ -204,7 +216,7 @@ pub fn continue_from<S: Scene + ?Sized>(scene: &mut S, at: &Uniform, guess: &Sta
     let mut state = guess.clone();
     state.t = at.t;
     let mut newton = Newton::new(scene);
-    let (result, iterations) = newton.solve(scene, at, &mut state);
+    let (result, iterations) = newton.solve(scene, at, &mut state, Patience::Strict);
     match result {
         Ok(()) => Ok(Continued {
             scale: at.scale,

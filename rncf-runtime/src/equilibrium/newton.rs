@@ -102,7 +102,6 @@ pub(super) struct Newton {
     held: Vec<f64>,
     /// Largest energy of a force over the size of its unknown, J.
     acting: f64,
-    patience: Patience,
     /// The first increment of x, the sum of all, and whether increments grew or were shortened.
     first: Vec<f64>,
     moved: Vec<f64>,
@@ -112,12 +111,6 @@ pub(super) struct Newton {
 impl Newton {
     pub fn new<S: Scene + ?Sized>(scene: &S) -> Self {
         Self::with_phases(scene, Vec::new())
-    }
-
-    /// The same with another patience.
-    pub fn with(mut self, patience: Patience) -> Self {
-        self.patience = patience;
-        self
     }
 
     fn with_phases<S: Scene + ?Sized>(scene: &S, phases: Vec<Vec<f64>>) -> Self {
@@ -160,7 +153,6 @@ impl Newton {
             held: vec![0.0; phases.len()],
             phases,
             acting: 0.0,
-            patience: Patience::Strict,
             first: Vec::new(),
             moved: Vec::new(),
             wandered: false,
@@ -183,9 +175,7 @@ impl Newton {
         if phases.iter().map(is_zero).eq(self.phases.iter().map(is_zero)) {
             self.phases = phases;
         } else {
-            let patience = self.patience;
             *self = Self::with_phases(scene, phases);
-            self.patience = patience;
         }
         self.held.fill(0.0);
     }
@@ -197,10 +187,11 @@ impl Newton {
         scene: &mut S,
         at: &Uniform,
         state: &mut State,
+        patience: Patience,
     ) -> (Result<(), Failure>, u32) {
         state.rebase(scene.turns());
         self.hold(scene, at, state);
-        let (result, iterations) = self.iterate(scene, at, state);
+        let (result, iterations) = self.iterate(scene, at, state, patience);
         scene.uniform_state(at, state);
         (result.and_then(|()| self.check_phases()), iterations)
     }
@@ -210,6 +201,7 @@ impl Newton {
         scene: &mut S,
         at: &Uniform,
         state: &mut State,
+        patience: Patience,
     ) -> (Result<(), Failure>, u32) {
         let n = state.x.len();
         let mut last = f64::INFINITY;
@@ -231,7 +223,7 @@ impl Newton {
             if !size.is_finite() {
                 return (Err(Failure::NotFinite), iteration);
             }
-            let part = self.stride();
+            let part = self.stride(patience);
             self.wandered |= part < 1.0 || iteration > 2 && size > last;
             let unknowns = state.x.iter_mut().chain(&mut state.lambda).chain(&mut self.held);
             for (value, change) in unknowns.zip(&self.increments) {
@@ -247,7 +239,7 @@ impl Newton {
                 return (Ok(()), iteration);
             }
             // An iteration that wanders may end on another branch.
-            if self.patience == Patience::Strict && (size > ASTRAY || iteration > 2 && size > last) {
+            if patience == Patience::Strict && (size > ASTRAY || iteration > 2 && size > last) {
                 break;
             }
             last = size;
@@ -360,8 +352,8 @@ impl Newton {
     }
 
     /// Part of the increment that is taken.
-    fn stride(&self) -> f64 {
-        if self.patience == Patience::Strict {
+    fn stride(&self, patience: Patience) -> f64 {
+        if patience == Patience::Strict {
             return 1.0;
         }
         let parts = self.increments.iter().zip(&self.inverse_sizes);
