@@ -418,6 +418,11 @@ fn truss_snaps_through_at_its_limit_point() {
     );
     let error = text(static_load(scene.as_mut(), 0.0));
     assert!(error.contains("of the load") && error.contains("tip"), "{error}");
+    // Long steps do not leap to the truss that hangs either.
+    for largest in [0.1, 0.3, 1.0] {
+        let error = text(follow(scene.as_mut(), &Uniform::at_rest(0.0), largest, |_, _| ()));
+        assert!(error.contains("of the load") && error.contains("tip"), "{error}");
+    }
     let half = Truss { press: 0.5 * limit };
     let mut scene = referenced(&half);
     let found = static_load(scene.as_mut(), 0.0).unwrap();

@@ -66,15 +66,20 @@ fn strip_on_edge() {
         }
     }
     // Beyond it a small disturbance tilts the strip; in front of it hardly.
-    let tilted = |part: f64| {
+    let tilted = |part: f64, disturbance: f64| {
         let model = LateralBuckling {
             load: part * classical,
-            disturbance: 1e-2 * classical,
+            disturbance: disturbance * classical,
             elements: 4,
         };
         at_rest(&model, 0.125)
     };
-    let (before, beyond) = (tilted(0.8), tilted(1.1));
+    let (before, beyond) = (tilted(0.8, 1e-2), tilted(1.1, 1e-2));
     println!("strip on edge: y, z, twist {before:.4?} and {beyond:.4?}");
     assert!(before[2].abs() < 0.1 && beyond[2].abs() > 0.3);
+    // A hundredth of the disturbance leads to nearly the same shape, farther beyond it too.
+    let least = tilted(1.1, 1e-4);
+    let far = [1e-2, 1e-4].map(|disturbance| tilted(1.7, disturbance)[0]);
+    println!("strip on edge, least disturbance: {least:.4?}; far beyond y {far:.4?}");
+    assert!(least[2].abs() > 0.3 && (far[1] / far[0] - 1.0).abs() < 0.05);
 }

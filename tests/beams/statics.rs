@@ -1,12 +1,11 @@
 //! Straight and curved beams under dead loads: exact with one element where displacements are small,
 //! elastica, 45-degree bend, Princeton beam (THEORY 5.2, BENCHMARKS 1, 4, 5).
 
-use rncf::Scene;
-use rncf::system::Tangent;
-use rncf_models::{Bend45, Elastica, PrincetonBeam};
-use rncf_tests::dense::Matrix;
+use rncf::equilibrium::{Uniform, follow};
+use rncf::modes::{Wanted, modes};
+use rncf::{Formulation, Joints, Model, Scene};
+use rncf_models::{Bend45, Elastica, PrincetonBeam, RollUp};
 use rncf_tests::rod::Rod;
-use rncf_tests::symmetric;
 
 use crate::scenes::{at_rest, distance, referenced, short};
 
@@ -50,6 +49,23 @@ rncf::model! {
             mesh elements * beam(round, steel);
         }
         joint root = pin(beam.start, inertial);
+        output tip = beam.end.position;
+    }
+}
+
+rncf::model! {
+    /// The same on a small free body: six rigid motions.
+    pub model Free {
+        param elements: count = 1;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section round = circle(radius = 20 mm);
+        rigid hub { mass = 1 g; inertia = [1e-6, 1e-6, 1e-6] kg*m^2; }
+        body beam in hub {
+            spatial;
+            line from [0, 0, 0] m to [1, 0, 0] m;
+            mesh elements * beam(round, steel);
+        }
+        joint root = clamp(beam.start, hub);
         output tip = beam.end.position;
     }
 }
@@ -105,40 +121,58 @@ fn bending_shear_and_torsion_are_exact_with_one_element() {
     }
 }
 
-/// A matrix of a scene with its zeros.
-fn dense(scene: &dyn Scene, values: &[f64]) -> Matrix {
-    let pattern = scene.pattern();
-    let mut full = Matrix::zero(pattern.columns());
-    for column in 0..pattern.columns() {
-        for place in pattern.starts()[column]..pattern.starts()[column + 1] {
-            full.set(pattern.indices()[place], column, values[place]);
-        }
-    }
-    full
+/// Frequencies at rest, `count` of them.
+fn frequencies(model: &impl Model, joints: Joints, count: usize) -> Vec<f64> {
+    let mut scene = model.build(Formulation::Rncf, joints).unwrap();
+    let state = scene.rest(0.0);
+    let found = modes(scene.as_mut(), &Uniform::at_rest(0.0), &state, Wanted { count }).unwrap();
+    found.iter().map(|mode| mode.im).collect()
 }
 
 #[test]
 fn only_rigid_motions_have_no_stiffness() {
-    // The first bending frequency of a pinned and free rod: 15.418 sqrt(EI / (rhoA L^4)).
-    let bending = 15.4182 * (210e9 * 0.25 * 0.02_f64.powi(2) / 7850.0).sqrt();
-    for elements in [1, 4] {
-        let mut scene = referenced(&Pinned { elements });
-        let state = scene.rest(0.0);
-        let mut tangent = Tangent::default();
-        scene.tangent(&state, &mut tangent);
-        let [stiffness, mass] = [&tangent.stiffness, &tangent.mass].map(|values| dense(scene.as_ref(), values));
-        let squares = symmetric::generalised(&stiffness, &mass).unwrap();
-        let relative: Vec<f64> = squares[..6]
-            .iter()
-            .map(|square| square.abs().sqrt() / bending)
-            .collect();
-        println!(
-            "{elements} elements on a pin, frequencies over that of bending: {}",
-            short(&relative)
-        );
-        assert_eq!(relative.iter().filter(|&&frequency| frequency < 1e-2).count(), 3);
-        assert!(elements == 1 || (relative[3] - 1.0).abs() < 0.02);
+    // Slender beams: 15.418 (pinned and free) and 22.373 (free) sqrt(EI / (rhoA L^4)); shear lowers both.
+    let unit = (210e9 * 0.25 * 0.02_f64.powi(2) / 7850.0).sqrt();
+    for joints in [Joints::Eliminated, Joints::Multipliers] {
+        // Small ones with full matrices, large ones by iteration.
+        for elements in [1, 2, 4, 8, 16] {
+            let pinned = frequencies(&Pinned { elements }, joints, 6);
+            let free = frequencies(&Free { elements }, joints, 9);
+            let bending = [pinned[3] / (15.4182 * unit), free[6] / (22.3733 * unit)];
+            println!("{elements} elements, {joints:?}: bending over slender beams {bending:.4?}");
+            assert_eq!(pinned.iter().filter(|&&frequency| frequency == 0.0).count(), 3);
+            assert_eq!(free.iter().filter(|&&frequency| frequency == 0.0).count(), 6);
+            // Round: the same in both directions.
+            assert!((pinned[4] / pinned[3] - 1.0).abs() < 1e-10 && (free[7] / free[6] - 1.0).abs() < 1e-10);
+            assert!(elements < 4 || bending.iter().all(|ratio| (ratio - 1.0).abs() < 0.01));
+        }
     }
+}
+
+#[test]
+fn slender_beams_bend_far_in_few_steps() {
+    let planar = Elastica {
+        alpha: 10.0,
+        slenderness: 1e-3,
+        elements: 32,
+    };
+    let rolled = RollUp {
+        turns: 1.0,
+        slenderness: 0.005,
+        elements: 8,
+    };
+    let bend = Bend45 {
+        load: 600.0,
+        elements: 8,
+    };
+    let few = |scene: &mut dyn Scene, largest: f64, most: usize| {
+        let found = follow(scene, &Uniform::at_rest(0.0), largest, |_, _| ()).unwrap();
+        println!("{} steps, {} iterations", found.path.len(), found.iterations());
+        assert!(found.path.len() <= most, "{} steps", found.path.len());
+    };
+    few(referenced(&planar).as_mut(), 0.25, 10);
+    few(referenced(&rolled).as_mut(), 0.125, 10);
+    few(referenced(&bend).as_mut(), 0.25, 6);
 }
 
 #[test]

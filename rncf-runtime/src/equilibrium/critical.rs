@@ -1,8 +1,8 @@
 //! Where a static equilibrium loses its stability as the loads grow: buckling and limit points.
 
-use super::newton::Newton;
+use super::newton::{Newton, Patience};
 use super::uniform::Uniform;
-use super::{Continued, LOAD_STEP, SMALLEST, check, follow};
+use super::{Continued, LOAD_STEP, SMALLEST, along, check};
 use crate::error::SolveError;
 use crate::model::Scene;
 use crate::system::State;
@@ -29,7 +29,9 @@ pub struct Critical {
 pub fn critical_factor<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Option<Critical>, SolveError> {
     let at = Uniform::at_rest(t);
     let mut path: Vec<Continued> = Vec::new();
-    let outcome = follow(scene, &at, LOAD_STEP, |_, step| path.push(step.clone()));
+    let outcome = along(scene, &at, LOAD_STEP, Patience::Strict, |_, step| {
+        path.push(step.clone())
+    });
     let Some(first) = path.first() else {
         return outcome.map(|_| None);
     };
@@ -60,7 +62,7 @@ fn bracket<S: Scene + ?Sized>(
     while beyond - before.scale > WIDTH * beyond {
         let at = at.scaled(0.5 * (before.scale + beyond));
         let mut state = before.state.clone();
-        let (result, iterations) = newton.solve(scene, &at, &mut state);
+        let (result, iterations) = newton.solve(scene, &at, &mut state, Patience::Strict);
         let negative = newton.count(&at);
         if result.is_ok() && negative == before.negative {
             before = Continued {

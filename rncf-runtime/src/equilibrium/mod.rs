@@ -12,13 +12,16 @@ pub use uniform::{Kind, Spin, Uniform};
 use crate::error::{SolveError, SolveErrorKind};
 use crate::model::Scene;
 use crate::system::State;
-use newton::{Failure, Newton};
+use newton::{Failure, Newton, Patience};
 
 /// Smallest increment of the scale.
 const SMALLEST: f64 = 1.0 / 65536.0;
 
 /// Increment of the loads at which Newton's iteration seldom leaps over a limit point.
 const LOAD_STEP: f64 = 1.0 / 32.0;
+
+/// Distance, relative to the sizes of the unknowns, at which a way back has come to where it began.
+const RETURNED: f64 = 1e-6;
 
 /// An equilibrium and the way to it.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,6 +88,17 @@ pub fn follow<S: Scene + ?Sized>(
     scene: &mut S,
     at: &Uniform,
     largest: f64,
+    visit: impl FnMut(&mut S, &Continued),
+) -> Result<Equilibrium, SolveError> {
+    along(scene, at, largest, Patience::Patient, visit)
+}
+
+/// [`follow`] with the given patience of the iteration.
+fn along<S: Scene + ?Sized>(
+    scene: &mut S,
+    at: &Uniform,
+    largest: f64,
+    patience: Patience,
     mut visit: impl FnMut(&mut S, &Continued),
 ) -> Result<Equilibrium, SolveError> {
     let mut last = scene.uniform_guess(at);
@@ -98,24 +112,28 @@ pub fn follow<S: Scene + ?Sized>(
     };
     while scale < at.scale {
         let target = (scale + increment).min(at.scale);
-        let mut state = last.clone();
-        let (result, iterations) = newton.solve(scene, &at.scaled(target), &mut state);
+        // At small spins the equilibria need not be near the start: they hang on the ratio of the loads alone.
+        let patiences = match (patience, at.kind) {
+            (Patience::Patient, Kind::Steady) if scale == 0.0 => &[Patience::Strict, Patience::Patient][..],
+            _ => &[patience],
+        };
+        let mut result = Err(Failure::NotFinite);
+        for &patience in patiences {
+            if result.is_err() {
+                let wasted;
+                (result, wasted) = attempt(scene, &mut newton, at, [scale, target], &last, patience);
+                found.wasted_iterations += wasted;
+            }
+        }
         match result {
-            Ok(()) => {
+            Ok(step) => {
                 scale = target;
                 increment = (2.0 * increment).min(largest);
-                last.clone_from(&state);
-                let step = Continued {
-                    scale,
-                    state,
-                    iterations,
-                    negative: newton.count(at),
-                };
+                last.clone_from(&step.state);
                 visit(scene, &step);
                 found.path.push(step);
             }
             Err(failure) => {
-                found.wasted_iterations += iterations;
                 increment = 0.5 * (target - scale);
                 if increment < SMALLEST {
                     return Err(failed(scene, at, &failure, scale));
@@ -124,6 +142,68 @@ pub fn follow<S: Scene + ?Sized>(
         }
     }
     Ok(found)
+}
+
+/// The equilibrium at the second of two scales from that at the first one; also the iterations that led nowhere or
+/// back.
+fn attempt<S: Scene + ?Sized>(
+    scene: &mut S,
+    newton: &mut Newton,
+    at: &Uniform,
+    [scale, target]: [f64; 2],
+    last: &State,
+    patience: Patience,
+) -> (Result<Continued, Failure>, u32) {
+    let mut state = last.clone();
+    let (result, iterations) = newton.solve(scene, &at.scaled(target), &mut state, patience);
+    if let Err(failure) = result {
+        return (Err(failure), iterations);
+    }
+    let step = Continued {
+        scale: target,
+        state,
+        iterations,
+        negative: newton.count(at),
+    };
+    if patience == Patience::Strict || !newton.has_wandered() {
+        return (Ok(step), 0);
+    }
+    let leapt = Failure::Leapt(newton.farthest());
+    if newton.has_turned_back() {
+        return (Err(leapt), iterations);
+    }
+    // The way back from another branch leads elsewhere.
+    let (mut start, mut wasted) = (last.clone(), 0);
+    if scale == 0.0 {
+        // The start need be no equilibrium, nor be there one without loads.
+        let (result, more) = newton.solve(scene, &at.scaled(0.0), &mut start, patience);
+        wasted += more;
+        if result.is_err() {
+            let (result, more) = attempt(scene, newton, at, [scale, target], last, Patience::Strict);
+            return (result, wasted + iterations + more);
+        }
+    }
+    let mut back = step.state.clone();
+    let (result, more) = newton.solve(scene, &at.scaled(scale), &mut back, patience);
+    wasted += more;
+    if result.is_ok() && distance(scene, &back, &start) <= RETURNED {
+        (Ok(step), wasted)
+    } else {
+        (Err(leapt), wasted + iterations)
+    }
+}
+
+/// Largest difference of two states' positions and orientations, relative to the sizes of the unknowns.
+fn distance<S: Scene + ?Sized>(scene: &S, a: &State, b: &State) -> f64 {
+    let mut b = b.clone();
+    // In the charts of a.
+    for (index, &unknown) in scene.turns().iter().enumerate() {
+        let away = a.turns[index].inverse().times(&b.orientation(index, unknown));
+        b.x[unknown..unknown + 3].copy_from_slice(&away.log());
+    }
+    // Those of equilibria have just begun anew.
+    let parts = a.x.iter().zip(&b.x).zip(scene.sizes());
+    parts.fold(0.0, |largest: f64, ((a, b), size)| largest.max((a - b).abs() / size))
 }
 
 /// The equilibrium near a guess, e.g. that of nearby parameters: positions, orientations and
@@ -136,7 +216,7 @@ pub fn continue_from<S: Scene + ?Sized>(scene: &mut S, at: &Uniform, guess: &Sta
     let mut state = guess.clone();
     state.t = at.t;
     let mut newton = Newton::new(scene);
-    let (result, iterations) = newton.solve(scene, at, &mut state);
+    let (result, iterations) = newton.solve(scene, at, &mut state, Patience::Strict);
     match result {
         Ok(()) => Ok(Continued {
             scale: at.scale,

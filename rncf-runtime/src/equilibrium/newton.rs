@@ -16,6 +16,8 @@ const NOISE: f64 = 1e-7;
 const STAGNANT: f64 = 0.25;
 /// Increments above this, relative to the sizes of the unknowns, lead astray.
 const ASTRAY: f64 = 10.0;
+/// Largest entry of an increment that a patient iteration takes, relative to the size of its unknown.
+const STRIDE: f64 = 0.3;
 /// Part of the acting forces that a phase condition may carry.
 const UNBALANCED: f64 = 1e-6;
 /// Most rows of a matrix whose eigenvalues are counted.
@@ -31,6 +33,8 @@ pub(super) enum Failure {
     NotFinite,
     Slow(usize),
     Unbalanced(usize),
+    /// What was found does not continue the equilibria before.
+    Leapt(usize),
 }
 
 impl Failure {
@@ -51,6 +55,12 @@ impl Failure {
                 ),
                 Some(row),
             ),
+            Failure::Leapt(row) => (
+                format!(
+                    "no equilibrium next to those before is found {where_}: the bodies may buckle or snap through there"
+                ),
+                Some(row),
+            ),
             Failure::Unbalanced(row) => (
                 format!(
                     "a force or moment along a motion that nothing ties is not balanced {where_}: tie that motion, or leave the force away"
@@ -59,6 +69,16 @@ impl Failure {
             ),
         }
     }
+}
+
+/// What the iteration makes of growing increments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Patience {
+    /// It ends: where increments grow, another branch may be near.
+    Strict,
+    /// It goes on with shortened ones, as what bends easily beside large stiffnesses needs: these answer to what
+    /// turning leaves to second order. The caller asks where it came to.
+    Patient,
 }
 
 /// The iteration and its memory.
@@ -82,6 +102,10 @@ pub(super) struct Newton {
     held: Vec<f64>,
     /// Largest energy of a force over the size of its unknown, J.
     acting: f64,
+    /// The first increment of x, the sum of all, and whether increments grew or were shortened.
+    first: Vec<f64>,
+    moved: Vec<f64>,
+    wandered: bool,
 }
 
 impl Newton {
@@ -129,6 +153,9 @@ impl Newton {
             held: vec![0.0; phases.len()],
             phases,
             acting: 0.0,
+            first: Vec::new(),
+            moved: Vec::new(),
+            wandered: false,
             lu: Lu::new(&whole),
         }
     }
@@ -160,10 +187,11 @@ impl Newton {
         scene: &mut S,
         at: &Uniform,
         state: &mut State,
+        patience: Patience,
     ) -> (Result<(), Failure>, u32) {
         state.rebase(scene.turns());
         self.hold(scene, at, state);
-        let (result, iterations) = self.iterate(scene, at, state);
+        let (result, iterations) = self.iterate(scene, at, state, patience);
         scene.uniform_state(at, state);
         (result.and_then(|()| self.check_phases()), iterations)
     }
@@ -173,10 +201,13 @@ impl Newton {
         scene: &mut S,
         at: &Uniform,
         state: &mut State,
+        patience: Patience,
     ) -> (Result<(), Failure>, u32) {
         let n = state.x.len();
         let mut last = f64::INFINITY;
         let mut taken = 0;
+        self.wandered = false;
+        self.moved = vec![0.0; n];
         for iteration in 1..=ITERATIONS {
             taken = iteration;
             self.linearize(scene, at, state);
@@ -192,22 +223,28 @@ impl Newton {
             if !size.is_finite() {
                 return (Err(Failure::NotFinite), iteration);
             }
+            let part = self.stride(patience);
+            self.wandered |= part < 1.0 || iteration > 2 && size > last;
             let unknowns = state.x.iter_mut().chain(&mut state.lambda).chain(&mut self.held);
             for (value, change) in unknowns.zip(&self.increments) {
-                *value += change;
+                *value += part * change;
             }
+            if iteration == 1 {
+                self.first = self.increments[..n].to_vec();
+            }
+            let increments = self.moved.iter_mut().zip(&self.increments);
+            increments.for_each(|(sum, change)| *sum += part * change);
             state.rebase(scene.turns());
             if size <= ROUND_OFF || size <= NOISE && size > STAGNANT * last {
                 return (Ok(()), iteration);
             }
             // An iteration that wanders may end on another branch.
-            if size > ASTRAY || iteration > 2 && size > last {
+            if patience == Patience::Strict && (size > ASTRAY || iteration > 2 && size > last) {
                 break;
             }
             last = size;
         }
-        let weighted = |i: usize| (self.increments[i] * self.inverse_sizes[i]).abs();
-        let worst = (0..n).max_by(|&i, &j| weighted(i).total_cmp(&weighted(j))).unwrap_or(0);
+        let worst = self.largest(&self.increments);
         (Err(Failure::Slow(worst)), taken)
     }
 
@@ -312,6 +349,45 @@ impl Newton {
         }
         let skew = |&(row, column): &(usize, usize)| (whole[row * size + column] - whole[column * size + row]).abs();
         places.iter().all(|place| skew(place) <= SKEW).then_some(whole)
+    }
+
+    /// Part of the increment that is taken.
+    fn stride(&self, patience: Patience) -> f64 {
+        if patience == Patience::Strict {
+            return 1.0;
+        }
+        let parts = self.increments.iter().zip(&self.inverse_sizes);
+        let largest = parts.fold(0.0, |largest: f64, (change, inverse)| {
+            largest.max((change * inverse).abs())
+        });
+        (STRIDE / largest).min(1.0)
+    }
+
+    /// Unknown that moved most in the last iteration.
+    pub fn farthest(&self) -> usize {
+        self.largest(&self.moved)
+    }
+
+    /// Unknown with the largest change relative to its size.
+    fn largest(&self, changes: &[f64]) -> usize {
+        let weighted = |i: usize| (changes[i] * self.inverse_sizes[i]).abs();
+        let rows = 0..self.inverse_sizes.len();
+        rows.max_by(|&i, &j| weighted(i).total_cmp(&weighted(j))).unwrap_or(0)
+    }
+
+    /// Whether increments grew or were shortened in the last iteration: it may have leapt to another branch.
+    pub fn has_wandered(&self) -> bool {
+        self.wandered
+    }
+
+    /// Whether the last iteration ended against the direction of its first increment, which therefore was not
+    /// towards it.
+    pub fn has_turned_back(&self) -> bool {
+        let parts = self.first.iter().zip(&self.moved).zip(&self.inverse_sizes);
+        parts
+            .map(|((first, moved), inverse)| first * moved * inverse * inverse)
+            .sum::<f64>()
+            < 0.0
     }
 
     /// Root mean square of the increments of `x`, relative to the sizes of the unknowns.

@@ -4,6 +4,9 @@
 use crate::linalg::{Lu, Pattern, Scalar, c64};
 use crate::system::Tangent;
 
+/// Round-off of the energy of a motion without stiffness, in units of that of its terms.
+const ROUNDED: f64 = 8.0;
+
 /// Matrices of small motions with constraints, in unknowns and multipliers relative to their sizes.
 ///
 /// Sizes are rounded to powers of two, so that scaling does not round: the frequencies of what is soft
@@ -194,6 +197,24 @@ impl Pencil {
         };
         let lowest = (0..self.unknowns()).filter_map(quotient).fold(f64::INFINITY, f64::min);
         if lowest.is_finite() { lowest } else { 1.0 }
+    }
+
+    /// Whether `x^H K x` is what motions slower than `lowest` have, or the round-off of the entries of K: beside a
+    /// stiff part that alone is the energy of a motion without stiffness.
+    pub(super) fn is_still(&self, x: &[c64], lowest: f64) -> bool {
+        let products = self.products(x, &[]);
+        let along = |image: &[c64]| x.iter().zip(image).map(|(x, image)| x.conj() * image).sum::<c64>();
+        let inertia = lowest * lowest * along(&products.mass).norm();
+        along(&products.stiffness).norm() <= inertia + ROUNDED * f64::EPSILON * self.terms(x)
+    }
+
+    /// `|x|^T |K| |x|`
+    fn terms(&self, x: &[c64]) -> f64 {
+        let sizes: Vec<f64> = x.iter().map(|value| value.norm()).collect();
+        let parts = entries(&self.pattern).zip(&self.stiffness);
+        parts
+            .map(|((row, column), value)| sizes[row] * value.abs() * sizes[column])
+            .sum()
     }
 
     /// All products with a vector and multipliers (none: zeros).

@@ -94,13 +94,11 @@ impl<'a> Refinement<'a> {
             .into_iter()
             .map(|x| Pair { s: c64::default(), x });
         let lowest = CLOSE * self.shift;
-        let is_still = |pair: &Pair| {
-            let products = self.pencil.products(&pair.x, &[]);
-            let along = |image: &[c64]| pair.x.iter().zip(image).map(|(x, image)| x.conj() * image).sum::<c64>();
-            along(&products.stiffness).norm() <= lowest * lowest * along(&products.mass).norm()
-        };
         let found = independent(pairs.collect());
-        found.into_iter().filter(is_still).collect()
+        found
+            .into_iter()
+            .filter(|pair| self.pencil.is_still(&pair.x, lowest))
+            .collect()
     }
 
     /// Inverse iteration with the present factors from vectors without order, real where the factors are;

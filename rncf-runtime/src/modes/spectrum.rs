@@ -121,7 +121,9 @@ pub(super) fn better_shift(pencil: &Pencil, shift: f64, pairs: impl Iterator<Ite
     let none = vec![c64::default(); pencil.constraints()];
     // Either estimate may be off: that of the inverse by its round-off, the other by a stiff part.
     let speed = |pair: Pair| pair.s.norm().min(pencil.residual(pair.s, &pair.x, &none).1.norm());
+    // Beside a stiff part the round-off of zeros is no small part of the shift: towards it the pencil becomes singular.
     let lowest = pairs
+        .filter(|pair| pair.s.norm() > SLOW * shift || !pencil.is_still(&pair.x, CLOSE * shift))
         .map(speed)
         .filter(|&speed| speed > CLOSE * shift)
         .fold(f64::INFINITY, f64::min);
