@@ -145,7 +145,8 @@ fn along<S: Scene + ?Sized>(
 }
 
 /// The equilibrium at the second of two scales from that at the first one; also the iterations that led nowhere or
-/// back.
+/// back. What an iteration that wandered found counts only if it lies on the side that the first increment pointed to
+/// and if the way back ends where it began: of another branch neither needs to hold.
 fn attempt<S: Scene + ?Sized>(
     scene: &mut S,
     newton: &mut Newton,

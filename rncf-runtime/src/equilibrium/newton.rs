@@ -14,7 +14,7 @@ const ROUND_OFF: f64 = 1e-14;
 const NOISE: f64 = 1e-7;
 /// Shrinkage that noise does not reach.
 const STAGNANT: f64 = 0.25;
-/// Increments above this, relative to the sizes of the unknowns, lead astray.
+/// Increments above this, relative to the sizes of the unknowns, end a strict iteration.
 const ASTRAY: f64 = 10.0;
 /// Largest entry of an increment that a patient iteration takes, relative to the size of its unknown.
 const STRIDE: f64 = 0.3;
@@ -238,7 +238,7 @@ impl Newton {
             if size <= ROUND_OFF || size <= NOISE && size > STAGNANT * last {
                 return (Ok(()), iteration);
             }
-            // An iteration that wanders may end on another branch.
+            // An iteration that wanders may end on another branch; a patient one is judged by where it ended.
             if patience == Patience::Strict && (size > ASTRAY || iteration > 2 && size > last) {
                 break;
             }
