@@ -22,6 +22,8 @@ const ACCEPTED_MULTIPLE: f64 = 1e-5;
 const INVERSE_ITERATIONS: usize = 4;
 /// Part of the shift beside which zeros are looked for.
 const STILL: f64 = 1e-2;
+/// Vectors that inverse iteration starts from for each one that is looked for.
+const STARTS: usize = 3;
 /// Part of a unit vector that makes it new beside others of the same eigenvalue.
 const INDEPENDENT: f64 = 1e-2;
 
@@ -54,13 +56,15 @@ impl<'a> Refinement<'a> {
             return Some(apart);
         }
         self.factor(mean, TOUCHING)?;
-        let vectors = self.eigenspace(size, |pencil, x, image| {
+        // Some vectors without order are nearly alike: more of them than are needed.
+        let vectors = self.eigenspace(STARTS * size, |pencil, x, image| {
             let products = pencil.products(x, &[]);
             for (place, value) in image.iter_mut().enumerate() {
                 *value = products.damping[place] + 2.0 * mean * products.mass[place];
             }
         })?;
         let mut pairs = independent(vectors.into_iter().map(|x| Pair { s: mean, x }).collect());
+        pairs.truncate(size);
         if pairs.len() == size {
             return pairs.into_iter().map(|pair| self.refined(pair)).collect();
         }
