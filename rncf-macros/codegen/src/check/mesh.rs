@@ -93,9 +93,9 @@ impl<'a> Check<'a> {
                 self.errors.at(name.span, say::twice(word));
             }
             seen.push(word);
-            if word == "quadrature" && element.own_rule {
-                self.errors.at(name.span, say::own_rule(&call.name.text));
-                quadrature = None;
+            if element.own_rule && ["quadrature", "evaluation"].contains(&word) {
+                self.errors.at(name.span, say::own_rule(&call.name.text, word));
+                (quadrature, evaluation) = (None, None);
             } else if word == "quadrature" {
                 quadrature = self.quadrature(element, value);
             } else if word == "evaluation" {
@@ -113,13 +113,13 @@ impl<'a> Check<'a> {
                     _ => options = None,
                 }
             } else {
-                let quadrature = (!element.own_rule).then_some("quadrature");
-                let known = element
-                    .options
-                    .iter()
-                    .map(|option| option.name)
-                    .chain(quadrature)
-                    .chain(["evaluation"]);
+                let of_code: &[&str] = if element.own_rule {
+                    &[]
+                } else {
+                    &["quadrature", "evaluation"]
+                };
+                let own = element.options.iter().map(|option| option.name);
+                let known = own.chain(of_code.iter().copied());
                 let kind = format!("option of `{}`", call.name.text);
                 self.errors.at(name.span, suggest::unknown(&kind, word, known));
             }

@@ -164,7 +164,7 @@ messages! {
     no_section_axes(element, word) = "`{element}` has no section axes, which `{word}` turns: leave it out, or use `beam`";
     section_in_plane(word) = "in a plane the section's y axis lies in the plane, to the left of the axis: leave out `{word}`, or make the body `spatial`";
     normal_in_plane(plane, axis) = "the arc of a body in the {plane} plane has the normal {axis}: leave out `normal`";
-    own_rule(element) = "`{element}` has its own rule of integration: leave out `quadrature`";
+    own_rule(element, word) = "`{element}` has its own rule of integration and form of code: leave out `{word}`";
     missing_property(kind, name, property, element, need) = "{kind} `{name}` has no `{property}`, which `{element}` needs ({need})";
     plane_axis(plane, axis) = "what moves in the {plane} plane turns about {axis}: leave out `axis`";
     leaves_own_plane(what, plane, axis) = "{what} leaves the {plane} plane: its {axis} component must be 0";

@@ -32,7 +32,7 @@ model Shafts {
     body ring in f {
         spatial;
         arc from [1, 0, 0] m direction [0, 1, 0] normal [0, 1, 1] radius 2 m angle 90 deg;
-        mesh 3 * beam(block, steel, coupling = poisson, evaluation = points);
+        mesh 3 * beam(block, steel, coupling = poisson);
     }
     body leaf in hub { spatial; line from [0, 2, 0] m to [0, 2, 3] m; mesh 2 * beam(pipe, rubber); }
     body wire in hub { spatial; line from [0, 0, 1] m to [2, 0, 1] m; mesh 2 * cable(round, steel); }
@@ -338,10 +338,7 @@ fn rigid_bodies_with_sections_turn_about_their_axes() {
             .collect::<Vec<_>>()
     };
     assert_eq!(messages(&rigid), Vec::<String>::new());
-    let cable = rigid.replace(
-        "beam(block, steel, coupling = poisson, evaluation = points)",
-        "cable(round, steel)",
-    );
+    let cable = rigid.replace("beam(block, steel, coupling = poisson)", "cable(round, steel)");
     let found = messages(&cable);
     assert!(
         found.len() == 1 && found[0].contains("no inertia against turning about the x axis"),

@@ -1,0 +1,223 @@
+//! Resolved expressions in SI, and what of the simulated system they observe.
+
+use super::{BodyId, ConstraintId, JointId, MarkerId, MotionId, ParamId};
+
+/// A resolved expression in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expr {
+    /// A number in SI; `pi` is one too, constants of the declaration are folded into these.
+    Number(f64),
+    /// A run-time parameter (a count is converted to a number).
+    Param(ParamId),
+    /// Time, s.
+    Time,
+    /// Arclength of a body's stress-free axis from its start, m; in its initial shape only.
+    Arclength,
+    /// Component of the Green strain tensor, section axes with x along the body: xx, yy, zz, xy, xz, yz;
+    /// in the energy density of a material only (THEORY 4.2).
+    Strain(usize),
+    /// A motion at another time.
+    Motion(MotionId, Box<Expr>),
+    /// Negation.
+    Negate(Box<Expr>),
+    /// A sum, difference, product or quotient.
+    Binary(Binary, Box<Expr>, Box<Expr>),
+    /// `base ^ exponent`.
+    Power(Box<Expr>, Box<Expr>),
+    /// A function of one argument (two for `atan2`, `min`, `max`).
+    Call(Function, Vec<Expr>),
+    /// `if left < right { then } else { otherwise }`.
+    If(Comparison, Box<Expr>, Box<Expr>, Box<Expr>, Box<Expr>),
+    /// Something of the simulated system; in outputs, constraints and forces.
+    Observed(Observable),
+}
+
+/// Two-operand arithmetic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Binary {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+}
+
+/// Comparison in `if`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Comparison {
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterEqual,
+}
+
+/// The usual functions; `Abs`, `Min`, `Max` and `Atan2` in outputs only (they have kinks).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Exp,
+    Ln,
+    Sqrt,
+    Abs,
+    Min,
+    Max,
+    Atan2,
+}
+
+impl Function {
+    /// Value of a function of one argument; `None` for one of two.
+    pub fn of(self, x: f64) -> Option<f64> {
+        Some(match self {
+            Function::Sin => x.sin(),
+            Function::Cos => x.cos(),
+            Function::Tan => x.tan(),
+            Function::Asin => x.asin(),
+            Function::Acos => x.acos(),
+            Function::Atan => x.atan(),
+            Function::Sinh => x.sinh(),
+            Function::Cosh => x.cosh(),
+            Function::Tanh => x.tanh(),
+            Function::Exp => x.exp(),
+            Function::Ln => x.ln(),
+            Function::Sqrt => x.sqrt(),
+            Function::Abs => x.abs(),
+            Function::Min | Function::Max | Function::Atan2 => return None,
+        })
+    }
+
+    /// Value of a function of two arguments; `None` for one of one.
+    pub fn of_two(self, x: f64, y: f64) -> Option<f64> {
+        Some(match self {
+            Function::Min => x.min(y),
+            Function::Max => x.max(y),
+            Function::Atan2 => x.atan2(y),
+            _ => return None,
+        })
+    }
+}
+
+/// A component of something observed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Observable {
+    /// Component of a marker or of its time derivatives, inertial axes. Constraints use derivative 0
+    /// only, forces 0 and 1.
+    Marker {
+        /// Which marker.
+        marker: MarkerId,
+        /// 0 value, 1 velocity, 2 acceleration.
+        derivative: usize,
+        /// 0, 1, 2 for x, y, z.
+        component: usize,
+    },
+    /// Component of what a constraint exerts on its first party, inertial axes; in outputs. The
+    /// moment is about the first point among its markers.
+    ConstraintReaction {
+        /// Which constraint.
+        constraint: ConstraintId,
+        /// Moment (N m) instead of force (N).
+        moment: bool,
+        /// 0, 1, 2 for x, y, z.
+        component: usize,
+    },
+    /// Multiplier of one row of a constraint; in outputs.
+    Multiplier {
+        /// Which constraint.
+        constraint: ConstraintId,
+        /// Row.
+        row: usize,
+    },
+    /// Component of a body's point: position, velocity (relative to the body's frame) or slope
+    /// dp/dx, in the axes of the body's declared frame.
+    Point {
+        /// Which body.
+        body: BodyId,
+        /// Where on it.
+        at: Location,
+        /// What of it.
+        what: PointQuantity,
+        /// 0, 1, 2 for x, y, z.
+        component: usize,
+    },
+    /// What a body carries at a place: what the part beyond it exerts on the part before it; in outputs.
+    Section {
+        /// Which body.
+        body: BodyId,
+        /// Where on it.
+        at: Location,
+        /// What of it.
+        what: SectionQuantity,
+    },
+    /// Component of what a joint exerts on its body, in the axes of the joint's frame; the moment
+    /// is about the joint's point.
+    Reaction {
+        /// Which joint.
+        joint: JointId,
+        /// Moment (N m) instead of force (N).
+        moment: bool,
+        /// 0, 1, 2 for x, y, z.
+        component: usize,
+    },
+}
+
+/// What is observed at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PointQuantity {
+    /// Position, m.
+    Position,
+    /// Velocity, m/s.
+    Velocity,
+    /// Slope dp/dx, 1.
+    Slope,
+    /// Derivative of the position along the section's y axis, 1.
+    SectionY,
+    /// Derivative of the position along the section's z axis, 1.
+    SectionZ,
+}
+
+/// What a section carries, in the axes of the section (of a centre line: along and across its slope).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SectionQuantity {
+    /// Force along the axis, N; tension is positive.
+    AxialForce,
+    /// Force along the section's y axis, N.
+    ShearY,
+    /// Force along the section's z axis, N.
+    ShearZ,
+    /// Moment about the axis, N m.
+    Torque,
+    /// Moment about the section's y axis, N m.
+    MomentY,
+    /// Moment about the section's z axis, N m; of a planar body that about the plane's normal.
+    MomentZ,
+    /// Magnitude of the bending moment, N m.
+    Moment,
+    /// Largest von Mises stress over the section, Pa.
+    Stress,
+}
+
+/// A place on a body.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Location {
+    /// First node.
+    Start,
+    /// Last node.
+    End,
+    /// Arclength of the stress-free axis from the start, m.
+    At(Box<Expr>),
+}
