@@ -7,10 +7,9 @@ use rncf::equilibrium::{Uniform, continue_from, follow};
 use rncf::modes::{Wanted, critical, modes, stability_margin, unstable_directions};
 use rncf::{Scene, State};
 use rncf_models::Motor;
-use rncf_tests::section_beam::{Properties, Section};
-use rncf_tests::section_chain::{Chain, Hold, Slot, Supports, clamp, straight};
+use rncf_tests::motor::{equilibria as equilibria_by_hand, motor as by_hand};
+use rncf_tests::section_chain::Slot;
 use rncf_tests::section_modes::Damping;
-use rncf_tests::section_statics::Problem;
 
 use crate::scenes::{outputs, referenced};
 
@@ -47,42 +46,6 @@ fn equilibria(elements: usize, speeds: &[f64], damping: f64) -> Vec<(Box<dyn Sce
     found
 }
 
-/// The hand-written shaft with the disc at its middle node, `offset` off the axis (m).
-fn by_hand(elements: usize, offset: f64, rpm: f64) -> Problem {
-    let section = Section::circle(0.05, 210e9, 0.3, 7800.0);
-    let properties = Properties {
-        damping: 1e-6,
-        ..Properties::structural(3, 1.02, &section)
-    };
-    let mut chain = Chain::along(properties, elements, straight).unwrap();
-    let (mass, radius, thickness) = (7800.0 * PI * 0.01 * 0.01, 0.1_f64, 0.01_f64);
-    let across = 0.25 * mass * radius * radius;
-    let second = [mass * thickness.powi(2) / 12.0, across + mass * offset * offset, across];
-    chain.attach(elements / 2, mass, [0.0, offset, 0.0], second);
-    let mut held = clamp(&chain, Hold::Direction);
-    held.push((chain.vector(elements, Slot::Position), Hold::Fixed));
-    Problem {
-        supports: Supports::new(&chain, &held),
-        chain,
-        loads: vec![],
-        spin: [rpm * RPM, 0.0, 0.0],
-    }
-}
-
-/// Its relative equilibria at ascending speeds, in steps of 500 rpm.
-fn equilibria_by_hand(elements: usize, speeds: &[f64]) -> Vec<(Problem, Vec<f64>)> {
-    let mut q = by_hand(elements, 0.05, 0.0).chain.stress_free().to_vec();
-    let (mut rpm, mut found) = (0.0, Vec::new());
-    for &speed in speeds {
-        while rpm < speed {
-            rpm += 500.0;
-            by_hand(elements, 0.05, rpm).newton(1.0, &mut q).unwrap();
-        }
-        found.push((by_hand(elements, 0.05, rpm), q.clone()));
-    }
-    found
-}
-
 #[test]
 fn relative_equilibria() {
     // THEORY 9.3, made with 3 gradient points: mid-shaft v in mm for 4, 8, 16 elements.
@@ -94,7 +57,7 @@ fn relative_equilibria() {
     ];
     let speeds = TABLE.map(|row| row.0);
     for (column, elements) in [4, 8, 16].into_iter().enumerate() {
-        let hand = equilibria_by_hand(elements, &speeds);
+        let hand = equilibria_by_hand(elements, &speeds, 2);
         let found = equilibria(elements, &speeds, 0.0);
         for (((mut scene, state), (problem, q)), (rpm, row)) in found.into_iter().zip(hand).zip(TABLE) {
             let outputs = outputs(scene.as_mut(), &Uniform::steady(LATE), &state);
@@ -130,7 +93,7 @@ fn frequencies_and_decay() {
     let at = Uniform::steady(LATE);
     let wanted = Wanted { count: 6 };
     let [free, damped] = [0.0, 1e-6].map(|damping| equilibria(4, &speeds, damping));
-    let hand = equilibria_by_hand(4, &speeds);
+    let hand = equilibria_by_hand(4, &speeds, 2);
     for ((((mut free, at_free), (mut damped, at_damped)), (problem, q)), (rpm, frequency, decay)) in
         free.into_iter().zip(damped).zip(hand).zip(TABLE)
     {
@@ -151,7 +114,7 @@ fn frequencies_and_decay() {
 #[test]
 fn balanced_shaft_has_a_critical_speed() {
     for (elements, expected) in [(4, 17246.0), (8, 17238.0)] {
-        let by_hand = by_hand(elements, 0.0, 1.0).critical_speeds().unwrap()[0] / RPM;
+        let by_hand = by_hand(elements, 0.0, 1.0, 2).critical_speeds().unwrap()[0] / RPM;
         // Of the undeformed shaft, as THEORY has it, and of the turning one: the stretched section under the disc
         // holds it upright, as a gyroscope does.
         let [still, turning] = [false, true].map(|turns| {
@@ -197,7 +160,7 @@ fn internal_damping_destabilises_the_balanced_shaft_above_its_critical_speed() {
         let state = path.state().unwrap().clone();
         let found = modes(scene.as_mut(), &at, &state, Wanted { count: 6 }).unwrap();
         let margin = stability_margin(&found).unwrap();
-        let hand = by_hand(4, 0.0, rpm);
+        let hand = by_hand(4, 0.0, rpm, 2);
         let mut q = hand.chain.stress_free().to_vec();
         hand.newton(1.0, &mut q).unwrap();
         let expected = hand.eigenvalue_near(&q, Damping::Measures, [0.0, found[0].im]).unwrap();

@@ -31,6 +31,7 @@ pub mod heavy_top;
 pub mod inertia;
 pub mod inertial_beam;
 pub mod integrate;
+pub mod motor;
 pub mod pendulum;
 pub mod quadrature;
 pub mod rod;

@@ -1,50 +1,14 @@
 //! The motor of THEORY 9.3, critical and above, and the rotor on a hub with ten-vector elements.
 
 use rncf_tests::galerkin_rotor::Rotor;
+use rncf_tests::motor::{equilibria, motor};
 use rncf_tests::section_beam::{Properties, Section};
-use rncf_tests::section_chain::{Chain, Hold, Slot, Supports, clamp, straight};
+use rncf_tests::section_chain::{Chain, Hold, Slot, Supports, straight};
 use rncf_tests::section_modes::Damping;
 use rncf_tests::section_statics::Problem;
 use std::f64::consts::PI;
 
 const RPM: f64 = PI / 30.0;
-
-/// Shaft with the disc at its middle node, `offset` off the axis (m).
-fn motor(elements: usize, offset: f64, rpm: f64) -> Problem {
-    let section = Section::circle(0.05, 210e9, 0.3, 7800.0);
-    let properties = Properties {
-        gradient_points: 3,
-        damping: 1e-6,
-        ..Properties::structural(3, 1.02, &section)
-    };
-    let mut chain = Chain::along(properties, elements, straight).unwrap();
-    let (mass, radius, thickness) = (7800.0 * PI * 0.01 * 0.01, 0.1_f64, 0.01_f64);
-    let across = 0.25 * mass * radius * radius;
-    let second = [mass * thickness.powi(2) / 12.0, across + mass * offset * offset, across];
-    chain.attach(elements / 2, mass, [0.0, offset, 0.0], second);
-    let mut held = clamp(&chain, Hold::Direction);
-    held.push((chain.vector(elements, Slot::Position), Hold::Fixed));
-    Problem {
-        supports: Supports::new(&chain, &held),
-        chain,
-        loads: vec![],
-        spin: [rpm * RPM, 0.0, 0.0],
-    }
-}
-
-/// Relative equilibria at ascending speeds, reached in steps of 500 rpm.
-fn equilibria(elements: usize, speeds: &[f64]) -> Vec<(Problem, Vec<f64>)> {
-    let mut q = motor(elements, 0.05, 0.0).chain.stress_free().to_vec();
-    let (mut rpm, mut found) = (0.0, Vec::new());
-    for &speed in speeds {
-        while rpm < speed {
-            rpm += 500.0;
-            motor(elements, 0.05, rpm).newton(1.0, &mut q).unwrap();
-        }
-        found.push((motor(elements, 0.05, rpm), q.clone()));
-    }
-    found
-}
 
 #[test]
 fn motor_bends_as_published() {
@@ -56,7 +20,7 @@ fn motor_bends_as_published() {
         (20000.0, [46.0136, 46.0640, 46.0751]),
     ];
     for (column, elements) in [4, 8, 16].into_iter().enumerate() {
-        let states = equilibria(elements, &TABLE.map(|row| row.0));
+        let states = equilibria(elements, &TABLE.map(|row| row.0), 3);
         for ((problem, q), (rpm, row)) in states.iter().zip(TABLE) {
             let v = 1e3
                 * problem
@@ -83,7 +47,7 @@ fn motor_frequencies_and_decay() {
         (17500.0, 214.0, -0.25, -0.216),
         (20000.0, 235.0, -0.41, -0.288),
     ];
-    let states = equilibria(4, &TABLE.map(|row| row.0));
+    let states = equilibria(4, &TABLE.map(|row| row.0), 3);
     for ((problem, q), (rpm, frequency, stiffness, measures)) in states.iter().zip(TABLE) {
         let lowest = problem.frequencies(q).unwrap()[0];
         assert!((lowest - frequency).abs() < 0.51, "{rpm} rpm: {lowest} rad/s");
@@ -104,7 +68,7 @@ fn motor_frequencies_and_decay() {
 #[test]
 fn balanced_shaft_is_unstable_above_its_critical_speed() {
     for (elements, expected) in [(4, 17246.0), (8, 17238.0)] {
-        let critical = motor(elements, 0.0, 1.0).critical_speeds().unwrap()[0] / RPM;
+        let critical = motor(elements, 0.0, 1.0, 3).critical_speeds().unwrap()[0] / RPM;
         assert!(
             (critical - expected).abs() < 0.51,
             "{elements} elements: {critical} rpm"
@@ -112,7 +76,7 @@ fn balanced_shaft_is_unstable_above_its_critical_speed() {
     }
     // THEORY 9.3, about the turning straight shaft with damping c K_T; 8 elements.
     for (rpm, expected) in [(15000.0, -0.22), (17500.0, 0.020), (20000.0, 0.26), (25000.0, 0.73)] {
-        let problem = motor(8, 0.0, rpm);
+        let problem = motor(8, 0.0, rpm, 3);
         let mut q = problem.chain.stress_free().to_vec();
         problem.newton(1.0, &mut q).unwrap();
         let guess = [0.0, (17238.0 - rpm) * RPM];
