@@ -1825,6 +1825,8 @@ pub mod bend45_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "bend",
+                    kind: 0,
+                    instance: None,
                     frame: 0,
                     axes: &[0, 1, 2],
                     line: ::rncf::mesh::Line::Arc {

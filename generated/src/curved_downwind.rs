@@ -1664,6 +1664,8 @@ pub mod curved_downwind_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "beam",
+                    kind: 0,
+                    instance: None,
                     frame: 1,
                     axes: &[0, 1],
                     line: ::rncf::mesh::Line::Arc {

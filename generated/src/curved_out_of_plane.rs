@@ -3287,6 +3287,8 @@ pub mod curved_out_of_plane_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "beam",
+                    kind: 0,
+                    instance: None,
                     frame: 1,
                     axes: &[0, 1, 2],
                     line: ::rncf::mesh::Line::Arc {

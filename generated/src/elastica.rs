@@ -907,6 +907,8 @@ pub mod elastica_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "beam",
+                    kind: 0,
+                    instance: None,
                     frame: 0,
                     axes: &[0, 1],
                     line: ::rncf::mesh::Line::Straight {

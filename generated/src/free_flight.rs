@@ -3421,6 +3421,8 @@ pub mod free_flight_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "cable",
+                    kind: 0,
+                    instance: None,
                     frame: 1,
                     axes: &[0, 1, 2],
                     line: ::rncf::mesh::Line::Straight {

@@ -1574,6 +1574,8 @@ pub mod lateral_buckling_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "beam",
+                    kind: 0,
+                    instance: None,
                     frame: 0,
                     axes: &[0, 1, 2],
                     line: ::rncf::mesh::Line::Straight {

@@ -4530,6 +4530,8 @@ pub mod motor_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "shaft",
+                    kind: 0,
+                    instance: None,
                     frame: 1,
                     axes: &[0, 1, 2],
                     line: ::rncf::mesh::Line::Straight {

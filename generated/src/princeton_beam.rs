@@ -1573,6 +1573,8 @@ pub mod princeton_beam_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "beam",
+                    kind: 0,
+                    instance: None,
                     frame: 0,
                     axes: &[0, 1, 2],
                     line: ::rncf::mesh::Line::Straight {

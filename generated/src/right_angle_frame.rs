@@ -2445,6 +2445,8 @@ pub mod right_angle_frame_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "first",
+                    kind: 0,
+                    instance: None,
                     frame: 0,
                     axes: &[0, 1, 2],
                     line: ::rncf::mesh::Line::Straight {
@@ -2524,6 +2526,8 @@ pub mod right_angle_frame_equations {
                 },
                 ::rncf::mesh::BodySpec {
                     name: "second",
+                    kind: 1,
+                    instance: None,
                     frame: 0,
                     axes: &[0, 1, 2],
                     line: ::rncf::mesh::Line::Straight {

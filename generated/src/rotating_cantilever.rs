@@ -1849,6 +1849,8 @@ pub mod rotating_cantilever_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "beam",
+                    kind: 0,
+                    instance: None,
                     frame: 1,
                     axes: &[0, 1, 2],
                     line: ::rncf::mesh::Line::Straight {

@@ -4362,6 +4362,8 @@ pub mod slider_crank_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "beam",
+                    kind: 0,
+                    instance: None,
                     frame: 2,
                     axes: &[0, 1, 2],
                     line: ::rncf::mesh::Line::Straight {

@@ -1431,6 +1431,8 @@ pub mod spin_up_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "beam",
+                    kind: 0,
+                    instance: None,
                     frame: 1,
                     axes: &[0, 1],
                     line: ::rncf::mesh::Line::Straight {

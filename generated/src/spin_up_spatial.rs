@@ -1954,6 +1954,8 @@ pub mod spin_up_spatial_equations {
             ::std::vec::Vec::from([
                 ::rncf::mesh::BodySpec {
                     name: "beam",
+                    kind: 0,
+                    instance: None,
                     frame: 1,
                     axes: &[0, 1, 2],
                     line: ::rncf::mesh::Line::Straight {

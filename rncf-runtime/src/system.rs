@@ -80,6 +80,30 @@ pub struct Tangent {
     pub damping: Vec<f64>,
 }
 
+/// Takes derivatives of the residual, entry by entry of [`System::pattern`].
+pub trait Sums {
+    /// Adds to M.
+    fn mass(&mut self, entry: usize, value: f64);
+    /// Adds to the derivative with respect to v.
+    fn damping(&mut self, entry: usize, value: f64);
+    /// Adds to the derivative with respect to x.
+    fn stiffness(&mut self, entry: usize, value: f64);
+}
+
+impl Sums for Tangent {
+    fn mass(&mut self, entry: usize, value: f64) {
+        self.mass[entry] += value;
+    }
+
+    fn damping(&mut self, entry: usize, value: f64) {
+        self.damping[entry] += value;
+    }
+
+    fn stiffness(&mut self, entry: usize, value: f64) {
+        self.stiffness[entry] += value;
+    }
+}
+
 /// Which time derivative of the constraints is asked for.
 ///
 /// Every level is the value with the highest derivative of `x` set to zero, so that the full

@@ -3,9 +3,13 @@
 
 mod expression;
 mod moving;
+mod repeated;
 
-pub use expression::{Binary, Comparison, Expr, Function, Location, Observable, PointQuantity, SectionQuantity};
+pub use expression::{
+    Binary, Comparison, Expr, Function, Location, Observable, PointQuantity, Reduction, SectionQuantity,
+};
 pub use moving::{Constraint, Fixture, Force, Free, Marker, Motions, RigidPart};
+pub use repeated::{Caution, Density, Repeat, Share, Start};
 
 use std::collections::BTreeMap;
 
@@ -24,6 +28,7 @@ index!(/** Index into [`Model::bodies`]. */ BodyId);
 index!(/** Index into [`Model::joints`]. */ JointId);
 index!(/** Index into [`Model::markers`]. */ MarkerId);
 index!(/** Index into [`Model::constraints`]. */ ConstraintId);
+index!(/** Index into [`Model::repeats`]. */ RepeatId);
 index!(/** Index into the element library's elements. */ ElementId);
 
 /// The inertial frame, always first.
@@ -46,7 +51,9 @@ pub struct Model {
     pub motions: Vec<Motion>,
     /// Frames; the first is the inertial one, named `inertial`.
     pub frames: Vec<Frame>,
-    /// Bodies in the order of the declaration.
+    /// Loops of the declaration: how often items are repeated.
+    pub repeats: Vec<Repeat>,
+    /// Bodies in the order of the declaration; a repeated one stands once.
     pub bodies: Vec<Body>,
     /// Joints in the order of the declaration.
     pub joints: Vec<Joint>,
@@ -56,12 +63,20 @@ pub struct Model {
     pub constraints: Vec<Constraint>,
     /// Forces on markers: springs, user-written laws, loads on what moves freely.
     pub forces: Vec<Force>,
+    /// Ends of bodies that are one node.
+    pub shares: Vec<Share>,
+    /// Frames whose bodies start in relative equilibrium.
+    pub starts: Vec<Start>,
     /// Fixtures of flexible bodies.
     pub fixtures: Vec<Fixture>,
+    /// Loads per length of a body.
+    pub densities: Vec<Density>,
     /// Loads in the order of the declaration: gravity, and dead loads in prescribed frames.
     pub loads: Vec<Load>,
     /// Outputs in the order of the declaration.
     pub outputs: Vec<Output>,
+    /// What a reader of the results must know.
+    pub cautions: Vec<Caution>,
     /// Defaults of a run.
     pub run: Run,
 }
@@ -163,6 +178,8 @@ pub struct Body {
     pub name: String,
     /// Documentation comment.
     pub doc: String,
+    /// The loop that it stands in.
+    pub repeat: Option<RepeatId>,
     /// The declared frame: its reference coordinate system in RNCF.
     pub frame: FrameId,
     /// Planar or spatial.
@@ -316,6 +333,8 @@ pub struct Joint {
     pub name: String,
     /// Documentation comment.
     pub doc: String,
+    /// The loop that it stands in.
+    pub repeat: Option<RepeatId>,
     /// What it fixes.
     pub kind: JointKind,
     /// Body.
@@ -384,6 +403,16 @@ pub struct Load {
 pub enum LoadKind {
     /// Uniform gravity on all bodies, m/s^2, inertial axes.
     Gravity([Expr; 3]),
+    /// Uniform gravity on what a free frame carries, m/s^2, inertial axes, as a function of markers fixed in
+    /// that frame or in prescribed ones.
+    Field {
+        /// The frame.
+        frame: FrameId,
+        /// Markers, in the order of the emitted function's arguments.
+        markers: Vec<MarkerId>,
+        /// Components, m/s^2.
+        components: [Expr; 3],
+    },
     /// Dead force (N) at a point of a body, axes of a frame, function of t.
     Force {
         /// Body.
@@ -411,7 +440,10 @@ pub enum LoadKind {
 impl LoadKind {
     /// Components of the load, in the axes of its frame.
     pub fn components(&self) -> &[Expr; 3] {
-        let (Self::Gravity(components) | Self::Force { components, .. } | Self::Moment { components, .. }) = self;
+        let (Self::Gravity(components)
+        | Self::Field { components, .. }
+        | Self::Force { components, .. }
+        | Self::Moment { components, .. }) = self;
         components
     }
 }

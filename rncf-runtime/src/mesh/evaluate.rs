@@ -195,7 +195,7 @@ impl MeshScene {
             let value = self.load_in_body(index, t, body).map(|x| load_scale * x);
             let components = body.connectivity.element(point.element);
             match self.loads[index].kind {
-                LoadKind::Gravity => {}
+                LoadKind::Gravity | LoadKind::Field { .. } => {}
                 LoadKind::Force { .. } => {
                     for (place, &component) in components.iter().enumerate() {
                         let weight = point.weights(PlaceVector::Position)[place / dimension];

@@ -25,6 +25,7 @@ mod neutral;
 mod outputs;
 mod parts;
 mod points;
+mod repeated;
 mod sampling;
 mod scene;
 mod section;
@@ -51,6 +52,7 @@ pub use parts::{
     NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed,
 };
 pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
+pub use repeated::{DensitySpec, LANES, ShareSpec, StartSpec, instance};
 pub use sampling::SectionBody;
 pub use scene::MeshScene;
 pub use section::SectionState;

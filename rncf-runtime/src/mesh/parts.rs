@@ -1,9 +1,11 @@
 //! What the generator emits for one model, as the runtime sees it.
 
+use super::evaluate::MAX_SIZE;
 use super::frame::{FrameAction, FrameMotion};
 use super::free::{FreeSpec, RigidSpec};
 use super::line::Line;
 use super::markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec};
+use super::repeated::{DensitySpec, LANES, ShareSpec, StartSpec};
 use super::section_spec::{SectionQuantity, SectionSpec};
 use crate::error::ModelError;
 use crate::system::ConstraintLevel;
@@ -14,6 +16,10 @@ use crate::vector::Vector;
 pub struct BodySpec {
     /// Name in the declaration.
     pub name: &'static str,
+    /// Index of its declaration: bodies of one kind share kernels.
+    pub kind: usize,
+    /// Number of the repetition where the declaration stands in a loop.
+    pub instance: Option<usize>,
     /// Index of its declared frame.
     pub frame: usize,
     /// Frame axes of the components of its vectors: two for planar bodies, else three.
@@ -87,6 +93,14 @@ pub enum Fidelity {
 }
 
 impl BodySpec {
+    /// Name for messages: `main`, or `main[3]` of a repeated body.
+    pub fn label(&self) -> String {
+        match self.instance {
+            Some(instance) => format!("{}[{instance}]", self.name),
+            None => self.name.to_string(),
+        }
+    }
+
     /// Components of a nodal vector.
     pub fn dimension(&self) -> usize {
         self.axes.len()
@@ -216,6 +230,11 @@ pub struct Prescribed {
 pub enum LoadKind {
     /// Uniform gravity on all bodies.
     Gravity,
+    /// Uniform gravity on what the load's frame, a free one, carries, as a function of markers.
+    Field {
+        /// Markers fixed in that frame or in prescribed ones.
+        markers: &'static [usize],
+    },
     /// Force at a point.
     Force {
         /// Body.
@@ -393,6 +412,129 @@ pub trait Parts: Send + Sync + 'static {
     fn initial(&self, _body: usize, _x: f64) -> [Option<[Vector; 2]>; 2] {
         [None, None]
     }
+    /// Ends of bodies that are one node.
+    fn shares(&self) -> Vec<ShareSpec> {
+        Vec::new()
+    }
+    /// Frames whose bodies start in relative equilibrium.
+    fn starts(&self) -> Vec<StartSpec> {
+        Vec::new()
+    }
+    /// Loads per length.
+    fn densities(&self) -> Vec<DensitySpec> {
+        Vec::new()
+    }
+    /// Values that a density depends on along the whole body, from its markers' values and velocities
+    /// (inertial axes); `out` has [`DensitySpec::values`] entries.
+    fn density_values(&self, _density: usize, _t: f64, _z: &[Vector], _velocity: &[Vector], _out: &mut [f64]) {}
+    /// Their derivatives with respect to the markers' values: values x 3 k, rows first.
+    fn density_values_gradient(
+        &self,
+        _density: usize,
+        _t: f64,
+        _z: &[Vector],
+        _velocity: &[Vector],
+        _gradient: &mut [f64],
+    ) {
+    }
+    /// Adds the generalised forces of a density on the nodal vectors of four elements of its kind of body, one in
+    /// each lane; values lane by lane.
+    fn density_force4(
+        &self,
+        _density: usize,
+        _elements: &[(usize, usize); LANES],
+        _values: &[[f64; LANES]],
+        _q: &[[f64; LANES]],
+        _force: &mut [[f64; LANES]],
+    ) {
+    }
+    /// Adds their derivatives with respect to q (n x n, rows first) and with respect to the values (n x values).
+    #[allow(clippy::too_many_arguments)]
+    fn density_tangent4(
+        &self,
+        _density: usize,
+        _elements: &[(usize, usize); LANES],
+        _values: &[[f64; LANES]],
+        _q: &[[f64; LANES]],
+        _by_q: &mut [[f64; LANES]],
+        _by_values: &mut [[f64; LANES]],
+    ) {
+    }
+    /// Gravity of a field load at its markers' values (inertial axes), m/s^2.
+    fn field(&self, _load: usize, _t: f64, _z: &[Vector]) -> Vector {
+        [0.0; 3]
+    }
+    /// Its derivatives with respect to the markers: 3 x 3 k, rows first.
+    fn field_gradient(&self, _load: usize, _t: f64, _z: &[Vector], _gradient: &mut [f64]) {}
+
+    /// Adds the elastic forces of one element.
+    fn elastic_force(&self, body: usize, element: usize, q: &[f64], v: &[f64], force: &mut [f64]) {
+        let none = [0.0; MAX_SIZE];
+        let rest = FrameAction::default();
+        self.force(body, element, true, &rest, q, v, &none[..q.len()], force);
+    }
+    /// Adds their derivatives with respect to q and q', rows first.
+    fn elastic_tangent(
+        &self,
+        body: usize,
+        element: usize,
+        q: &[f64],
+        v: &[f64],
+        stiffness: &mut [f64],
+        damping: &mut [f64],
+    ) {
+        self.tangent(body, element, true, &FrameAction::default(), q, v, stiffness, damping);
+    }
+    /// Adds the elastic forces of four elements of one kind of body, one in each lane: (body, element) for
+    /// each, components of the nodal vectors.
+    fn elastic_force4(
+        &self,
+        elements: &[(usize, usize); LANES],
+        q: &[[f64; LANES]],
+        v: &[[f64; LANES]],
+        force: &mut [[f64; LANES]],
+    ) {
+        let mut own = [0.0; MAX_SIZE];
+        for (lane, &(body, element)) in elements.iter().enumerate() {
+            let [q_lane, v_lane] = [q, v].map(|all| lane_of(all, lane));
+            own[..q.len()].fill(0.0);
+            self.elastic_force(
+                body,
+                element,
+                &q_lane[..q.len()],
+                &v_lane[..q.len()],
+                &mut own[..q.len()],
+            );
+            for (sum, value) in force.iter_mut().zip(&own) {
+                sum[lane] += value;
+            }
+        }
+    }
+    /// Adds their derivatives with respect to q and q' (n x n, rows first); `damping` is not touched where nothing
+    /// damps.
+    fn elastic_tangent4(
+        &self,
+        elements: &[(usize, usize); LANES],
+        q: &[[f64; LANES]],
+        v: &[[f64; LANES]],
+        stiffness: &mut [[f64; LANES]],
+        damping: &mut [[f64; LANES]],
+    ) {
+        let size = q.len() * q.len();
+        let mut own = [0.0; 2 * MAX_SIZE * MAX_SIZE];
+        for (lane, &(body, element)) in elements.iter().enumerate() {
+            let [q_lane, v_lane] = [q, v].map(|all| lane_of(all, lane));
+            own[..2 * size].fill(0.0);
+            let (k, c) = own[..2 * size].split_at_mut(size);
+            self.elastic_tangent(body, element, &q_lane[..q.len()], &v_lane[..q.len()], k, c);
+            for (sums, values) in [(&mut *stiffness, k), (&mut *damping, c)] {
+                for (sum, value) in sums.iter_mut().zip(values) {
+                    sum[lane] += *value;
+                }
+            }
+        }
+    }
+
     /// Whether a load's components depend on time.
     fn load_varies(&self, load: usize) -> bool;
     /// Components of a load at `t`, in its frame's axes.
@@ -600,4 +742,13 @@ pub trait Parts: Send + Sync + 'static {
     fn marker_energy(&self, _force: usize, _t: f64, _z: &[Vector]) -> f64 {
         0.0
     }
+}
+
+/// One lane of an element's components.
+fn lane_of(all: &[[f64; LANES]], lane: usize) -> [f64; MAX_SIZE] {
+    let mut own = [0.0; MAX_SIZE];
+    for (value, lanes) in own.iter_mut().zip(all) {
+        *value = lanes[lane];
+    }
+    own
 }

@@ -274,7 +274,7 @@ impl MeshScene {
 
     pub(super) fn load_point(&self, load: &LoadSpec) -> Result<Option<MeshPoint>, ModelError> {
         match load.kind {
-            LoadKind::Gravity => Ok(None),
+            LoadKind::Gravity | LoadKind::Field { .. } => Ok(None),
             LoadKind::Force { body, at } | LoadKind::Moment { body, at } => self.point(body, at, load.name).map(Some),
         }
     }

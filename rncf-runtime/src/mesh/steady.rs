@@ -232,6 +232,7 @@ impl MeshScene {
         let value = frames[load.frame].direction_to_inertial(self.parts.load(index, t));
         let acts_on = |body: usize| match load.kind {
             LoadKind::Gravity => true,
+            LoadKind::Field { .. } => self.bodies[body].spec.frame == load.frame,
             LoadKind::Force { body: other, .. } | LoadKind::Moment { body: other, .. } => body == other,
         };
         let turned = |frame: usize| turns(&frames[load.frame], &frames[frame], value);

@@ -67,6 +67,7 @@ impl<'a> Check<'a> {
             (known.frame, known.space, line, mesh, axes, fidelity, initial)
         {
             self.model.bodies.push(Body {
+                repeat: None,
                 name: item.name.text.clone(),
                 doc: item.doc.clone(),
                 frame,

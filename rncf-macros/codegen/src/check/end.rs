@@ -118,6 +118,7 @@ impl<'a> Check<'a> {
         }
         known.id = JointId(self.model.joints.len());
         self.model.joints.push(Joint {
+            repeat: None,
             name: item.name.text.clone(),
             doc: item.doc.clone(),
             kind,

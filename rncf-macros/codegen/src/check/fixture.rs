@@ -164,6 +164,7 @@ impl<'a> Check<'a> {
         };
         if let Some(constants) = constants {
             self.model.fixtures.push(Fixture {
+                repeat: None,
                 name: item.name.text.clone(),
                 doc: item.doc.clone(),
                 body: at.body.id,

@@ -22,7 +22,15 @@ fn value(expr: &Expr, leaf: &dyn Fn(&Expr) -> Option<f64>) -> Option<f64> {
     let constant = |expr| value(expr, leaf);
     Some(match expr {
         Expr::Number(value) => *value,
-        Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Strain(_) | Expr::Motion(..) | Expr::Observed(_) => {
+        Expr::Param(_)
+        | Expr::Time
+        | Expr::Arclength
+        | Expr::Index
+        | Expr::Local { .. }
+        | Expr::EndTime
+        | Expr::Strain(_)
+        | Expr::Motion(..)
+        | Expr::Observed(_) => {
             return leaf(expr);
         }
         Expr::Negate(inner) => -constant(inner)?,
@@ -72,7 +80,13 @@ fn call(function: Function, values: &[f64]) -> Option<f64> {
 /// Whether nothing in the expression depends on time.
 pub fn is_free_of_time(expr: &Expr) -> bool {
     match expr {
-        Expr::Number(_) | Expr::Param(_) | Expr::Arclength | Expr::Strain(_) => true,
+        Expr::Number(_)
+        | Expr::Param(_)
+        | Expr::Arclength
+        | Expr::Index
+        | Expr::Local { .. }
+        | Expr::EndTime
+        | Expr::Strain(_) => true,
         Expr::Time | Expr::Observed(_) => false,
         Expr::Motion(_, inner) | Expr::Negate(inner) => is_free_of_time(inner),
         Expr::Binary(_, left, right) | Expr::Power(left, right) => is_free_of_time(left) && is_free_of_time(right),
@@ -101,9 +115,15 @@ pub fn has_motion(expr: &Expr) -> bool {
 fn contains(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
     is(expr)
         || match expr {
-            Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Strain(_) | Expr::Observed(_) => {
-                false
-            }
+            Expr::Number(_)
+            | Expr::Param(_)
+            | Expr::Time
+            | Expr::Arclength
+            | Expr::Index
+            | Expr::Local { .. }
+            | Expr::EndTime
+            | Expr::Strain(_)
+            | Expr::Observed(_) => false,
             Expr::Motion(_, inner) | Expr::Negate(inner) => contains(inner, is),
             Expr::Binary(_, left, right) | Expr::Power(left, right) => contains(left, is) || contains(right, is),
             Expr::Call(_, arguments) => arguments.iter().any(|argument| contains(argument, is)),

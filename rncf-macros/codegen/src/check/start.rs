@@ -251,6 +251,7 @@ impl Start<'_> {
             Location::Start => 0.0,
             Location::End => self.length(body),
             Location::At(x) => self.value(x),
+            Location::Of { place, .. } => self.arclength(body, place),
         }
     }
 

@@ -452,7 +452,15 @@ fn specialised(model: &Model, expr: &Expr) -> Option<Expr> {
             Expr::If(*comparison, inner(a)?, inner(b)?, inner(then)?, inner(otherwise)?)
         }
         Expr::Observed(observable) => Expr::Observed(observable.clone()),
-        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Strain(_) | Expr::Motion(..) => {
+        Expr::Number(_)
+        | Expr::Param(_)
+        | Expr::Time
+        | Expr::Arclength
+        | Expr::Index
+        | Expr::Local { .. }
+        | Expr::EndTime
+        | Expr::Strain(_)
+        | Expr::Motion(..) => {
             return None;
         }
     })

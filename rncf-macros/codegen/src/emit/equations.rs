@@ -350,7 +350,7 @@ fn conservative(model: &Model, variants: &[VariantKernels], variant_of: &[usize]
     let mut frames = frames.chain(used.filter_map(|marker| model.markers[marker.0].frame()));
     let loads = model.loads.iter().all(|load| match &load.kind {
         LoadKind::Gravity(components) | LoadKind::Force { components, .. } => !motions::varies(model, components),
-        LoadKind::Moment { .. } => false,
+        LoadKind::Moment { .. } | LoadKind::Field { .. } => false,
     });
     let rows = model.constraints.iter().flat_map(|constraint| &constraint.rows);
     let rheonomic = motions::varies(model, rows.map(|(_, row)| row));

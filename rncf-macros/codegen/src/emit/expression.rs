@@ -266,6 +266,7 @@ fn method(function: Function) -> &'static str {
         Function::Min => "min",
         Function::Max => "max",
         Function::Atan2 => "atan2",
+        Function::Remainder => "rem_euclid",
     }
 }
 

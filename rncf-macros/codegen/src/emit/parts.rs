@@ -96,6 +96,7 @@ impl Parts<'_> {
             Location::Start => "::rncf::mesh::Place::Start".to_string(),
             Location::End => "::rncf::mesh::Place::End".to_string(),
             Location::At(expr) => format!("::rncf::mesh::Place::At({})", self.expr(expr)),
+            Location::Of { place, .. } => self.place(place),
         }
     }
 
@@ -129,7 +130,7 @@ impl Parts<'_> {
 
     fn bodies(&self) -> String {
         let mut text = "fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
-        for (body, &variant) in self.model.bodies.iter().zip(&self.equations.variant_of) {
+        for (index, (body, &variant)) in self.model.bodies.iter().zip(&self.equations.variant_of).enumerate() {
             let variant = &self.equations.variants[variant].variant;
             let connectivity = variant.connectivity(self.library);
             let nodal = variant.vectors(self.library).into_iter().map(|vector| {
@@ -151,7 +152,7 @@ impl Parts<'_> {
             let count = self.count(&body.count);
             let _ = writeln!(
                 text,
-                "::rncf::mesh::BodySpec {{ name: {:?}, frame: {}, axes: &{:?}, line: {}, count: {count}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {}, fidelity: ::rncf::mesh::Fidelity::{}, mean_axes: {} }},",
+                "::rncf::mesh::BodySpec {{ name: {:?}, kind: {index}, instance: None, frame: {}, axes: &{:?}, line: {}, count: {count}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {}, fidelity: ::rncf::mesh::Fidelity::{}, mean_axes: {} }},",
                 body.name,
                 body.frame.0,
                 body.space.axes(),
@@ -222,6 +223,10 @@ impl Parts<'_> {
         for load in &self.model.loads {
             let (kind, frame) = match &load.kind {
                 LoadKind::Gravity(_) => ("Gravity".to_string(), 0),
+                LoadKind::Field { frame, markers, .. } => {
+                    let markers: Vec<usize> = markers.iter().map(|marker| marker.0).collect();
+                    (format!("Field {{ markers: &{markers:?} }}"), frame.0)
+                }
                 LoadKind::Force { body, at, frame, .. } => {
                     (format!("Force {{ body: {}, at: {} }}", body.0, self.place(at)), frame.0)
                 }
@@ -243,6 +248,7 @@ impl Parts<'_> {
         let mut text = "fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
         for observable in &self.equations.outputs.1 {
             let spec = match observable {
+                Observable::Reduced { .. } => continue,
                 Observable::Point {
                     body,
                     at,

@@ -137,7 +137,14 @@ pub fn intern(markers: &mut Vec<Marker>, marker: Marker) -> MarkerId {
 /// Calls with everything that an expression observes.
 pub fn each_observable(expr: &Expr, of: &mut dyn FnMut(&Observable)) {
     match expr {
-        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Strain(_) => {}
+        Expr::Number(_)
+        | Expr::Param(_)
+        | Expr::Time
+        | Expr::Arclength
+        | Expr::Index
+        | Expr::Local { .. }
+        | Expr::EndTime
+        | Expr::Strain(_) => {}
         Expr::Observed(observable) => of(observable),
         Expr::Motion(_, inner) | Expr::Negate(inner) => each_observable(inner, of),
         Expr::Binary(_, left, right) | Expr::Power(left, right) => {
@@ -168,7 +175,14 @@ pub fn markers_of(expr: &Expr, found: &mut Vec<MarkerId>) {
 pub fn has_time(expr: &Expr) -> bool {
     match expr {
         Expr::Time => true,
-        Expr::Number(_) | Expr::Param(_) | Expr::Arclength | Expr::Strain(_) | Expr::Observed(_) => false,
+        Expr::Number(_)
+        | Expr::Param(_)
+        | Expr::Arclength
+        | Expr::Index
+        | Expr::Local { .. }
+        | Expr::EndTime
+        | Expr::Strain(_)
+        | Expr::Observed(_) => false,
         Expr::Motion(_, inner) | Expr::Negate(inner) => has_time(inner),
         Expr::Binary(_, left, right) | Expr::Power(left, right) => has_time(left) || has_time(right),
         Expr::Call(_, arguments) => arguments.iter().any(has_time),

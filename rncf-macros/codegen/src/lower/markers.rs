@@ -10,7 +10,14 @@ use crate::symbolic::Id;
 pub fn localise(expr: &Expr, markers: &[MarkerId]) -> Expr {
     let walk = |expr: &Expr| Box::new(localise(expr, markers));
     match expr {
-        Expr::Number(_) | Expr::Param(_) | Expr::Time | Expr::Arclength | Expr::Strain(_) => expr.clone(),
+        Expr::Number(_)
+        | Expr::Param(_)
+        | Expr::Time
+        | Expr::Arclength
+        | Expr::Index
+        | Expr::Local { .. }
+        | Expr::EndTime
+        | Expr::Strain(_) => expr.clone(),
         Expr::Motion(motion, argument) => Expr::Motion(*motion, walk(argument)),
         Expr::Negate(a) => Expr::Negate(walk(a)),
         Expr::Binary(operator, a, b) => Expr::Binary(*operator, walk(a), walk(b)),

@@ -118,6 +118,13 @@ fn mentions(expr: &Expr, param: usize) -> bool {
         Expr::If(_, left, right, then, otherwise) => {
             [left, right, then, otherwise].iter().any(|part| mentions(part, param))
         }
-        Expr::Number(_) | Expr::Time | Expr::Arclength | Expr::Strain(_) | Expr::Observed(_) => false,
+        Expr::Number(_)
+        | Expr::Time
+        | Expr::Arclength
+        | Expr::Index
+        | Expr::Local { .. }
+        | Expr::EndTime
+        | Expr::Strain(_)
+        | Expr::Observed(_) => false,
     }
 }

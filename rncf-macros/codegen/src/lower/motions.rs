@@ -17,6 +17,12 @@ pub struct Time<'m> {
     pub t: Id,
     /// Arclength of a body's axis.
     pub x: Id,
+    /// Number of the repetition, in the scope of emitted loops a variable.
+    pub index: Id,
+    /// End time of the run.
+    pub end_time: Id,
+    /// Position and slope of the axis at a particle, by order and component.
+    locals: [[Option<Id>; 3]; 2],
     params: Vec<Id>,
     /// Symbols of the components of the strain that have been used.
     strains: [Option<Id>; 6],
@@ -30,6 +36,8 @@ impl<'m> Time<'m> {
         let mut graph = Graph::new();
         let t = graph.symbol("t");
         let x = graph.symbol("x");
+        let index = graph.symbol("index");
+        let end_time = graph.symbol("end_time");
         let params = model.params.iter().map(|param| {
             let field = format!("model.{}", param.name);
             graph.symbol(if param.is_count {
@@ -44,6 +52,9 @@ impl<'m> Time<'m> {
             graph,
             t,
             x,
+            index,
+            end_time,
+            locals: [[None; 3]; 2],
             params,
             strains: [None; 6],
             observed: Vec::new(),
@@ -59,6 +70,13 @@ impl<'m> Time<'m> {
     pub fn strain(&mut self, component: usize) -> Id {
         let graph = &mut self.graph;
         *self.strains[component].get_or_insert_with(|| graph.symbol(format!("strain[{component}]")))
+    }
+
+    /// The symbol of a component of the position (order 0) or slope (1) at a particle.
+    pub fn local(&mut self, order: usize, component: usize) -> Id {
+        let graph = &mut self.graph;
+        let name = ["position", "slope"][order];
+        *self.locals[order][component].get_or_insert_with(|| graph.symbol(format!("{name}[{component}]")))
     }
 
     /// An expression at the model's time.
@@ -77,6 +95,9 @@ impl<'m> Time<'m> {
             Expr::Param(param) => self.params[param.0],
             Expr::Time => t,
             Expr::Arclength => self.x,
+            Expr::Index => self.index,
+            Expr::Local { order, component } => self.local(*order, *component),
+            Expr::EndTime => self.end_time,
             Expr::Strain(component) => self.strain(*component),
             Expr::Motion(motion, argument) => {
                 let argument = self.expression_at(argument, t);

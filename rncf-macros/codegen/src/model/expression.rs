@@ -1,6 +1,6 @@
 //! Resolved expressions in SI, and what of the simulated system they observe.
 
-use super::{BodyId, ConstraintId, JointId, MarkerId, MotionId, ParamId};
+use super::{BodyId, ConstraintId, JointId, MarkerId, MotionId, ParamId, RepeatId};
 
 /// A resolved expression in SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,6 +11,18 @@ pub enum Expr {
     Param(ParamId),
     /// Time, s.
     Time,
+    /// Number of the repetition, from 0, as a plain number; in what stands in a loop only.
+    Index,
+    /// Component of the position (m) or slope dp/dx of the axis at the particle, axes of the body's frame; in
+    /// densities only.
+    Local {
+        /// 0 position, 1 slope.
+        order: usize,
+        /// Frame axis 0, 1, 2.
+        component: usize,
+    },
+    /// End time of the run, s; in conditions of cautions only.
+    EndTime,
     /// Arclength of a body's stress-free axis from its start, m; in its initial shape only.
     Arclength,
     /// Component of the Green strain tensor, section axes with x along the body: xx, yy, zz, xy, xz, yz;
@@ -45,6 +57,19 @@ pub enum Binary {
     Divide,
 }
 
+/// What a reduction over repetitions tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Reduction {
+    /// Largest value.
+    Max,
+    /// Smallest value.
+    Min,
+    /// Sum.
+    Sum,
+    /// Mean.
+    Mean,
+}
+
 /// Comparison in `if`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Comparison {
@@ -58,7 +83,8 @@ pub enum Comparison {
     GreaterEqual,
 }
 
-/// The usual functions; `Abs`, `Min`, `Max` and `Atan2` in outputs only (they have kinks).
+/// The usual functions; `Abs`, `Min`, `Max` and `Atan2` in outputs only (they have kinks). `Remainder` (`a % b`, with
+/// the sign of b) in the index of a repetition only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]
 pub enum Function {
@@ -78,6 +104,7 @@ pub enum Function {
     Min,
     Max,
     Atan2,
+    Remainder,
 }
 
 impl Function {
@@ -97,7 +124,7 @@ impl Function {
             Function::Ln => x.ln(),
             Function::Sqrt => x.sqrt(),
             Function::Abs => x.abs(),
-            Function::Min | Function::Max | Function::Atan2 => return None,
+            Function::Min | Function::Max | Function::Atan2 | Function::Remainder => return None,
         })
     }
 
@@ -107,6 +134,7 @@ impl Function {
             Function::Min => x.min(y),
             Function::Max => x.max(y),
             Function::Atan2 => x.atan2(y),
+            Function::Remainder => x.rem_euclid(y),
             _ => return None,
         })
     }
@@ -124,6 +152,15 @@ pub enum Observable {
         derivative: usize,
         /// 0, 1, 2 for x, y, z.
         component: usize,
+    },
+    /// Value over all repetitions of a loop, of an expression that may contain [`Expr::Index`]; in outputs.
+    Reduced {
+        /// What is told.
+        reduction: Reduction,
+        /// The loop.
+        repeat: RepeatId,
+        /// What is looked at in each repetition.
+        value: Box<Expr>,
     },
     /// Component of what a constraint exerts on its first party, inertial axes; in outputs. The
     /// moment is about the first point among its markers.
@@ -220,4 +257,29 @@ pub enum Location {
     End,
     /// Arclength of the stress-free axis from the start, m.
     At(Box<Expr>),
+    /// A place on one repetition of a repeated body.
+    Of {
+        /// Number of the repetition, from 0; may contain [`Expr::Index`].
+        instance: Box<Expr>,
+        /// Where on it; not [`Location::Of`].
+        place: Box<Location>,
+    },
+}
+
+impl Location {
+    /// The place on the body or on its repetition.
+    pub fn place(&self) -> &Location {
+        match self {
+            Location::Of { place, .. } => place,
+            own => own,
+        }
+    }
+
+    /// Number of the repetition.
+    pub fn instance(&self) -> Option<&Expr> {
+        match self {
+            Location::Of { instance, .. } => Some(instance),
+            _ => None,
+        }
+    }
 }

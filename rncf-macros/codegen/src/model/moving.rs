@@ -1,7 +1,7 @@
 //! What moves freely, and what acts on it: free frames with their rigid parts, markers, and constraints
 //! and forces as expressions of markers.
 
-use super::{BodyId, Expr, FrameId, Location, MarkerId};
+use super::{BodyId, Expr, FrameId, Location, MarkerId, RepeatId};
 
 /// A frame whose pose is unknown (THEORY 2, 3.1).
 #[derive(Clone, Debug)]
@@ -180,6 +180,8 @@ pub struct Fixture {
     pub name: String,
     /// Documentation comment.
     pub doc: String,
+    /// The loop that it stands in.
+    pub repeat: Option<RepeatId>,
     /// Body.
     pub body: BodyId,
     /// Where.

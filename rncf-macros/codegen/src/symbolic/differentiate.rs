@@ -141,7 +141,9 @@ impl Graph {
                 let minus = self.number(-1.0);
                 self.select(crate::model::Comparison::Less, a, zero, minus, one)
             }
-            Function::Min | Function::Max | Function::Atan2 => unreachable!("{function:?} has two arguments"),
+            Function::Min | Function::Max | Function::Atan2 | Function::Remainder => {
+                unreachable!("{function:?} has two arguments")
+            }
         }
     }
 
@@ -157,6 +159,8 @@ impl Graph {
                 let numerator = self.subtract(left, right);
                 self.divide(numerator, norm)
             }
+            // Nothing that is differentiated depends on the index of a repetition.
+            Function::Remainder => da,
             _ => unreachable!("{function:?} has one argument"),
         }
     }

@@ -99,6 +99,8 @@ impl Parts for Arm {
         let axes: &'static [usize] = if self.d() == 2 { &[0, 1] } else { &[0, 1, 2] };
         vec![BodySpec {
             name: "arm",
+            kind: 0,
+            instance: None,
             frame: 1,
             axes,
             line: Line::Straight {

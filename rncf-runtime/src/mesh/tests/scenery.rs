@@ -44,6 +44,8 @@ pub fn along_slope(mass: f64, first: f64, second: f64) -> [f64; 10] {
 pub fn body(name: &'static str, frame: usize, axes: &'static [usize], to: Vector) -> BodySpec {
     BodySpec {
         name,
+        kind: 0,
+        instance: None,
         frame,
         axes,
         line: Line::Straight { from: [0.0; 3], to },

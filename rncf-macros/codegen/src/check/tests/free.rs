@@ -136,6 +136,7 @@ fn tied_by(joints: &[(JointKind, Location)]) -> Model {
     let frame = model.bodies[0].frame;
     for (at, (kind, place)) in joints.iter().enumerate() {
         model.joints.push(Joint {
+            repeat: None,
             name: format!("j{at}"),
             doc: String::new(),
             kind: *kind,
@@ -204,6 +205,7 @@ fn planar_ties_are_counted() {
         model.joints.retain(|joint| joint.frame != flat);
         for (kind, at) in kinds {
             model.joints.push(Joint {
+                repeat: None,
                 name: "tie".into(),
                 doc: String::new(),
                 kind: *kind,
@@ -335,6 +337,7 @@ fn angles_count() {
     constrained(&mut driven, vec![angle.clone()], |first| observed(first, 0), None);
     assert_eq!(ties::check(&driven, &Library::standard(), hinge), Ok(()));
     model.joints.push(Joint {
+        repeat: None,
         name: "root".into(),
         doc: String::new(),
         kind: JointKind::Clamp,

@@ -208,6 +208,7 @@ fn bodies_with_sections_are_written() {
     model.bodies[1].properties.insert("shear_factor_y", number(0.8));
     model.bodies[1].properties.insert("yield", number(2e8));
     model.fixtures.push(Fixture {
+        repeat: None,
         name: "disc".to_string(),
         doc: String::new(),
         body: BodyId(1),

@@ -221,6 +221,7 @@ pub fn moving() -> Model {
     ];
     for body in 0..2 {
         model.fixtures.push(Fixture {
+            repeat: None,
             name: format!("ball{body}"),
             doc: String::new(),
             body: BodyId(body),
