@@ -231,3 +231,8 @@ messages! {
     no_moment(name, word) = "`{name}` is a `{word}` joint, which carries no moment";
     spring_stiffness(word, unit) = "`{word}` needs a stiffness: for a damper alone write `stiffness = 0 [{unit}]`";
 }
+
+/// An output in a unit of another quantity.
+pub fn output_unit(own: &str, other: &str) -> String {
+    format!("this output is {own}, but the unit it is to be told in is that of {other}")
+}

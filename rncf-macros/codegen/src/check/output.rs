@@ -4,8 +4,9 @@ use super::expr::Scope;
 use super::plane::AXES;
 use super::vector::Quantity;
 use super::{Check, say};
-use crate::model::{Expr as Value, Output};
-use crate::parse::tree::{Expr, ItemKind, Keyword};
+use crate::model::{Binary, Expr as Value, Output};
+use crate::parse::tree::{Expr, ItemKind, Keyword, UnitText};
+use crate::units::Dimension;
 
 impl<'a> Check<'a> {
     pub(super) fn outputs(&mut self) {
@@ -14,10 +15,11 @@ impl<'a> Check<'a> {
             self.errors.at(self.tree.name.span, say::NO_OUTPUT);
         }
         for item in items {
-            let ItemKind::Output(value) = &item.kind else {
+            let ItemKind::Output { unit: told, value } = &item.kind else {
                 continue;
             };
-            if let Some((unit, components)) = self.output(value) {
+            let told = told.as_ref();
+            if let Some((unit, components)) = self.output(value, told) {
                 let (name, doc) = (item.name.text.clone(), item.doc.clone());
                 self.model.outputs.push(Output {
                     name,
@@ -29,18 +31,32 @@ impl<'a> Check<'a> {
         }
     }
 
-    fn output(&mut self, value: &'a Expr) -> Option<(String, Vec<(String, Value)>)> {
-        let typed = match self.value(value, Scope::Output)? {
-            Quantity::Scalar(typed) => typed,
+    fn output(&mut self, value: &'a Expr, told: Option<&'a UnitText>) -> Option<(String, Vec<(String, Value)>)> {
+        let quantity = self.value(value, Scope::Output)?;
+        let (dimension, nature, mut components) = match quantity {
+            Quantity::Scalar(typed) => (typed.dimension, typed.nature, vec![(String::new(), typed.value)]),
             Quantity::Vector(vector) => {
                 let component = |axis: &usize| (AXES[*axis].to_string(), vector.values[*axis].clone());
-                let unit = vector.dimension.symbol(vector.nature.angle);
-                return Some((unit, vector.axes.iter().map(component).collect()));
+                let components = vector.axes.iter().map(component).collect();
+                (vector.dimension, vector.nature, components)
             }
         };
-        Some((
-            typed.dimension.symbol(typed.nature.angle),
-            vec![(String::new(), typed.value)],
-        ))
+        let Some(told) = told else {
+            return Some((dimension.symbol(nature.angle), components));
+        };
+        let unit = self.unit(told)?;
+        if Dimension::of(unit.dimension) != dimension {
+            let (own, other) = (
+                dimension.describe(nature.angle),
+                Dimension::of(unit.dimension).describe(false),
+            );
+            self.errors.at(told.area, say::output_unit(&own, &other));
+            return None;
+        }
+        let si = Box::new(Value::Number(unit.si()));
+        for (_, value) in &mut components {
+            *value = Value::Binary(Binary::Divide, Box::new(value.clone()), si.clone());
+        }
+        Some((told.text.clone(), components))
     }
 }

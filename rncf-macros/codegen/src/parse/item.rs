@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, TokenTree};
 use super::cursor::{Cursor, Parsed};
 use super::messages as say;
 use super::tree::{Field, Fields, Item, ItemKind, Keyword, Name, Statement, Tree};
-use super::{ascii, expr};
+use super::{ascii, expr, unit};
 use crate::errors::{Area, Errors, Mistake};
 
 /// All items of a model.
@@ -132,7 +132,11 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
     Ok(match keyword {
         Keyword::Param => unreachable!("parameters are read by `param`"),
         Keyword::Const => ItemKind::Const(assignment(cursor)?),
-        Keyword::Output => ItemKind::Output(assignment(cursor)?),
+        Keyword::Output => {
+            let unit = cursor.eat_punct(':').then(|| unit::compound(cursor)).transpose()?;
+            let value = assignment(cursor)?;
+            ItemKind::Output { unit, value }
+        }
         Keyword::Motion => {
             time_argument(cursor)?;
             ItemKind::Motion(assignment(cursor)?)

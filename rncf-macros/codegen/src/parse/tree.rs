@@ -188,8 +188,13 @@ pub enum ItemKind {
     Spring(Call),
     /// `load name = call;`
     Load(Call),
-    /// `output name = value;`
-    Output(Expr),
+    /// `output name [: unit] = value;`
+    Output {
+        /// Unit that it is told in.
+        unit: Option<UnitText>,
+        /// What is told.
+        value: Expr,
+    },
     /// Unreadable; reported already. Uses of the name are not mistakes.
     Broken,
 }

@@ -309,3 +309,21 @@ fn literals_in_named_arguments() {
     assert_eq!(angle("2 rad * elements"), product(Param(ParamId(1))));
     assert_eq!(angle("2 [rad/s] * t"), product(Time));
 }
+
+#[test]
+fn outputs_are_told_in_the_unit_that_is_asked_for() {
+    let text = SPIN_UP.trim_end().strip_suffix('}').map(|items| {
+        format!("{items} output turned: deg = 0.5 rad; output place: mm = beam.end; output plain = 0.5 rad; }}")
+    });
+    let model = model(&text.unwrap_or_default());
+    let [turned, tip, plain] = &model.outputs[model.outputs.len() - 3..] else {
+        panic!("three outputs");
+    };
+    assert_eq!((turned.unit.as_str(), plain.unit.as_str()), ("deg", "rad"));
+    let degree = std::f64::consts::PI / 180.0;
+    assert_eq!(
+        super::super::fold::constant(&turned.components[0].1),
+        Some(0.5 / degree)
+    );
+    assert_eq!((tip.unit.as_str(), tip.components.len()), ("mm", 2));
+}
