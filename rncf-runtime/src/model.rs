@@ -2,7 +2,7 @@
 
 use crate::equilibrium::Uniform;
 use crate::error::ModelError;
-use crate::mesh::{SectionBody, SectionState};
+use crate::mesh::{Configuration, Curve, SectionBody, SectionState};
 use crate::rotation::Rotation;
 use crate::system::{State, System, Tangent};
 use crate::vector::Vector;
@@ -169,6 +169,21 @@ pub trait Scene: System + Send {
     /// The flexible bodies whose section states are told, in the order of [`Scene::section_states`].
     fn section_bodies(&self) -> Vec<SectionBody> {
         Vec::new()
+    }
+
+    /// The lines of a picture of the scene, in the order of [`Scene::configuration`].
+    fn curves(&self) -> Vec<Curve> {
+        Vec::new()
+    }
+
+    /// Names of all frames, in the order of [`Configuration::poses`].
+    fn frame_names(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// Where everything is at a state; `out` is overwritten.
+    fn configuration(&mut self, _state: &State, out: &mut Configuration) {
+        *out = Configuration::default();
     }
 
     /// What sections of all [`Scene::section_bodies`] carry at a state, body by body from start to end; `out`

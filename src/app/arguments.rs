@@ -23,6 +23,10 @@ pub(super) struct Arguments<M> {
     pub frequency: Frequency,
     pub out: PathBuf,
     pub quiet: bool,
+    /// Whether an animation is written.
+    pub animate: bool,
+    /// Whether files for ParaView are written.
+    pub vtu: bool,
 }
 
 /// Why there is nothing to run.
@@ -92,6 +96,8 @@ fn read<M: Model>(program: &Program<'_>, matches: &ArgMatches) -> Result<Argumen
         frequency: text(matches, "frequency").map_or_else(Frequency::default, Frequency::named),
         out: out.unwrap_or_else(|| program.out.clone()),
         quiet: matches.get_flag("quiet"),
+        animate: matches.get_flag("animate"),
+        vtu: matches.get_flag("vtu"),
     })
 }
 
@@ -195,6 +201,7 @@ fn settings(matches: &ArgMatches) -> Result<RunSettings, String> {
         },
         t_end: flag_time("t-end", "20 s")?,
         every: flag_time("every", "0.05 s")?,
+        pictures: matches.get_flag("animate") || matches.get_flag("vtu"),
     })
 }
 
@@ -358,6 +365,11 @@ fn command_line<M: Model>(program: &Program<'_>) -> clap::Command {
                 .value_parser(clap::value_parser!(PathBuf))
                 .allow_hyphen_values(false),
         )
+        .arg(flag(
+            "animate",
+            "Write animation.html: the bodies over time, in any browser",
+        ))
+        .arg(flag("vtu", "Write paraview.pvd: the bodies over time, for ParaView"))
         .arg(flag("quiet", "No progress and no summary"))
 }
 
@@ -411,6 +423,7 @@ mod tests {
             },
             t_end: Some(2.0),
             every: Some(0.5),
+            pictures: false,
         };
         assert_eq!(arguments.settings, expected);
         assert_eq!(arguments.out, PathBuf::from("here"));

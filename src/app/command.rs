@@ -58,7 +58,7 @@ impl Command {
     fn takes(self, flag: &str) -> bool {
         match flag {
             "integrator" | "rtol" | "step" | "max-step" | "alpha" | "rho-inf" | "start" | "every" | "t-end"
-            | "stabilised" | "no-elimination" => self == Command::Run,
+            | "stabilised" | "no-elimination" | "animate" | "vtu" => self == Command::Run,
             "steps" => matches!(self, Command::Steady | Command::Campbell | Command::Static),
             "at" => self != Command::Run,
             "spin" | "axis" => matches!(self, Command::Steady | Command::Modes | Command::Campbell),

@@ -9,6 +9,7 @@ use super::command::Command;
 use super::diagrams::{campbell_lines, campbell_part, critical_lines, mode_lines, modes_csv, modes_part};
 use super::history::History;
 use super::modes::modes;
+use super::pictures::{Pictures, animation, paraview};
 use super::parameters::{digits, short};
 use super::progress::Bar;
 use super::run::{Incomplete, RunError, run_watched};
@@ -87,7 +88,10 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
     let summary = summary::of_run(&arguments.model, &result);
     let table = ("history.csv", result.history.to_csv());
     let part = report::run_part::<M>(&result.history, &result.steps);
-    let files = write(arguments, "run", table, &summary, part)?;
+    let mut files = write(arguments, "run", table, &summary, part)?;
+    if let Some(pictures) = &result.pictures {
+        files += &write_pictures(arguments, pictures)?;
+    }
     let counts = &result.statistics;
     let mut head = format!(
         "{}: t = {} s, {} steps ({} rejected), {} factorizations, {} s",
@@ -239,6 +243,29 @@ fn write<M: Model>(
             paths.push(format!("  {}", arguments.out.join(name).display()));
         }
         Ok(paths.join("\n"))
+    };
+    written().map_err(|text: String| Failure::new(FAILURE, text))
+}
+
+/// Writes what was asked for of the pictures; the lines that name the files.
+fn write_pictures<M: Model>(arguments: &Arguments<M>, pictures: &Pictures) -> Result<String, Failure> {
+    let written = || {
+        let mut lines = String::new();
+        let mut named = |name: &str| lines += &format!("\n  {}", arguments.out.join(name).display());
+        if arguments.animate {
+            files::write(&arguments.out, animation::NAME, &animation::page(M::NAME, pictures))?;
+            named(animation::NAME);
+        }
+        if arguments.vtu {
+            let folder = arguments.out.join(paraview::FOLDER);
+            files::create_folder(&folder)?;
+            for picture in 0..pictures.shots.len() {
+                files::write(&folder, &paraview::name(picture), &paraview::picture(pictures, picture))?;
+            }
+            files::write(&arguments.out, paraview::LIST, &paraview::list(pictures))?;
+            named(paraview::LIST);
+        }
+        Ok(lines)
     };
     written().map_err(|text: String| Failure::new(FAILURE, text))
 }

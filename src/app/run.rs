@@ -7,6 +7,7 @@ use super::campbell::Campbell;
 use super::clock::{Clock, Seconds};
 use super::envelopes::Envelopes;
 use super::history::{Column, History};
+use super::pictures::Pictures;
 use super::steady::{self, Equilibria};
 use crate::{
     Formulation, Integrator, Joints, Method, Model, ModelError, Options, Scene, SolveError, Start, State, Statistics,
@@ -30,6 +31,8 @@ pub struct RunSettings {
     pub t_end: Option<f64>,
     /// Time between two rows of the history, s; `None`: the model's own.
     pub every: Option<f64>,
+    /// Whether pictures of the bodies are taken.
+    pub pictures: bool,
 }
 
 impl Default for RunSettings {
@@ -43,6 +46,7 @@ impl Default for RunSettings {
             options: Options::default(),
             t_end: None,
             every: None,
+            pictures: false,
         }
     }
 }
@@ -76,6 +80,8 @@ pub struct RunResult {
     pub history: History,
     /// Largest section forces and stresses of the bodies, over the rows of the history.
     pub envelopes: Envelopes,
+    /// Where the bodies are in some rows of the history, where that was asked for.
+    pub pictures: Option<Pictures>,
     /// All accepted steps.
     pub steps: Vec<StepTaken>,
     /// Counts of the integration.
@@ -204,6 +210,7 @@ pub fn run_watched<M: Model>(
         settings,
         history: History::new::<M>(Column::time()),
         envelopes: Envelopes::new(scene.as_ref(), &Column::time()),
+        pictures: None,
         steps: Vec::new(),
         statistics: Statistics::default(),
         unknowns: scene.unknowns(),
@@ -271,6 +278,9 @@ fn integrate(
     let mut integrator = Integrator::new(scene, start, t_end, method, options)?;
     let moved = corrections(integrator.statistics());
     let mut rows = Rows::new(every, t_end, integrator.state(), columns);
+    if result.settings.pictures {
+        result.pictures = Pictures::new(integrator.system(), rows.count);
+    }
     let mut energy = EnergyDrift::default();
     rows.state.clone_from(integrator.state());
     energy.meet(integrator.system().energy(&rows.state));
@@ -387,6 +397,9 @@ impl Rows {
             }
             result.history.push(time, &self.values).map_err(Incomplete::Output)?;
             result.envelopes.meet(integrator.system(), time, &self.state);
+            if let Some(pictures) = &mut result.pictures {
+                pictures.take(self.next, integrator.system(), time, &self.state);
+            }
             self.next += 1;
         }
         Ok(())

@@ -8,6 +8,7 @@ mod build;
 mod carried;
 mod checks;
 mod conditions;
+mod configuration;
 mod evaluate;
 mod fixtures;
 mod frame;
@@ -41,6 +42,7 @@ mod view;
 mod whirl;
 
 pub use checks::{array, array_mut, check_params, inertia, non_negative, poisson, positive};
+pub use configuration::{Configuration, Curve};
 pub use frame::{FrameAction, FrameMotion};
 pub use free::{FreeSpec, Motions, RigidSpec};
 pub use layout::{Layout, VectorKind};

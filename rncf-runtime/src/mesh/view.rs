@@ -1,5 +1,6 @@
 //! A scene as the application sees it.
 
+use super::configuration::{Configuration, Curve};
 use super::parts::ObservedSpec;
 use super::sampling::SectionBody;
 use super::scene::MeshScene;
@@ -26,6 +27,20 @@ impl Scene for MeshScene {
     fn outputs(&mut self, state: &State, out: &mut [f64]) {
         self.load_state(state);
         self.evaluate_outputs(state.t, 1.0, &state.lambda, out);
+    }
+
+    fn curves(&self) -> Vec<Curve> {
+        self.drawn()
+    }
+
+    fn frame_names(&self) -> Vec<String> {
+        let frames = 0..self.parts.frame_count();
+        frames.map(|frame| self.parts.frame_name(frame).to_string()).collect()
+    }
+
+    fn configuration(&mut self, state: &State, out: &mut Configuration) {
+        self.load_state(state);
+        self.draw(out);
     }
 
     fn section_bodies(&self) -> Vec<SectionBody> {

@@ -9,6 +9,7 @@ use crate::equilibrium::Uniform;
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::mesh::carried::Beside;
+use crate::mesh::configuration::{Configuration, Curve};
 use crate::mesh::frame::FrameAction;
 use crate::mesh::parts::{Fidelity, Parts};
 use crate::mesh::sampling::SectionBody;
@@ -423,6 +424,19 @@ impl Scene for ModalScene {
     fn outputs(&mut self, state: &State, out: &mut [f64]) {
         self.expand(state);
         self.in_elements(|scene, full| scene.outputs(full, out));
+    }
+
+    fn curves(&self) -> Vec<Curve> {
+        self.scene.curves()
+    }
+
+    fn frame_names(&self) -> Vec<String> {
+        self.scene.frame_names()
+    }
+
+    fn configuration(&mut self, state: &State, out: &mut Configuration) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.configuration(full, out));
     }
 
     fn section_bodies(&self) -> Vec<SectionBody> {
