@@ -89,8 +89,10 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
     let table = ("history.csv", result.history.to_csv());
     let part = report::run_part::<M>(&result.history, &result.steps);
     let mut files = write(arguments, "run", table, &summary, part)?;
-    if let Some(pictures) = &result.pictures {
-        files += &write_pictures(arguments, pictures)?;
+    match &result.pictures {
+        Some(pictures) => files += &write_pictures(arguments, pictures)?,
+        None if result.settings.pictures => files += "\n  (no pictures: this scene has nothing to draw)",
+        None => {}
     }
     let counts = &result.statistics;
     let mut head = format!(

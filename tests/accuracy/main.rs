@@ -12,6 +12,7 @@ mod models;
 mod multibody;
 mod orders;
 mod pendulum;
+mod pictures;
 mod reference;
 mod runs;
 mod slider_crank;
