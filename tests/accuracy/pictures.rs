@@ -2,7 +2,7 @@
 
 use rncf::app::{Pictures, RunSettings, run};
 use rncf::vector::{add, apply, norm, subtract};
-use rncf_models::free_flight::FreeFlight;
+use rncf_models::FreeFlight;
 
 /// A cable that tumbles through space: its ends in the pictures are those of the outputs, in inertial axes.
 #[test]
