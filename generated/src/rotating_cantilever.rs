@@ -2102,12 +2102,14 @@ pub mod rotating_cantilever_equations {
             v: &[[f64; 4]],
             force: &mut [[f64; 4]],
         ) {
-            let body = elements[0].0;
-            ::rncf::lanes::run(CableSpatialElasticForce {
+            let four = CableSpatialElasticForce {
                 rows: [&self.row_beam; 4],
                 q: ::rncf::mesh::array(q),
                 force: ::rncf::mesh::array_mut(force),
-            });
+            };
+            if !::rncf::lanes::run(four) {
+                ::rncf::mesh::elastic_force_one_by_one(self, elements, q, v, force);
+            }
         }
         fn elastic_tangent4(
             &self,
@@ -2117,12 +2119,21 @@ pub mod rotating_cantilever_equations {
             stiffness: &mut [[f64; 4]],
             damping: &mut [[f64; 4]],
         ) {
-            let body = elements[0].0;
-            ::rncf::lanes::run(CableSpatialElasticTangent {
+            let four = CableSpatialElasticTangent {
                 rows: [&self.row_beam; 4],
                 q: ::rncf::mesh::array(q),
                 stiffness: ::rncf::mesh::array_mut(stiffness),
-            });
+            };
+            if !::rncf::lanes::run(four) {
+                ::rncf::mesh::elastic_tangent_one_by_one(
+                    self,
+                    elements,
+                    q,
+                    v,
+                    stiffness,
+                    damping,
+                );
+            }
         }
         fn force(
             &self,

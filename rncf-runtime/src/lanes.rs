@@ -9,8 +9,6 @@ mod four;
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-use four::{Portable, vectors};
-
 pub use crate::mesh::LANES;
 
 /// A number of a kernel: one value, or one for each lane.
@@ -109,16 +107,12 @@ pub trait Kernel {
     fn run<L: Lanes>(self, lanes: L);
 }
 
-/// Runs a kernel with the best instruction set of the processor: AVX2 where it has it.
+/// Runs a kernel if the processor has instructions for four lanes (AVX2), and says whether it has; where it has not,
+/// the kernel of one element for each lane gives the same bits.
 #[inline]
-pub fn run(kernel: impl Kernel) {
-    match vectors::available() {
-        Some(set) => vectors::run(set, kernel),
-        None => run_portable(kernel),
-    }
-}
-
-/// Runs a kernel with the instructions that every processor has; the results have the same bits.
-pub fn run_portable(kernel: impl Kernel) {
-    kernel.run(Portable);
+pub fn run(kernel: impl Kernel) -> bool {
+    #[cfg(target_arch = "x86_64")]
+    return four::avx2::run(kernel);
+    #[cfg(not(target_arch = "x86_64"))]
+    return false;
 }

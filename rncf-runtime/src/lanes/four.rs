@@ -128,63 +128,9 @@ impl<I: Instructions> SubAssign<Four<I>> for [f64; LANES] {
     }
 }
 
-/// The instructions that every processor has.
-#[derive(Clone, Copy)]
-pub struct Portable;
-
-impl Portable {
-    #[inline(always)]
-    fn each(a: [f64; LANES], b: [f64; LANES], operation: impl Fn(f64, f64) -> f64) -> [f64; LANES] {
-        let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (a, b);
-        [
-            operation(a0, b0),
-            operation(a1, b1),
-            operation(a2, b2),
-            operation(a3, b3),
-        ]
-    }
-}
-
-impl Instructions for Portable {
-    type Values = [f64; LANES];
-
-    #[inline(always)]
-    fn load(self, values: [f64; LANES]) -> [f64; LANES] {
-        values
-    }
-    #[inline(always)]
-    fn store(self, values: [f64; LANES]) -> [f64; LANES] {
-        values
-    }
-    #[inline(always)]
-    fn add(self, a: [f64; LANES], b: [f64; LANES]) -> [f64; LANES] {
-        Self::each(a, b, |a, b| a + b)
-    }
-    #[inline(always)]
-    fn sub(self, a: [f64; LANES], b: [f64; LANES]) -> [f64; LANES] {
-        Self::each(a, b, |a, b| a - b)
-    }
-    #[inline(always)]
-    fn mul(self, a: [f64; LANES], b: [f64; LANES]) -> [f64; LANES] {
-        Self::each(a, b, |a, b| a * b)
-    }
-    #[inline(always)]
-    fn div(self, a: [f64; LANES], b: [f64; LANES]) -> [f64; LANES] {
-        Self::each(a, b, |a, b| a / b)
-    }
-    #[inline(always)]
-    fn neg(self, a: [f64; LANES]) -> [f64; LANES] {
-        a.map(|a| -a)
-    }
-    #[inline(always)]
-    fn sqrt(self, a: [f64; LANES]) -> [f64; LANES] {
-        a.map(f64::sqrt)
-    }
-}
-
-/// Vectors of four numbers.
+/// AVX2.
 #[cfg(target_arch = "x86_64")]
-pub mod vectors {
+pub mod avx2 {
     use std::sync::LazyLock;
 
     use pulp::x86::V3;
@@ -195,16 +141,14 @@ pub mod vectors {
 
     static AVAILABLE: LazyLock<Option<V3>> = LazyLock::new(V3::try_new);
 
-    /// AVX2, if the processor has it.
+    /// Runs a kernel compiled for AVX2 if the processor has it; says whether it has.
     #[inline]
-    pub fn available() -> Option<V3> {
-        *AVAILABLE
-    }
-
-    /// Runs a kernel compiled for AVX2.
-    #[inline]
-    pub fn run<K: Kernel>(set: V3, kernel: K) {
+    pub fn run<K: Kernel>(kernel: K) -> bool {
+        let Some(set) = *AVAILABLE else {
+            return false;
+        };
         Simd::vectorize(set, Vectorized(set, kernel));
+        true
     }
 
     struct Vectorized<K>(V3, K);
@@ -253,20 +197,5 @@ pub mod vectors {
         fn sqrt(self, a: f64x4) -> f64x4 {
             self.sqrt_f64x4(a)
         }
-    }
-}
-
-/// No vectors of four numbers.
-#[cfg(not(target_arch = "x86_64"))]
-pub mod vectors {
-    use super::super::{Kernel, run_portable};
-    use super::Portable;
-
-    pub fn available() -> Option<Portable> {
-        None
-    }
-
-    pub fn run<K: Kernel>(_: Portable, kernel: K) {
-        run_portable(kernel);
     }
 }

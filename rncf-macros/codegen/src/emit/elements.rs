@@ -167,16 +167,17 @@ impl Parts<'_> {
         if !(0..self.model.bodies.len()).any(|index| self.variant(index).side_by_side()) {
             return String::new();
         }
-        let body = if self.kind().is_empty() {
-            "let body = elements[0].0;\n"
-        } else {
-            "let (body, _) = self.kind(elements[0].0);\n"
+        let body = match (self.model.bodies.len(), self.kind()) {
+            (1, _) => "",
+            (_, "") => "let body = elements[0].0;\n",
+            _ => "let (body, _) = self.kind(elements[0].0);\n",
         };
         let call = |index: usize, body: &Body, quantity: &str, results: &[&str]| {
             let variant = self.variant(index);
+            let all = results.join(", ");
+            let one_by_one = format!("::rncf::mesh::elastic_{quantity}_one_by_one(self, elements, q, v, {all});");
             if !variant.side_by_side() {
-                let results = results.join(", ");
-                return format!("::rncf::mesh::elastic_{quantity}_one_by_one(self, elements, q, v, {results});");
+                return one_by_one;
             }
             let rows = match body.repeat {
                 Some(_) => format!("elements.map(|(body, _)| &self.row_{}[self.kind(body).1])", body.name),
@@ -204,7 +205,10 @@ impl Parts<'_> {
                 fields.push(format!("{field}: ::rncf::mesh::array_mut({result})"));
             }
             let kernel = camel_case(&format!("{}_elastic_{quantity}", variant.name));
-            format!("::rncf::lanes::run({kernel} {{ {} }});", fields.join(", "))
+            format!(
+                "let four = {kernel} {{ {} }};\nif !::rncf::lanes::run(four) {{ {one_by_one} }}",
+                fields.join(", ")
+            )
         };
         let force = self.by_body(|index, body| call(index, body, "force", &["force"]));
         let tangent = self.by_body(|index, body| call(index, body, "tangent", &["stiffness", "damping"]));
