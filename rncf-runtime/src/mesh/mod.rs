@@ -55,7 +55,7 @@ pub use parts::{
     NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed,
 };
 pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
-pub use repeated::{DensitySpec, LANES, Reduction, ShareSpec, StartSpec, instance, reduce, repetitions};
+pub use repeated::{DensitySpec, LANES, Reduction, ShareSpec, StartSpec, firsts, instance, reduce, repetitions};
 pub use sampling::SectionBody;
 pub use scene::MeshScene;
 pub use section::SectionState;

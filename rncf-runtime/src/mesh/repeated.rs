@@ -57,6 +57,16 @@ pub fn instance(first: usize, count: usize, number: f64) -> usize {
     }
 }
 
+/// Numbers at which declarations begin that stand for so many things each.
+pub fn firsts<const N: usize>(counts: [usize; N]) -> [usize; N] {
+    let mut next = 0_usize;
+    counts.map(|count| {
+        let first = next;
+        next = next.saturating_add(count);
+        first
+    })
+}
+
 /// Checks how often a loop is gone through; a count that is computed is rounded down.
 ///
 /// # Errors
