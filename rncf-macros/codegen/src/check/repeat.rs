@@ -14,6 +14,9 @@ const TAKEN: &[&str] = &["position", "slope", "t_end"];
 /// Most repetitions whose numbers are computed one by one.
 const MOST_TRIED: f64 = 10_000.0;
 
+/// Stands for a count that has been reported.
+const UNKNOWN: Value = Value::Number(f64::INFINITY);
+
 /// The loop or reduction whose index is known.
 #[derive(Clone, Copy, Debug)]
 pub struct Turn<'a> {
@@ -32,7 +35,7 @@ impl<'a> Check<'a> {
             let count = declared.count.as_ref().and_then(|count| self.repetitions(count));
             self.model.repeats.push(Repeat {
                 index: declared.index.as_ref().map_or(String::new(), |index| index.text.clone()),
-                count: count.unwrap_or(Value::Number(1.0)),
+                count: count.unwrap_or(UNKNOWN),
             });
         }
     }
@@ -253,7 +256,7 @@ impl<'a> Check<'a> {
         }
         self.may_be_index(&reduced.index);
         let count = self.repetitions(&reduced.count);
-        let repeat = self.loop_of(&reduced.index.text, count.clone().unwrap_or(Value::Number(1.0)));
+        let repeat = self.loop_of(&reduced.index.text, count.clone().unwrap_or(UNKNOWN));
         self.turn = Some(Turn {
             name: Some(&reduced.index.text),
             repeat,
