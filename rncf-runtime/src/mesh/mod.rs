@@ -32,6 +32,7 @@ mod sampling;
 mod scene;
 mod section;
 mod section_spec;
+mod shared;
 mod states;
 mod steady;
 mod stress;
@@ -56,7 +57,7 @@ pub use parts::{
     NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed,
 };
 pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
-pub use repeated::{DensitySpec, LANES, ShareSpec, StartSpec, instance};
+pub use repeated::{DensitySpec, LANES, Reduction, ShareSpec, StartSpec, firsts, instance, reduce, repetitions};
 pub use sampling::SectionBody;
 pub use scene::MeshScene;
 pub use section::SectionState;

@@ -13,6 +13,7 @@ use crate::lower::free::free_kernel;
 use crate::lower::inertia::{InertiaKernels, inertia_kernels};
 use crate::lower::initial::initial_kernel;
 use crate::lower::joints::{JointKernels, joint_kernels};
+pub use crate::lower::loads::Reduced;
 use crate::lower::{ElasticKernels, Kernel, Variant, elastic_kernels, loads, motions};
 use crate::model::{Body, BodyId, Expr, Fidelity, FrameId, INERTIAL, Joint, LoadKind, Model, Observable};
 
@@ -47,7 +48,9 @@ impl VariantKernels {
 
 /// Whether the elastic kernels of an element are straight-line code of what numbers of lanes can do.
 fn fit_lanes(variant: &Variant, elastic: &ElasticKernels) -> bool {
-    elastic.fields.is_none() && variant.material.is_none() && [&elastic.force, &elastic.tangent].into_iter().all(fits_lanes)
+    elastic.fields.is_none()
+        && variant.material.is_none()
+        && [&elastic.force, &elastic.tangent].into_iter().all(fits_lanes)
 }
 
 /// Everything that is derived for a model.
@@ -82,8 +85,10 @@ pub struct Equations {
     pub section_moments: Option<[Kernel; 2]>,
     /// Kinks and their number.
     pub kinks: (Kernel, usize),
-    /// Outputs and what they observe.
+    /// Outputs and what they observe, reductions last.
     pub outputs: (Kernel, Vec<Observable>),
+    /// Those reductions.
+    pub reduced: Vec<Reduced>,
     /// Defaults of a run.
     pub run: Kernel,
     /// Whether energy is conserved.
@@ -141,6 +146,7 @@ impl Equations {
         let parts = free.clone().any(|(_, _, free)| !free.parts.is_empty());
         let bodies = model.bodies.iter().enumerate();
         let initial = bodies.filter_map(|(index, body)| Some((index, initial_kernel(model, body)?)));
+        let outputs = loads::outputs_kernel(model);
         let mut constraints = constraint_kernels(model);
         constraints.iter_mut().for_each(|kernels| document_rows(kernels, model));
         Self {
@@ -166,7 +172,8 @@ impl Equations {
             moments,
             section_moments,
             kinks: motions::kinks_kernel(model),
-            outputs: loads::outputs_kernel(model),
+            reduced: loads::reductions(model, &outputs.1),
+            outputs,
             run: loads::run_kernel(model),
             variants,
         }
@@ -255,6 +262,7 @@ impl Equations {
         }
         kernels.extend(self.moments.iter().flat_map(|(_, kernels)| kernels));
         kernels.extend(self.section_moments.iter().flatten());
+        kernels.extend(self.reduced.iter().map(|reduced| &reduced.kernel));
         kernels.extend([&self.kinks.0, &self.outputs.0, &self.run]);
         kernels
     }

@@ -10,6 +10,7 @@ mod moving;
 pub mod number;
 pub mod parts;
 pub mod points;
+mod repeated;
 mod section;
 
 use crate::elements::Library;

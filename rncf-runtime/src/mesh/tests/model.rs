@@ -7,6 +7,7 @@ use super::super::parts::{
 };
 use super::super::{
     ConstraintSpec, FixtureSpec, ForceSpec, FrameAction, FrameMotion, MarkerSpec, MeshScene, SectionShape, SectionSpec,
+    ShareSpec,
 };
 use super::inertia::{self, Inertia};
 use super::sections;
@@ -50,6 +51,7 @@ pub struct Hand {
     pub constraints: Vec<(ConstraintSpec, Vec<Quadratic>)>,
     pub forces: Vec<(ForceSpec, Law)>,
     pub fixtures: Vec<FixtureSpec>,
+    pub shares: Vec<ShareSpec>,
     pub observed: Vec<ObservedSpec>,
     pub conservative: bool,
     pub lengths: Vec<f64>,
@@ -237,6 +239,9 @@ impl Parts for Hand {
     }
     fn observed(&self) -> Vec<ObservedSpec> {
         self.observed.clone()
+    }
+    fn shares(&self) -> Vec<ShareSpec> {
+        self.shares.clone()
     }
     fn output_columns(&self) -> usize {
         self.observed.len()

@@ -1,6 +1,7 @@
 mod free;
 mod joints;
 mod precedence;
+mod repeat;
 mod right;
 mod section_joints;
 mod sections;

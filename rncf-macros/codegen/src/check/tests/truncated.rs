@@ -2,6 +2,7 @@
 
 use super::free::FREE;
 use super::joints::JOINTS;
+use super::repeat::SAIL;
 use super::*;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
@@ -95,6 +96,23 @@ fn half_of_a_linkage() {
         survives(cut(tokens.clone(), &mut budget.clone()));
     }
     for by in ["", "7", "arm", "knee . angle", "beam . end", "[ 1 , 2 , 3 ]", "z"] {
+        let by: TokenStream = by.parse().unwrap();
+        for at in 0..total {
+            survives(exchanged(tokens.clone(), &mut at.clone(), &by));
+        }
+    }
+    assert!(survives(tokens));
+}
+
+/// Loops, shared nodes and reductions.
+#[test]
+fn half_of_a_sail() {
+    let tokens: TokenStream = SAIL.parse().unwrap();
+    let total = count(tokens.clone());
+    for budget in 0..total {
+        survives(cut(tokens.clone(), &mut budget.clone()));
+    }
+    for by in ["", "7", ";", "a", "[ a ]", "main [ 0 ] . end", "for", "0 . . 3", "{ }", "%"] {
         let by: TokenStream = by.parse().unwrap();
         for at in 0..total {
             survives(exchanged(tokens.clone(), &mut at.clone(), &by));

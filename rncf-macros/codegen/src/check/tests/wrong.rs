@@ -1,9 +1,10 @@
-//! Wrong models, listed in wrong.txt, free.txt, joints.txt and sections.txt: what is underlined, and what is said.
+//! Wrong models, listed in wrong.txt, free.txt, joints.txt, sections.txt and repeat.txt: what is underlined, and what is said.
 //!
 //! `BLESS=1 cargo test -p rncf-codegen wrong` rewrites the expectations; read the difference.
 
 use super::free::FREE;
 use super::joints::JOINTS;
+use super::repeat::SAIL;
 use super::sections::SECTIONS;
 use super::{SPIN_UP, run};
 
@@ -60,6 +61,11 @@ fn wrong_joints_say_what_would_be_right() {
 #[test]
 fn wrong_sections_say_what_would_be_right() {
     check(include_str!("sections.txt"), "sections.txt", SECTIONS);
+}
+
+#[test]
+fn wrong_loops_say_what_would_be_right() {
+    check(include_str!("repeat.txt"), "repeat.txt", SAIL);
 }
 
 fn check(list: &str, name: &str, model: &str) {
