@@ -10,6 +10,7 @@ pub mod number;
 pub mod parts;
 pub mod points;
 mod section;
+mod start;
 
 use crate::elements::Library;
 use crate::model::Model;
