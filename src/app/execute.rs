@@ -86,7 +86,7 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
     };
     let summary = summary::of_run(&arguments.model, &result);
     let table = ("history.csv", result.history.to_csv());
-    let part = report::run_part::<M>(&result.history, &result.steps);
+    let part = report::run_part::<M>(&result.history, &result.steps, &result.cautions);
     let files = write(arguments, "run", table, &summary, part)?;
     let counts = &result.statistics;
     let mut head = format!(
