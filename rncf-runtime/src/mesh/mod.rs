@@ -30,6 +30,7 @@ mod sampling;
 mod scene;
 mod section;
 mod section_spec;
+mod settle;
 mod states;
 mod steady;
 mod stress;
