@@ -20,7 +20,7 @@ pub use equilibrium::{Equilibrium, steady};
 pub use error::{ModelError, SolveError};
 pub use integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
 pub use model::{
-    Ancf, Formulated, Formulation, Joints, Model, Output, Param, ParamKind, Rncf, RunDefaults, Scene, Start,
+    Ancf, Caution, Formulated, Formulation, Joints, Model, Output, Param, ParamKind, Rncf, RunDefaults, Scene, Start,
 };
 pub use rotation::Rotation;
 pub use system::{State, System};

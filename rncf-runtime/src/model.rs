@@ -119,6 +119,17 @@ pub struct RunDefaults {
     pub every: f64,
 }
 
+/// What a reader of the results must know.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Caution {
+    /// Name in the declaration.
+    pub name: &'static str,
+    /// The sentence.
+    pub text: &'static str,
+    /// Outputs that it is about, as indices into [`Model::outputs`]; none: the whole run.
+    pub outputs: &'static [usize],
+}
+
 /// A model declared with `model!`: its parameters are the fields of the generated struct.
 pub trait Model: Default + Clone + Send + Sync + 'static {
     /// Name of the model.
@@ -140,6 +151,11 @@ pub trait Model: Default + Clone + Send + Sync + 'static {
     fn set(&mut self, index: usize, value: f64);
     /// The default run with these parameters.
     fn run(&self) -> RunDefaults;
+    /// The cautions whose conditions hold with these parameters for a run up to `t_end`, s; 0 for equilibria
+    /// and modes, which last no time.
+    fn cautions(&self, _t_end: f64) -> Vec<Caution> {
+        Vec::new()
+    }
     /// Builds the scene in the formulation chosen at run time.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 
 use std::ops::ControlFlow;
 
+use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::history::Column;
 use super::modes::{SeenMode, is_round};
@@ -229,7 +230,7 @@ pub fn campbell_watched<M: Model>(
     diagram.t = station.at.t;
     diagram.unknowns = station.scene.unknowns();
     diagram.constraints = station.scene.constraints();
-    diagram.warnings = station.scene.warnings(station.state);
+    diagram.warnings = cautions::cautioned(model, station.scene.warnings(station.state));
     diagram.seconds = clock.seconds();
     match diagram.incomplete {
         None => Ok(diagram),

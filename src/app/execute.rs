@@ -87,7 +87,7 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
     };
     let summary = summary::of_run(&arguments.model, &result);
     let table = ("history.csv", result.history.to_csv());
-    let part = report::run_part::<M>(&result.history, &result.steps);
+    let part = report::run_part::<M>(&result.history, &result.steps, &result.cautions);
     let mut files = write(arguments, "run", table, &summary, part)?;
     match &result.pictures {
         Some(pictures) => files += &write_pictures(arguments, pictures)?,

@@ -10,6 +10,7 @@
 
 mod arguments;
 mod campbell;
+mod cautions;
 mod charts;
 mod clock;
 mod command;

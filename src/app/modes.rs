@@ -1,6 +1,7 @@
 //! Modes of small motions about a relative equilibrium, and how an observer sees them (THEORY 8.1, 8.2);
 //! nothing is printed or written here.
 
+use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::run::RunError;
 use super::sweep::{self, SweepSettings};
@@ -151,7 +152,7 @@ pub fn modes<M: Model>(model: &M, settings: &SweepSettings) -> Result<Modes, Run
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
         newton_iterations: u64::from(found.iterations()),
-        warnings: scene.warnings(&state),
+        warnings: cautions::cautioned(&model, scene.warnings(&state)),
         seconds: clock.seconds(),
     })
 }

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
+use super::cautions;
 use super::charts::{Chart, LINES, Line};
 use super::diagrams::{critical_lines, marks};
 use super::history::History;
@@ -13,7 +14,7 @@ use super::section_table;
 use super::steady::Equilibria;
 use super::summary::{SETTINGS, STATISTICS, Summary};
 use crate::modes::Critical;
-use crate::{Model, Output};
+use crate::{Caution, Model, Output};
 
 const STYLE: &str = include_str!("page.css");
 
@@ -54,9 +55,13 @@ pub(super) fn page<M: Model>(model: &M, what: &str, summary: &Summary, results: 
 ///
 /// # Errors
 /// A chart that cannot be drawn.
-pub(super) fn run_part<M: Model>(history: &History, steps: &[StepTaken]) -> Result<String, String> {
-    let mut part = String::new();
-    results::<M>(&mut part, history, &[])?;
+pub(super) fn run_part<M: Model>(
+    history: &History,
+    steps: &[StepTaken],
+    cautions: &[Caution],
+) -> Result<String, String> {
+    let mut part = cautions::above(cautions);
+    results::<M>(&mut part, history, &[], cautions)?;
     if !steps.is_empty() {
         step_chart(&mut part, steps)?;
     }
@@ -68,11 +73,11 @@ pub(super) fn run_part<M: Model>(history: &History, steps: &[StepTaken]) -> Resu
 /// # Errors
 /// A chart that cannot be drawn.
 pub(super) fn equilibria_part<M: Model>(result: &Equilibria) -> Result<String, String> {
-    let mut part = String::new();
+    let mut part = cautions::above(&result.cautions);
     for line in critical_lines(&result.history.key, &result.critical, BUCKLING) {
         let _ = writeln!(part, "<p>{}</p>", escape(&line));
     }
-    results::<M>(&mut part, &result.history, &result.critical)?;
+    results::<M>(&mut part, &result.history, &result.critical, &result.cautions)?;
     Ok(part)
 }
 
@@ -112,9 +117,14 @@ fn header<M: Model>(page: &mut String, title: &str, summary: &Summary) {
 }
 
 /// One chart for each output; components of a vector share theirs.
-fn results<M: Model>(page: &mut String, history: &History, critical: &[Critical]) -> Result<(), String> {
+fn results<M: Model>(
+    page: &mut String,
+    history: &History,
+    critical: &[Critical],
+    cautions: &[Caution],
+) -> Result<(), String> {
     let mut column = 0;
-    for output in M::outputs() {
+    for (index, output) in M::outputs().iter().enumerate() {
         let count = output.components.len().max(1);
         let line = |index: usize| Line::new(history.keys.iter().copied().zip(history.column(index)), index - column);
         // Over time the table below the chart is enough.
@@ -134,7 +144,8 @@ fn results<M: Model>(page: &mut String, history: &History, critical: &[Critical]
             is_tall: false,
         };
         let caption = format!("{}<span>{}</span>", escape(output.name), escape(output.doc.trim()));
-        figure(page, &caption, &chart, &extremes(output, history, column))?;
+        let below = extremes(output, history, column) + &cautions::below(cautions, index);
+        figure(page, &caption, &chart, &below)?;
         column += count;
     }
     Ok(())

@@ -4,14 +4,15 @@ use std::fmt;
 use std::ops::ControlFlow;
 
 use super::campbell::Campbell;
+use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::envelopes::Envelopes;
 use super::history::{Column, History};
 use super::pictures::Pictures;
 use super::steady::{self, Equilibria};
 use crate::{
-    Formulation, Integrator, Joints, Method, Model, ModelError, Options, Scene, SolveError, Start, State, Statistics,
-    StepSize,
+    Caution, Formulation, Integrator, Joints, Method, Model, ModelError, Options, Scene, SolveError, Start, State,
+    Statistics, StepSize,
 };
 
 /// What to run and how.
@@ -93,8 +94,10 @@ pub struct RunResult {
     /// Largest deviation of the total energy from its initial value, relative to the largest energy
     /// met; `None` where the model does not conserve it.
     pub energy_error: Option<f64>,
-    /// What the start corrected of the declared positions and velocities, and what the scene warns of,
-    /// each with the numbers of the first row where it does.
+    /// What the model says a reader must know.
+    pub cautions: Vec<Caution>,
+    /// The same in sentences, what the start corrected of the declared positions and velocities, and what the
+    /// scene warns of, each with the numbers of the first row where it does.
     pub warnings: Vec<String>,
     /// Last good state.
     pub state: State,
@@ -216,12 +219,14 @@ pub fn run_watched<M: Model>(
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
         energy_error: None,
+        cautions: model.cautions(times(&settings).0),
         warnings: Vec::new(),
         state: start.clone(),
         seconds: Seconds::default(),
         incomplete: None,
     };
     integrate(scene.as_mut(), start, &mut result, watch).map_err(RunError::Start)?;
+    result.warnings.splice(0..0, cautions::sentences::<M>(&result.cautions));
     result.seconds = clock.seconds();
     match result.incomplete {
         None => Ok(result),

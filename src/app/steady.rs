@@ -3,6 +3,7 @@
 
 use std::ops::ControlFlow;
 
+use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::envelopes::Envelopes;
 use super::history::History;
@@ -11,7 +12,7 @@ use super::sweep::{Line, SweepProgress, SweepSettings};
 use crate::equilibrium::{self, Kind};
 use crate::model::FrameState;
 use crate::modes::Critical;
-use crate::{Formulation, Joints, Model};
+use crate::{Caution, Formulation, Joints, Model};
 
 /// Equilibria one after the other; always in referenced coordinates with eliminated joints.
 #[derive(Clone, Debug)]
@@ -38,7 +39,9 @@ pub struct Equilibria {
     pub constraints: usize,
     /// Newton iterations of all steps.
     pub newton_iterations: u64,
-    /// What the scene warns of at the last equilibrium.
+    /// What the model says a reader must know.
+    pub cautions: Vec<Caution>,
+    /// The same in sentences, and what the scene warns of at the last equilibrium.
     pub warnings: Vec<String>,
     /// Time that it took.
     pub seconds: Seconds,
@@ -96,7 +99,9 @@ pub fn equilibria<M: Model>(
     }
     let newton_iterations = line.iterations;
     let station = line.station();
-    let mut warnings = station.scene.warnings(station.state);
+    let cautions = super::sweep::at_the_end(model, settings).cautions(0.0);
+    let mut warnings = cautions::sentences::<M>(&cautions);
+    warnings.extend(station.scene.warnings(station.state));
     warnings.extend(envelopes.warning());
     let result = Equilibria {
         kind,
@@ -109,6 +114,7 @@ pub fn equilibria<M: Model>(
         unknowns: station.scene.unknowns(),
         constraints: station.scene.constraints(),
         newton_iterations,
+        cautions,
         warnings,
         seconds: clock.seconds(),
         incomplete,

@@ -7,7 +7,7 @@ use crate::equilibrium::Uniform;
 use crate::linalg::Pattern;
 use crate::model::{FrameState, Output, Param, ParamKind, RunDefaults};
 use crate::system::{ConstraintLevel, Tangent};
-use crate::{Formulation, Joints, Model, ModelError, Scene, State, System};
+use crate::{Caution, Formulation, Joints, Model, ModelError, Scene, State, System};
 
 /// A folder of this process alone, not yet there.
 pub(super) fn temporary_folder(name: &str) -> PathBuf {
@@ -129,6 +129,23 @@ impl Model for Rotor {
             t_end: 4.0,
             every: 0.05,
         }
+    }
+
+    fn cautions(&self, t_end: f64) -> Vec<Caution> {
+        let mut cautions = Vec::new();
+        if self.coils == 7 && t_end < 1.0 {
+            cautions.push(Caution {
+                name: "touching",
+                text: "seven coils touch <each other>",
+                outputs: &[0],
+            });
+            cautions.push(Caution {
+                name: "many",
+                text: "seven is many",
+                outputs: &[],
+            });
+        }
+        cautions
     }
 
     fn build(&self, formulation: Formulation, _: Joints) -> Result<Box<dyn Scene>, ModelError> {

@@ -102,6 +102,7 @@ impl MeshScene {
             marked_loads: Vec::new(),
             fixtures: Vec::new(),
             mean_axes: Vec::new(),
+            settled: Vec::new(),
             borders: Vec::new(),
             pattern: Pattern::new(0, 0, []),
             parts,
@@ -112,6 +113,7 @@ impl MeshScene {
         scene.check_shared(&shared)?;
         scene.place()?;
         scene.tabulate();
+        scene.settle()?;
         scene.load_rest();
         scene.resolve_markers()?;
         scene.sizes = scene.unknown_sizes();
@@ -378,7 +380,7 @@ fn spread_mass(mass: &[f64], spec: &BodySpec) -> Vec<f64> {
 }
 
 /// Numbers the unknowns that the joints and common nodes leave, and those of free frames.
-fn numbering(specs: &[BodySpec], conditions: &[Condition], shared: &Shared, border: usize) -> Layout {
+pub(super) fn numbering(specs: &[BodySpec], conditions: &[Condition], shared: &Shared, border: usize) -> Layout {
     let dimensions = specs
         .iter()
         .flat_map(|spec| std::iter::repeat_n(spec.dimension(), spec.vectors()));

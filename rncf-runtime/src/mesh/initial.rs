@@ -25,11 +25,17 @@ fn place_of(of: Interpolant, order: usize) -> usize {
 }
 
 impl MeshScene {
-    /// Components of all nodal vectors and of their rates at t = 0, in their declared frames.
+    /// Components of all nodal vectors and of their rates at t = 0, in their declared frames: those of starts in
+    /// relative equilibrium, else of initial shapes.
     pub(super) fn initial_shape(&self) -> [Vec<f64>; 2] {
         let (mut q, mut v) = (Vec::new(), Vec::new());
         for (index, body) in self.bodies.iter().enumerate() {
             let spec = &body.spec;
+            if let Some(settled) = self.settled.get(index).filter(|settled| !settled.is_empty()) {
+                q.extend(settled);
+                v.resize(q.len(), 0.0);
+                continue;
+            }
             for within in 0..spec.vectors() {
                 let (node, local) = spec.locate(within);
                 let [values, rates] = self.initial_vectors(index, spec.fraction(node, local));

@@ -33,6 +33,7 @@ mod scene;
 mod section;
 mod section_spec;
 mod shared;
+mod settle;
 mod states;
 mod steady;
 mod stress;

@@ -173,6 +173,8 @@ pub struct MeshScene {
     pub(super) marked_loads: Vec<MarkedLoad>,
     pub(super) fixtures: Vec<Fixture>,
     pub(super) mean_axes: Vec<MeanAxes>,
+    /// For every body that starts in relative equilibrium the components of its vectors, frame axes; else nothing.
+    pub(super) settled: Vec<Vec<f64>>,
     /// For every body the places beside its free frame.
     pub(super) borders: Vec<Border>,
     pub(super) layout: Layout,

@@ -437,7 +437,7 @@ impl<'a> Check<'a> {
     }
 
     /// Reports two terms of different dimensions, at the one that lacks a unit, else at the second.
-    fn unlike_terms(&mut self, left: &Expr, a: &Typed, right: &Expr, b: &Typed) {
+    pub(super) fn unlike_terms(&mut self, left: &Expr, a: &Typed, right: &Expr, b: &Typed) {
         let (wrong, own, other) = if bare_literal(left).is_some() {
             (left, a, b)
         } else {

@@ -73,7 +73,7 @@ const VELOCITY: Wanted = Wanted {
     dimension: [1, 0, -1, 0, 0, 0],
     unit: "m/s",
 };
-const SPIN: Wanted = Wanted {
+pub(super) const SPIN: Wanted = Wanted {
     what: "the angular velocity",
     dimension: [0, 0, -1, 0, 0, 1],
     unit: "rad/s",

@@ -87,6 +87,10 @@ pub const FIXTURE_PLACE: &str =
 pub const MEAN_AXES_IN_SPACE: &str =
     "mean axes of a spatial body turn in space, but its frame moves in a plane: leave out `plane`";
 pub const MOMENT_ABOUT_AXIS: &str = "the moment about the axis of a body is its `torque`";
+pub const START_OF_INERTIAL: &str =
+    "the inertial frame does not turn: name the frame whose bodies start in equilibrium with its rotation";
+pub const CAUTION_WITHOUT_TIME: &str =
+    "a caution depends on parameters and `t_end` alone: leave out motions";
 pub const NOT_MODES: &str =
     "a number of modes is a whole number of at least 1: write e.g. `4`, or a `param n: count = 4;`";
 pub const LONE_AXIS: &str = "an axis does nothing without an angle about it: add `angle = 30 deg`";
@@ -271,6 +275,11 @@ messages! {
     no_angle_in_space(name, word) = "`{name}` turns in space and has no single `{word}`: use its directions `ex`, `ey`, `ez` or its `angular_velocity`";
     angle_of_prescribed(name, word) = "`{name}` moves in a prescribed way: its `{word}` stands in its declaration";
     no_moment(name, word) = "`{name}` is a `{word}` joint, which carries no moment";
+    start_twice(frame, name) = "the bodies of `{frame}` start by `{name}` already: one start is enough";
+    start_without_bodies(frame) = "no body lives in `{frame}`: name the frame that stands behind `in` of the bodies";
+    start_of_modes(body) = "body `{body}` is described by modes or does not deform, and modes have no initial shape: leave out `modal`, `small` or `rigid`, or this start";
+    start_with_velocity(body) = "body `{body}` has an initial velocity, and here it starts at rest in its frame: leave out one of them";
+    start_out_of_plane(plane, axis) = "a body of this frame moves in the {plane} plane: the angular velocity has a {axis} component only";
     spring_stiffness(word, unit) = "`{word}` needs a stiffness: for a damper alone write `stiffness = 0 [{unit}]`";
 }
 

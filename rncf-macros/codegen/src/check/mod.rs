@@ -3,6 +3,7 @@
 
 mod body;
 mod bushing;
+mod caution;
 mod constraint;
 mod drive;
 mod eigen;
@@ -33,6 +34,7 @@ mod resultant;
 mod rigid;
 mod section;
 mod share;
+mod spinning;
 mod spring;
 mod start;
 mod thing;
@@ -94,7 +96,9 @@ pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Mode
     check.springs();
     check.floating();
     check.loads();
+    check.starts();
     check.outputs();
+    check.cautions();
     check.run();
     if tree.complete && check.errors.len() == before {
         check.ties();

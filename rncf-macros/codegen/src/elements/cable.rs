@@ -4,6 +4,7 @@
 use super::{
     Coefficient, Density, Element, ElementOption, Field, Inertia, Interpolant, Invariants, NodalVector, Node, Term,
 };
+use crate::model::Function;
 use crate::symbolic::{Graph, Id};
 use crate::tensors::Polynomial;
 
@@ -79,12 +80,22 @@ pub const CABLE: Element = Element {
         coefficient: "rhoA",
     }],
     damping: "damping",
-    options: &[ElementOption {
-        name: "bending",
-        values: &["polynomial", "exact"],
-        doc: "bending energy 1/2 EI |r_x x r_xx|^2 (polynomial), or divided by |r_x|^4 (exact)",
-    }],
-    energy: |graph, fields, options| thin_beam(graph, fields, BENDING_EXPONENTS[options[0]]),
+    options: &[
+        ElementOption {
+            name: "bending",
+            values: &["polynomial", "exact"],
+            doc: "bending energy 1/2 EI |r_x x r_xx|^2 (polynomial), or divided by |r_x|^4 (exact)",
+        },
+        ElementOption {
+            name: "slack",
+            values: &["false", "true"],
+            doc: "axial force EA e (false), or EA (e + sqrt(e^2 + d^2)) / 2 with d = 1e-6 (true): it pulls only",
+        },
+    ],
+    energy: |graph, fields, options| {
+        let axial = if options.get(1) == Some(&1) { Axial::Slack } else { Axial::Linear };
+        thin_beam(graph, fields, BENDING_EXPONENTS[options[0]], axial)
+    },
     default_points: 5,
     least_points: 3,
     curved_in_space: Some(
@@ -97,11 +108,46 @@ pub const CABLE: Element = Element {
 /// Exponent p of `|r_x|^-2p` in the bending energy, for each value of `bending`.
 const BENDING_EXPONENTS: [f64; 2] = [0.0, 2.0];
 
+/// Strain over which a slack string takes up its load. Far below the strains that wires work at (1e-4 and
+/// more), so that the tension is right to (d/2e)^2, and far above the round-off of a strain (1e-16), which the
+/// force at a compression e, EA d^2/(4 |e|), must be told from.
+pub const SMOOTHING: f64 = 1e-6;
+
+/// Law of the axial force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axial {
+    /// `N = EA e`.
+    Linear,
+    /// `N = EA/2 (e + sqrt(e^2 + d^2))`, which never pushes.
+    Slack,
+}
+
+/// `W = 1/4 (e (e + s) + d^2 ln((e + s)/d))` and `N = 1/2 (e + s)` with `s = sqrt(e^2 + d^2)`.
+///
+/// `e + s` is a difference of nearly equal numbers where e < 0; its error is round-off of e, which nothing feels.
+fn slack(graph: &mut Graph, strain: Id) -> [Id; 2] {
+    let (half, quarter) = (graph.number(0.5), graph.number(0.25));
+    let (smoothing, variance) = (graph.number(SMOOTHING), graph.number(SMOOTHING * SMOOTHING));
+    let square = graph.power(strain, 2);
+    let under = graph.add(square, variance);
+    let root = graph.call(Function::Sqrt, under);
+    let both = graph.add(strain, root);
+    let stress = graph.multiply(half, both);
+    let ratio = graph.divide(both, smoothing);
+    let logarithm = graph.call(Function::Ln, ratio);
+    let (first, second) = (graph.multiply(strain, both), graph.multiply(variance, logarithm));
+    let sum = graph.add(first, second);
+    [graph.multiply(quarter, sum), stress]
+}
+
 /// `1/2 EA eps^2 + 1/2 EI |a x b|^2 (a.a)^-p` with `eps = 1/2 (a.a - 1)`.
 ///
 /// In the plane the curvature `k = (a x b) (a.a)^(-p/2)` has a sign, so that an initial curvature
 /// can be subtracted and bending damped; in space only the square is a function of inner products.
-pub fn thin_beam(graph: &mut Graph, fields: &Invariants, p: f64) -> Vec<Term> {
+///
+/// With a slack string the axial energy is that of [`Axial::Slack`], at Gauss points: the five of the element integrate
+/// the energy of a tight one, of degree 8 in x, exactly, so that both laws agree in tension.
+pub fn thin_beam(graph: &mut Graph, fields: &Invariants, p: f64, axial: Axial) -> Vec<Term> {
     let (half, one) = (graph.number(0.5), graph.one());
     let stretch = graph.subtract(fields.dots[0][0], one);
     let axial_strain = graph.multiply(half, stretch);
@@ -120,7 +166,13 @@ pub fn thin_beam(graph: &mut Graph, fields: &Invariants, p: f64) -> Vec<Term> {
         Term {
             name: "axial strain",
             coefficient: "EA",
-            density: Density::Measure(axial_strain),
+            density: match axial {
+                Axial::Linear => Density::Measure(axial_strain),
+                Axial::Slack => Density::Law {
+                    measure: axial_strain,
+                    law: slack,
+                },
+            },
             points: None,
         },
         Term {

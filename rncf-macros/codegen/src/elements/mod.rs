@@ -4,12 +4,14 @@
 mod beam;
 mod cable;
 
+use std::collections::HashMap;
+
 use crate::lower::quadratic::field_invariants;
 use crate::symbolic::{Graph, Id};
 use crate::tensors::Polynomial;
 
 pub use beam::BEAM;
-pub use cable::{CABLE, thin_beam};
+pub use cable::{Axial, CABLE, thin_beam};
 
 /// Where a nodal vector of an element lives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,8 +113,57 @@ pub enum Density {
     /// `1/2 (s - s0)^2` of a scalar measure s whose value in the stress-free shape is s0; with
     /// damping c the stress is `s - s0 + c s'`, so that the dissipation `c s'^2` is never negative.
     Measure(Id),
+    /// The same of a scalar measure with another law than a proportional one: with `e = s - s0` and damping c
+    /// the stress is `S(e) + c S'(e) e'`, so that the dissipation is never negative where S never falls.
+    Law {
+        /// The measure s.
+        measure: Id,
+        /// Energy W and stress S = dW/de as expressions of e.
+        law: fn(&mut Graph, Id) -> [Id; 2],
+    },
     /// The expression itself; zero in the stress-free shape, not damped.
     Energy(Id),
+}
+
+impl Density {
+    /// The measure whose value in the stress-free shape is subtracted.
+    pub fn measure(self) -> Option<Id> {
+        match self {
+            Density::Measure(measure) | Density::Law { measure, .. } => Some(measure),
+            Density::Energy(_) => None,
+        }
+    }
+
+    /// Stress at a change of the measure, damped where a rate of the change and a damping (s) are given.
+    pub fn stress(self, graph: &mut Graph, change: Id, damped: Option<[Id; 2]>) -> Id {
+        let (stress, stiffness) = match self {
+            Density::Law { law, .. } => {
+                let symbol = graph.symbol("change");
+                let [_, stress] = law(graph, symbol);
+                let stiffness = graph.partial(stress, symbol);
+                let real = HashMap::from([(symbol, change)]);
+                (graph.substitute(stress, &real), graph.substitute(stiffness, &real))
+            }
+            _ => (change, graph.one()),
+        };
+        let Some([rate, damping]) = damped else {
+            return stress;
+        };
+        let viscosity = graph.multiply(damping, stiffness);
+        let viscous = graph.multiply(viscosity, rate);
+        graph.add(stress, viscous)
+    }
+
+    /// Energy of a change of the measure, times a factor.
+    pub fn energy(self, graph: &mut Graph, change: Id, factor: Id) -> Id {
+        if let Density::Law { law, .. } = self {
+            let [energy, _] = law(graph, change);
+            return graph.multiply(factor, energy);
+        }
+        let (half, square) = (graph.number(0.5), graph.power(change, 2));
+        let half_factor = graph.multiply(half, factor);
+        graph.multiply(half_factor, square)
+    }
 }
 
 /// The invariants of the fields at a point, as symbols of the graph.

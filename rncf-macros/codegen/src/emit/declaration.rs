@@ -3,12 +3,14 @@
 use std::fmt::Write;
 
 use super::equations::Equations;
+use super::expression::{inline, operator};
 use super::kernel::documentation;
 use super::number::number;
 use super::{module_name, visibility};
 use crate::elements::{Interpolant, Library, NodalVector};
 use crate::lower::constraints::members;
 use crate::lower::markers::list;
+use crate::lower::motions::Time;
 use crate::model::{Body, Fidelity, INERTIAL, Model, Motions, Space};
 
 /// The struct, its defaults and what it says of itself.
@@ -120,6 +122,7 @@ fn implementation(model: &Model, library: &Library, equations: &Equations) -> St
         let cast = if param.is_count { " as usize" } else { "" };
         format!("{index} => self.{} = value{cast},\n", param.name)
     });
+    text += &cautions(model);
     let count = model.params.len();
     let _ = writeln!(
         text,
@@ -141,6 +144,33 @@ fn implementation(model: &Model, library: &Library, equations: &Equations) -> St
          ::rncf::mesh::build(equations, formulation, joints)\n}}\n}}"
     );
     text
+}
+
+/// The sentences whose conditions hold.
+fn cautions(model: &Model) -> String {
+    if model.cautions.is_empty() {
+        return String::new();
+    }
+    let mut text = "fn cautions(&self, end_time: f64) -> ::std::vec::Vec<::rncf::Caution> {\n\
+                    let model = self;\nlet mut cautions = ::std::vec::Vec::new();\n"
+        .to_string();
+    for caution in &model.cautions {
+        let (comparison, left, right) = &caution.condition;
+        let [left, right] = [left, right].map(|side| {
+            let mut time = Time::new(model);
+            let id = time.expression(side);
+            inline(&time.graph, id)
+        });
+        let _ = writeln!(
+            text,
+            "if ({left}) {} ({right}) {{\ncautions.push(::rncf::Caution {{ name: {:?}, text: {:?}, outputs: &{:?} }});\n}}",
+            operator(*comparison),
+            caution.name,
+            caution.text,
+            caution.outputs
+        );
+    }
+    text + "cautions\n}\n"
 }
 
 /// A text over several lines as a raw string literal.

@@ -281,7 +281,8 @@ impl<'g> Writer<'g> {
     }
 }
 
-fn operator(comparison: Comparison) -> &'static str {
+/// The operator in Rust.
+pub fn operator(comparison: Comparison) -> &'static str {
     match comparison {
         Comparison::Less => "<",
         Comparison::LessEqual => "<=",

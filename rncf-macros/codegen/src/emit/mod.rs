@@ -12,6 +12,7 @@ pub mod parts;
 pub mod points;
 mod repeated;
 mod section;
+mod start;
 
 use crate::elements::Library;
 use crate::model::Model;

@@ -66,6 +66,7 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     text += &writer.prepare();
     text += &writer.time_functions();
     text += &writer.initial();
+    text += &super::start::starts(&writer);
     text += &writer.element_functions();
     text += &writer.sections();
     text += &writer.moments();

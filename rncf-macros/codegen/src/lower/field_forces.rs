@@ -126,15 +126,12 @@ pub fn field_forces_kernel(variant: &Variant, library: &Library) -> Kernel {
         let coefficient = graph.symbol(term.coefficient);
         let (density, stress) = match term.density {
             Density::Energy(density) => (density, coefficient),
-            Density::Measure(measure) => {
+            Density::Measure(measure) | Density::Law { measure, .. } => {
                 let reference = graph.substitute(measure, &before);
-                let mut strain = graph.subtract(measure, reference);
-                if variant.damped {
-                    let rate = graph.differentiate(measure, &rates);
-                    let viscous = graph.multiply(damping, rate);
-                    strain = graph.add(strain, viscous);
-                }
-                (measure, graph.multiply(coefficient, strain))
+                let change = graph.subtract(measure, reference);
+                let rate = variant.damped.then(|| [graph.differentiate(measure, &rates), damping]);
+                let stress = term.density.stress(&mut graph, change, rate);
+                (measure, graph.multiply(coefficient, stress))
             }
         };
         for (force, &symbol) in forces.iter_mut().zip(fields.concat().iter()) {

@@ -398,6 +398,7 @@ impl Signature<'_> {
             .options
             .iter()
             .zip(&self.variant.options)
+            .filter(|(option, choice)| option.values[**choice] != "false")
             .map(|(option, &choice)| format!("{} = {}", option.name, option.values[choice]))
             .collect();
         format!("{}; {}.", element.doc, choices.join(", "))

@@ -74,8 +74,10 @@ impl Variant {
             if self.dimension == 2 { "planar" } else { "spatial" }
         );
         for (option, &choice) in element.options.iter().zip(&self.options) {
-            if choice > 0 {
-                name += &format!("_{}", option.values[choice]);
+            match option.values[choice] {
+                _ if choice == 0 => {}
+                "true" => name += &format!("_{}", option.name),
+                value => name += &format!("_{value}"),
             }
         }
         if let Quadrature::Gauss(points) = self.quadrature {

@@ -458,7 +458,8 @@ fn braced(cursor: &mut Cursor, depth: usize, what: &str) -> Parsed<Expr> {
     }
 }
 
-fn comparison(cursor: &mut Cursor) -> Parsed<Comparison> {
+/// `<`, `<=`, `>` or `>=`.
+pub fn comparison(cursor: &mut Cursor) -> Parsed<Comparison> {
     let start = cursor.here();
     let less = cursor.eat_punct('<');
     if !less && !cursor.eat_punct('>') {

@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, TokenTree};
 
 use super::cursor::{Cursor, Parsed};
 use super::messages as say;
-use super::tree::{Field, Fields, Item, ItemKind, Keyword, Name, Statement, Tree};
+use super::tree::{Caution, Field, Fields, Item, ItemKind, Keyword, Name, Statement, Tree};
 use super::{ascii, expr, unit};
 use crate::errors::{Area, Errors, Mistake};
 
@@ -169,6 +169,8 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
         Keyword::Constraint => ItemKind::Constraint(assignment(cursor)?),
         Keyword::Spring => ItemKind::Spring(assigned_call(cursor, "a spring such as `linear(..)`")?),
         Keyword::Load => ItemKind::Load(assigned_call(cursor, "`gravity(..)`, `force(..)` or `moment(..)`")?),
+        Keyword::Start => ItemKind::Start(assigned_call(cursor, "`spinning(..)`")?),
+        Keyword::Caution => ItemKind::Caution(Box::new(caution(cursor)?)),
         Keyword::Frame => {
             let parent = in_frame(cursor)?;
             ItemKind::Frame {
@@ -199,6 +201,38 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
                 complete: errors.len() == before,
             }
         }
+    })
+}
+
+/// `= "text" [on outputs] if left < right;`
+fn caution(cursor: &mut Cursor) -> Parsed<Caution> {
+    cursor.expect_punct('=')?;
+    let text = match cursor.peek() {
+        Some(TokenTree::Literal(literal)) => syn::parse_str::<syn::LitStr>(&literal.to_string()).ok(),
+        _ => None,
+    };
+    let Some(text) = text.map(|text| text.value()).filter(|text| !text.trim().is_empty()) else {
+        return Err(cursor.expected("a sentence in quotes"));
+    };
+    cursor.next();
+    let mut outputs = Vec::new();
+    if cursor.eat_word("on") {
+        outputs.push(cursor.expect_name("the name of an output")?);
+        while cursor.eat_punct(',') {
+            outputs.push(cursor.expect_name("the name of an output")?);
+        }
+    }
+    cursor.expect_word("if")?;
+    let left = expr::expression(cursor)?;
+    let comparison = expr::comparison(cursor)?;
+    let right = expr::right_side(cursor)?;
+    cursor.expect_end()?;
+    Ok(Caution {
+        text,
+        outputs,
+        comparison,
+        left,
+        right,
     })
 }
 

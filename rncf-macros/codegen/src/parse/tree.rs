@@ -63,12 +63,14 @@ pub enum Keyword {
     Constraint,
     Spring,
     Load,
+    Start,
     Output,
+    Caution,
 }
 
 impl Keyword {
     /// All of them, in the order a user needs them.
-    pub const ALL: [Keyword; 14] = [
+    pub const ALL: [Keyword; 16] = [
         Keyword::Param,
         Keyword::Const,
         Keyword::Material,
@@ -82,7 +84,9 @@ impl Keyword {
         Keyword::Constraint,
         Keyword::Spring,
         Keyword::Load,
+        Keyword::Start,
         Keyword::Output,
+        Keyword::Caution,
     ];
 
     /// The word in the language.
@@ -101,7 +105,9 @@ impl Keyword {
             Keyword::Constraint => "constraint",
             Keyword::Spring => "spring",
             Keyword::Load => "load",
+            Keyword::Start => "start",
             Keyword::Output => "output",
+            Keyword::Caution => "caution",
         }
     }
 
@@ -208,8 +214,27 @@ pub enum ItemKind {
         /// What is told.
         value: Expr,
     },
+    /// `start name = call;`
+    Start(Call),
+    /// `caution name = "text" [on outputs] if condition;`
+    Caution(Box<Caution>),
     /// Unreadable; reported already. Uses of the name are not mistakes.
     Broken,
+}
+
+/// `"text" [on outputs] if left < right`
+#[derive(Clone, Debug)]
+pub struct Caution {
+    /// The sentence.
+    pub text: String,
+    /// Outputs that it is about.
+    pub outputs: Vec<Name>,
+    /// The comparison.
+    pub comparison: crate::model::Comparison,
+    /// Its left side.
+    pub left: Expr,
+    /// Its right side.
+    pub right: Expr,
 }
 
 /// `{ name = value; .. }`

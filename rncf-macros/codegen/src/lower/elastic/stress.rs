@@ -44,12 +44,12 @@ impl Builder<'_> {
         };
         let measures: Vec<&Term> = terms
             .iter()
-            .filter(|term| matches!(term.density, Density::Measure(_)))
+            .filter(|term| term.density.measure().is_some())
             .collect();
         for term in &terms {
             let factor = self.graph.multiply(self.coefficients[term.coefficient], weight);
             match term.density {
-                Density::Measure(measure) => {
+                Density::Measure(measure) | Density::Law { measure, .. } => {
                     let index = measures
                         .iter()
                         .position(|other| std::ptr::eq(*other, term))
@@ -59,7 +59,7 @@ impl Builder<'_> {
                     } else {
                         self.graph.substitute(measure, &symbols.straight)
                     };
-                    self.add_measure(&symbols, measure, reference, factor, &mut response);
+                    self.add_measure(&symbols, (term.density, measure), reference, factor, &mut response);
                 }
                 Density::Energy(density) => self.add_energy(&symbols, density, factor, &mut response),
             }
@@ -103,7 +103,7 @@ impl Builder<'_> {
     /// Values of the measures at the point: what the other kernels subtract.
     fn add_references(&mut self, symbols: &Symbols, terms: &[Term]) {
         for term in terms {
-            if let Density::Measure(measure) = term.density {
+            if let Some(measure) = term.density.measure() {
                 let value = self.graph.substitute(measure, &symbols.real);
                 self.references.push(value);
             }
@@ -123,31 +123,34 @@ impl Builder<'_> {
         self.references[index]
     }
 
-    /// `1/2 factor (s - s0)^2`, with the stress `factor (s - s0 + c s') ds/dI`.
-    fn add_measure(&mut self, symbols: &Symbols, measure: Id, reference: Id, factor: Id, response: &mut Response) {
+    /// `1/2 factor (s - s0)^2`, with the stress `factor (s - s0 + c s') ds/dI`, or energy and stress of a law.
+    fn add_measure(
+        &mut self,
+        symbols: &Symbols,
+        (density, measure): (Density, Id),
+        reference: Id,
+        factor: Id,
+        response: &mut Response,
+    ) {
         let graph = &mut self.graph;
         let change = graph.subtract(measure, reference);
-        let mut strain = change;
-        if symbols.is_damped {
+        let rate = symbols.is_damped.then(|| {
             let chain = symbols
                 .values
                 .iter()
                 .copied()
                 .zip(symbols.rates.iter().copied())
                 .collect();
-            let rate = graph.differentiate(measure, &chain);
-            let viscous = graph.multiply(self.damping, rate);
-            strain = graph.add(change, viscous);
-        }
+            [graph.differentiate(measure, &chain), self.damping]
+        });
+        let strain = density.stress(graph, change, rate);
         let scaled = graph.multiply(factor, strain);
         for (stress, &symbol) in response.stress.iter_mut().zip(&symbols.values) {
             let slope = graph.partial(measure, symbol);
             let part = graph.multiply(scaled, slope);
             *stress = graph.add(*stress, part);
         }
-        let (half, square) = (graph.number(0.5), graph.power(change, 2));
-        let half_factor = graph.multiply(half, factor);
-        let part = graph.multiply(half_factor, square);
+        let part = density.energy(graph, change, factor);
         response.energy = graph.add(response.energy, part);
     }
 

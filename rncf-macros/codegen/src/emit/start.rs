@@ -1,0 +1,27 @@
+//! Frames whose bodies start in relative equilibrium.
+
+use std::fmt::Write;
+
+use super::parts::Parts;
+
+/// The method that names them; nothing where there is none.
+pub(super) fn starts(writer: &Parts) -> String {
+    if writer.model.starts.is_empty() {
+        return String::new();
+    }
+    let mut text = "fn starts(&self) -> ::std::vec::Vec<::rncf::mesh::StartSpec> {\nlet model = &self.model;\n\
+                    ::std::vec::Vec::from([\n"
+        .to_string();
+    for start in &writer.model.starts {
+        let spin = match &start.spin {
+            Some(spin) => format!("Some({})", writer.vector(spin)),
+            None => "None".to_string(),
+        };
+        let _ = writeln!(
+            text,
+            "::rncf::mesh::StartSpec {{ name: {:?}, frame: {}, spin: {spin} }},",
+            start.name, start.frame.0
+        );
+    }
+    text + "])\n}\n"
+}

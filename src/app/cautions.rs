@@ -1,0 +1,78 @@
+//! Cautions of a model: sentences that stand with the results that they are about.
+
+use std::fmt::Write;
+
+use super::report::escape;
+use crate::{Caution, Model};
+
+/// Each caution in one sentence, with the outputs that it is about before it.
+pub(super) fn sentences<M: Model>(cautions: &[Caution]) -> Vec<String> {
+    let sentence = |caution: &Caution| {
+        let names = caution.outputs.iter().filter_map(|&index| M::outputs().get(index));
+        let names: Vec<&str> = names.map(|output| output.name).collect();
+        match names[..] {
+            [] => caution.text.to_string(),
+            _ => format!("{}: {}", names.join(", "), caution.text),
+        }
+    };
+    cautions.iter().map(sentence).collect()
+}
+
+/// What a model says of equilibria and modes, before what the scene warns of.
+pub(super) fn cautioned<M: Model>(model: &M, warnings: Vec<String>) -> Vec<String> {
+    let mut all = sentences::<M>(&model.cautions(0.0));
+    all.extend(warnings);
+    all
+}
+
+/// What stands below the chart of an output, as paragraphs of the page.
+pub(super) fn below(cautions: &[Caution], output: usize) -> String {
+    paragraphs(cautions.iter().filter(|caution| caution.outputs.contains(&output)))
+}
+
+/// What stands above all charts.
+pub(super) fn above(cautions: &[Caution]) -> String {
+    paragraphs(cautions.iter().filter(|caution| caution.outputs.is_empty()))
+}
+
+fn paragraphs<'a>(cautions: impl Iterator<Item = &'a Caution>) -> String {
+    let mut text = String::new();
+    for caution in cautions {
+        let _ = writeln!(text, "<p class=\"caution\">{}</p>", escape(caution.text));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::report::run_part;
+    use super::super::summary;
+    use super::super::testing::Rotor;
+    use super::super::{RunSettings, run};
+    use crate::Model;
+
+    #[test]
+    fn a_caution_stands_where_its_condition_holds() {
+        let settings = RunSettings {
+            t_end: Some(0.5),
+            ..RunSettings::default()
+        };
+        let calm = run(&Rotor::default(), &settings).unwrap();
+        assert!(calm.cautions.is_empty() && calm.warnings.is_empty());
+        let rotor = Rotor {
+            coils: 7,
+            ..Rotor::default()
+        };
+        let result = run(&rotor, &settings).unwrap();
+        let sentence = format!("{}: seven coils touch <each other>", Rotor::outputs()[0].name);
+        assert_eq!(result.warnings, [sentence.clone(), "seven is many".into()]);
+        let summary = summary::of_run(&rotor, &result);
+        assert_eq!(summary["notes"][1], sentence.as_str());
+        let page = run_part::<Rotor>(&result.history, &result.steps, &result.cautions).unwrap();
+        let chart = "<p class=\"caution\">seven coils touch &lt;each other&gt;</p>";
+        assert_eq!(page.matches(chart).count(), 1);
+        let figure = page.find("</figure>").unwrap();
+        assert!(page.find(chart).unwrap() < figure);
+        assert!(page.starts_with("<p class=\"caution\">seven is many</p>"));
+    }
+}
