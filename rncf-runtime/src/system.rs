@@ -19,7 +19,7 @@ use crate::rotation::Rotation;
 pub struct State {
     /// Time, s.
     pub t: f64,
-    /// Unknowns; m for positions, 1 for slopes, rad for angles. The three of an orientation are its
+    /// Unknowns; m for positions (displacements from the start for free frames), 1 for slopes, rad for angles. The three of an orientation are its
     /// rotation vector theta since `turns`, in body axes: `A = turn exp(theta)`.
     pub x: Vec<f64>,
     /// Orientations at theta = 0, one for each of [`System::turns`]. Constant during a step; the

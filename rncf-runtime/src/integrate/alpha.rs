@@ -18,8 +18,9 @@
 //! positions and velocities on the constraints and no velocity bias.
 
 use super::Statistics;
-use super::bordered::{Bordered, add};
+use super::bordered::Bordered;
 use super::charts::Charts;
+use super::compensated::{self, Low};
 use super::control::Controller;
 use super::history::History;
 use super::newton::{self, Factors, Failure, Iterate, Newton, norm};
@@ -99,6 +100,8 @@ pub(super) struct Alpha {
     /// Last accepted state and the one before.
     now: State,
     before: State,
+    /// What rounding took from `now`.
+    low: Low,
     /// (a - qdd) / h at `now`.
     offset: Vec<f64>,
     /// Step size, velocity and acceleration as the last step left them; no step size after a start.
@@ -118,6 +121,8 @@ pub(super) struct Alpha {
 struct Left {
     h: Option<f64>,
     v: Vec<f64>,
+    /// What rounding took from `v`.
+    low: Vec<f64>,
     a: Vec<f64>,
 }
 
@@ -144,10 +149,12 @@ impl Alpha {
             history: History::new(n, m),
             now: zeros.clone(),
             before: zeros.clone(),
+            low: Low::zeros(n),
             offset: vec![0.0; n],
             left: Left {
                 h: None,
                 v: vec![0.0; n],
+                low: vec![0.0; n],
                 a: vec![0.0; n],
             },
             constrained_jerk: vec![0.0; n],
@@ -155,6 +162,7 @@ impl Alpha {
             first_jerk: vec![0.0; n],
             trial: Iterate {
                 state: zeros,
+                low: Low::zeros(n),
                 algorithmic: vec![0.0; n],
             },
             a0: vec![0.0; n],
@@ -198,6 +206,7 @@ impl Alpha {
     ) -> Result<(), Singular> {
         if self.left.h == Some(h) {
             self.trial.state.v.copy_from_slice(&self.left.v);
+            self.trial.low.v.copy_from_slice(&self.left.low);
             self.a0.copy_from_slice(&self.left.a);
             return Ok(());
         }
@@ -213,7 +222,8 @@ impl Alpha {
         let bias = if self.stabilised { 0.0 } else { kappa * h * h };
         for i in 0..self.a0.len() {
             self.a0[i] = self.now.a[i] + h * self.offset[i];
-            self.trial.state.v[i] = self.now.v[i] - bias * self.constrained_jerk[i];
+            let start = -bias * self.constrained_jerk[i];
+            (self.trial.state.v[i], self.trial.low.v[i]) = compensated::sum(self.now.v[i], self.low.v[i], start);
         }
         Ok(())
     }
@@ -226,8 +236,12 @@ impl Alpha {
             beta,
             gamma,
         } = self.coefficients;
-        let Iterate { state, algorithmic } = &mut self.trial;
-        state.t = self.now.t + h;
+        let Iterate {
+            state,
+            low,
+            algorithmic,
+        } = &mut self.trial;
+        (state.t, low.t) = compensated::sum(self.now.t, self.low.t, h);
         state.turns.clone_from(&self.now.turns);
         if !self.history.extrapolate(&self.now, state) {
             state.lambda.copy_from_slice(&self.now.lambda);
@@ -239,8 +253,10 @@ impl Alpha {
             let (a0, v0) = (self.a0[i], state.v[i]);
             let a1 = ((1.0 - alpha_f) * state.a[i] + alpha_f * self.now.a[i] - alpha_m * a0) / (1.0 - alpha_m);
             algorithmic[i] = a1;
-            state.x[i] = self.now.x[i] + h * (v0 + h * ((0.5 - beta) * a0 + beta * a1));
-            state.v[i] = v0 + h * ((1.0 - gamma) * a0 + gamma * a1);
+            let change = h * (v0 + h * ((0.5 - beta) * a0 + beta * a1));
+            (state.x[i], low.x[i]) = compensated::sum(self.now.x[i], self.low.x[i], change);
+            let change = h * ((1.0 - gamma) * a0 + gamma * a1);
+            (state.v[i], low.v[i]) = compensated::sum(v0, low.v[i], change);
         }
     }
 
@@ -285,7 +301,12 @@ impl Alpha {
         h: f64,
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
-        let Iterate { state, algorithmic } = &mut self.trial;
+        let Iterate {
+            state,
+            low,
+            algorithmic,
+        } = &mut self.trial;
+        self.left.low.copy_from_slice(&low.v);
         self.left.v.copy_from_slice(&state.v);
         if !self.stabilised && !state.lambda.is_empty() {
             self.bordered.move_to(system, state);
@@ -295,9 +316,11 @@ impl Alpha {
                 self.left.h = None;
                 return Err(singular);
             }
-            add(&mut state.v, change);
+            compensated::add_all(&mut state.v, &mut low.v, change);
         }
         state.rebase(self.charts.turns());
+        low.rebase(self.charts.turns());
+        std::mem::swap(&mut self.low, low);
         self.left.h = Some(h);
         self.left.a.copy_from_slice(algorithmic);
         for i in 0..self.offset.len() {
@@ -321,6 +344,7 @@ impl Scheme for Alpha {
     ) -> Result<(), SolveErrorKind> {
         self.now.clone_from(state);
         self.now.rebase(self.charts.turns());
+        self.low.clear();
         self.before.clone_from(&self.now);
         self.history.restart();
         self.controller.restart();
@@ -378,6 +402,10 @@ impl Scheme for Alpha {
 
     fn state(&self) -> &State {
         &self.now
+    }
+
+    fn time_rest(&self) -> f64 {
+        self.low.t
     }
 
     fn interpolate(&self, t: f64, out: &mut State) {

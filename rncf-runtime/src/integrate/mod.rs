@@ -7,6 +7,7 @@ mod alpha;
 mod anderson;
 mod bordered;
 mod charts;
+mod compensated;
 mod consistent;
 mod control;
 mod dense;
@@ -139,14 +140,14 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         if self.at_kink {
             self.restart()?;
         }
-        let t = self.state().t;
+        let (t, low) = (self.state().t, self.scheme.time_rest());
         if self.segments.is_at_end(t) {
             return Ok(Stop::End);
         }
         let fixed = matches!(self.options.step, StepSize::Fixed(_));
         loop {
             let limited = self.wanted.min(self.options.max_step);
-            let h = self.segments.fit(t, limited, fixed, self.options.max_step);
+            let h = self.segments.fit((t, low), limited, fixed, self.options.max_step);
             match self.scheme.attempt(self.system, h, &mut self.statistics) {
                 Outcome::Accepted { next } => {
                     // A step cut short by a kink or the end says little about the next one.
@@ -204,7 +205,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
             self.wanted = self.first_step(&state)?;
         }
         let h = self.segments.fit(
-            t,
+            (t, 0.0),
             self.wanted.min(self.options.max_step),
             matches!(self.options.step, StepSize::Fixed(_)),
             self.options.max_step,
@@ -446,6 +447,13 @@ impl Scheme for Running {
         match self {
             Running::Alpha(scheme) => scheme.state(),
             Running::Radau(scheme) => scheme.state(),
+        }
+    }
+
+    fn time_rest(&self) -> f64 {
+        match self {
+            Running::Alpha(scheme) => scheme.time_rest(),
+            Running::Radau(scheme) => scheme.time_rest(),
         }
     }
 

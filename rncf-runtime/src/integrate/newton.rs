@@ -12,6 +12,7 @@
 
 use super::Statistics;
 use super::charts::Charts;
+use super::compensated::{self, Low};
 use super::scheme::Cause;
 use super::stabiliser::{Scales, Stabiliser};
 use crate::linalg::{Pattern, Saddle, Singular};
@@ -56,6 +57,8 @@ pub(super) struct Factors {
 pub(super) struct Iterate {
     /// Time, position, velocity, true acceleration, multipliers.
     pub(super) state: State,
+    /// What rounding took from time, position and velocity.
+    pub(super) low: Low,
     /// Acceleration of the update formulas.
     pub(super) algorithmic: Vec<f64>,
 }
@@ -394,18 +397,22 @@ impl Newton {
     }
 
     fn apply(&self, h: f64, iterate: &mut Iterate) {
-        let Iterate { state, algorithmic } = iterate;
+        let Iterate {
+            state,
+            low,
+            algorithmic,
+        } = iterate;
         let acceleration = 1.0 / (self.factors.beta * h * h);
         let velocity = self.factors.gamma / (self.factors.beta * h);
         for i in 0..self.dx.len() {
             let dx = self.dx[i];
-            state.x[i] += dx;
-            state.v[i] += velocity * dx;
+            compensated::add(&mut state.x[i], &mut low.x[i], dx);
+            compensated::add(&mut state.v[i], &mut low.v[i], velocity * dx);
             algorithmic[i] += acceleration * dx;
             state.a[i] += self.factors.mass * acceleration * dx;
         }
         if let Some(stabiliser) = &self.stabiliser {
-            super::bordered::add(&mut state.x, stabiliser.shift());
+            compensated::add_all(&mut state.x, &mut low.x, stabiliser.shift());
         }
         for (lambda, d) in state.lambda.iter_mut().zip(&self.dlambda) {
             *lambda += acceleration * d;

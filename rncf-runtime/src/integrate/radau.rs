@@ -1,6 +1,7 @@
 //! Radau IIA with three stages, order 5 (THEORY 7.5), for second-order systems with index-3
-//! constraints. The unknowns of a step are the three increments of position Z_i = X_i - x_n and the
-//! multipliers; with G = A^-1 / h, `V = G Z` and `A = G (V - v_n)`. Step control as in RADAU5 (Hairer,
+//! constraints. The unknowns of a step are the three increments of position Z_i = X_i - x_n, less what
+//! the velocity at the start makes of them, W_i = Z_i - c_i h v_n, and the multipliers; with G = A^-1 / h,
+//! `V = v_n + G W` and `A = G (V - v_n)`. Nothing large cancels in accelerations then. Step control as in RADAU5 (Hairer,
 //! Wanner, Solving Ordinary Differential Equations II, IV.8).
 //!
 //! Free orientations are integrated in a chart that begins anew with every step, `chart`; with the
@@ -15,6 +16,7 @@ mod stabilised;
 mod stages;
 
 use super::Statistics;
+use super::compensated::{self, Low};
 use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
 use crate::error::SolveErrorKind;
@@ -56,6 +58,8 @@ pub(super) struct Radau {
     /// Start and end of the last accepted step.
     before: State,
     now: State,
+    /// What rounding took from `now`.
+    low: Low,
     /// Where the tangent is evaluated.
     middle: State,
     /// Stages of the last accepted step, none after a start.
@@ -103,6 +107,7 @@ impl Radau {
             estimate: Estimate::new(system, options.rtol),
             before: State::of(system, 0.0),
             now: State::of(system, 0.0),
+            low: Low::zeros(n),
             middle: State::of(system, 0.0),
             last: None,
             trial: Stages::new(n, m, stabilised),
@@ -124,7 +129,7 @@ impl Radau {
             match &self.last {
                 Some(last) => self
                     .trial
-                    .extrapolate(&self.coefficients, &self.matrices.chart, last, h),
+                    .extrapolate(&self.coefficients, &self.matrices.chart, last, &self.now, h),
                 None => self.trial.predict_first(&self.coefficients, &self.now, h),
             }
             if self.tangent == Age::Stale {
@@ -193,7 +198,15 @@ impl Radau {
         let (before, now) = (&self.before, &mut self.now);
         let chart = &self.matrices.chart;
         self.trial.stage(&self.coefficients, chart, 2, before, now);
-        now.t = before.t + self.trial.h;
+        (now.t, self.low.t) = compensated::sum(before.t, self.low.t, self.trial.h);
+        let mut turns = chart.turns().iter().flat_map(|&turn| turn..turn + 3).peekable();
+        for i in 0..now.x.len() {
+            if turns.next_if_eq(&i).is_none() {
+                let (move_by, change) = (self.trial.z[2][i], self.trial.change[2][i]);
+                (now.x[i], self.low.x[i]) = compensated::sum(before.x[i], self.low.x[i], move_by);
+                (now.v[i], self.low.v[i]) = compensated::sum(before.v[i], self.low.v[i], change);
+            }
+        }
         now.rebase(chart.turns());
         match &mut self.last {
             Some(last) => std::mem::swap(last, &mut self.trial),
@@ -213,6 +226,7 @@ impl Scheme for Radau {
     ) -> Result<(), SolveErrorKind> {
         self.now.clone_from(state);
         self.now.rebase(self.matrices.chart.turns());
+        self.low.clear();
         self.before.clone_from(&self.now);
         self.last = None;
         self.tangent = Age::Stale;
@@ -277,6 +291,10 @@ impl Scheme for Radau {
 
     fn state(&self) -> &State {
         &self.now
+    }
+
+    fn time_rest(&self) -> f64 {
+        self.low.t
     }
 
     fn interpolate(&self, t: f64, out: &mut State) {

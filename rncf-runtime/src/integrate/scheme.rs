@@ -47,6 +47,9 @@ pub(super) trait Scheme {
     /// The state at the end of the last accepted step, with true accelerations.
     fn state(&self) -> &State;
 
+    /// What the time of [`Scheme::state`] lacks of the sum of all steps by rounding, s.
+    fn time_rest(&self) -> f64;
+
     /// The state at `t` within the last accepted step.
     fn interpolate(&self, t: f64, out: &mut State);
 

@@ -1,5 +1,7 @@
 //! The time axis of a run: smooth segments between kinks, and steps that fit into them.
 
+use super::compensated;
+
 /// Kinks closer than this part of the span are one kink.
 const ONE_KINK: f64 = 1e-11;
 /// Smallest step as a part of the span.
@@ -104,14 +106,15 @@ impl Segments {
         self.passed -= 1;
     }
 
-    /// A step from `t` that is about `wanted` (s) and leaves no tiny rest: the last one is
-    /// stretched, up to `ceiling`, or the last two share what is left. Never beyond the segment.
-    pub(super) fn fit(&self, t: f64, wanted: f64, fixed: bool, ceiling: f64) -> f64 {
-        let left = self.left(t);
+    /// A step from `t` (with what rounding took from it) that is about `wanted` (s) and leaves no tiny
+    /// rest: the last one is stretched, up to `ceiling`, or the last two share what is left. Never
+    /// beyond the segment.
+    pub(super) fn fit(&self, (t, rest): (f64, f64), wanted: f64, fixed: bool, ceiling: f64) -> f64 {
+        let left = self.left(t) - rest;
         let stretch = if fixed { 1.0 + ROUNDED } else { STRETCH };
         let longest = (stretch * wanted).min((1.0 + ROUNDED) * ceiling);
         if left <= longest {
-            self.exactly(t, left)
+            self.exactly((t, rest), left)
         } else if left < (2.0 - ROUNDED) * wanted {
             0.5 * left
         } else {
@@ -120,13 +123,14 @@ impl Segments {
     }
 
     /// The step near `h` that ends at the end of the segment also in rounded arithmetic.
-    fn exactly(&self, t: f64, h: f64) -> f64 {
+    fn exactly(&self, (t, rest): (f64, f64), h: f64) -> f64 {
         let target = self.target();
+        let end = |h: f64| compensated::sum(t, rest, h).0;
         let mut h = h;
-        while t + h > target {
+        while end(h) > target {
             h = h.next_down();
         }
-        if t + h < target && t + h.next_up() <= target {
+        if end(h) < target && end(h.next_up()) <= target {
             h = h.next_up();
         }
         h

@@ -117,6 +117,7 @@ impl MeshScene {
         scene.load_rest();
         scene.resolve_markers()?;
         scene.sizes = scene.unknown_sizes();
+        scene.follow_far_starts();
         Ok(scene)
     }
 

@@ -41,9 +41,9 @@ impl MeshScene {
         for frame in &self.free {
             let own = border + frame.first..border + frame.first + frame.count();
             let turn = frame.turn.and_then(|turn| turns.get(turn)).copied().unwrap_or_default();
-            let [x, v, a] = [&buffers.q, &buffers.v, &buffers.a].map(|full| &full[own.clone()]);
+            let unknowns = [&buffers.q, &buffers.v, &buffers.a].map(|full| &full[own.clone()]);
             let parent = buffers.frames[frame.spec.parent];
-            buffers.frames[frame.spec.frame] = frame.motion(&parent, turn, x, v, a);
+            buffers.frames[frame.spec.frame] = frame.motion(t, &parent, turn, unknowns);
         }
         for frame in &self.fixed {
             buffers.frames[frame.spec.frame] = frame.fixed();

@@ -7,10 +7,13 @@ use super::parts::{BodySpec, Parts};
 use crate::error::ModelError;
 use crate::model::{Formulation, Pose};
 use crate::rotation::Rotation;
-use crate::vector::{Vector, add, apply_transposed, cross, norm, scale, subtract};
+use crate::vector::{Vector, add, apply_transposed, cross, dot, norm, scale, subtract};
 
 /// Largest change of a rotation matrix, or part of a velocity out of a plane, that counts as round-off.
 const ROUND_OFF: f64 = 1e-9;
+/// Distance of a start, in lengths of what the frame carries, beyond which positions count from a point
+/// that moves on uniformly.
+const FAR: f64 = 1e4;
 /// Times at which a parent is looked at for whether it turns, s; the kinks of the model are added.
 const LOOKS: [f64; 7] = [0.0, 1e-2, 0.13, 1.0, 7.3, 61.0, 1009.0];
 
@@ -40,6 +43,8 @@ pub struct FreeFrame {
     pub start: Pose,
     /// Rotation at the angle zero, of planar and hinged frames.
     base: Rotation,
+    /// Velocity of the point that positions count from, m/s, inertial axes.
+    drift: Vector,
 }
 
 fn unit(axis: usize) -> Vector {
@@ -106,6 +111,7 @@ impl FreeFrame {
             turn: None,
             start,
             base,
+            drift: [0.0; 3],
         })
     }
 
@@ -132,9 +138,20 @@ impl FreeFrame {
         angle_axis(self.spec.motions).map(|_| self.count() - 1)
     }
 
-    /// Motion from the frame's own unknowns and their rates; `turn` is the orientation of the state
-    /// at which the three rotations vanish.
-    pub fn motion(&self, parent: &FrameMotion, turn: Rotation, x: &[f64], v: &[f64], a: &[f64]) -> FrameMotion {
+    /// Lets positions count from a point that moves on with the velocity of the start where that is far
+    /// away: more than 1e4 times `length` (m), that of what the frame carries. There the round-off of a
+    /// position would be felt, and the motion is an orbit. Nearby what starts fast may stay bounded,
+    /// and would leave such a point behind.
+    pub fn follow(&mut self, length: f64) {
+        if norm(self.start.position) > FAR * length {
+            self.drift = self.start.velocity;
+        }
+    }
+
+    /// Motion at time `t` (s) from the frame's own unknowns and their rates; `turn` is the orientation of
+    /// the state at which the three rotations vanish. Unknown positions are displacements x from the
+    /// start, which moves on with the drift u: `r = r_0 + u t + x`, `dr/dt = u + dx/dt`.
+    pub fn motion(&self, t: f64, parent: &FrameMotion, turn: Rotation, [x, v, a]: [&[f64]; 3]) -> FrameMotion {
         let mut motion = FrameMotion::INERTIAL;
         motion.position = self.start.position;
         if self.is_carried() {
@@ -145,11 +162,10 @@ impl FreeFrame {
         }
         for (place, direction) in self.directions.iter().enumerate() {
             for axis in 0..3 {
-                if direction.shift[axis] != 0.0 {
-                    motion.position[axis] = x[place];
-                }
-                motion.velocity[axis] += direction.shift[axis] * v[place];
-                motion.acceleration[axis] += direction.shift[axis] * a[place];
+                let shift = direction.shift[axis];
+                motion.position[axis] += shift * (self.drift[axis] * t + x[place]);
+                motion.velocity[axis] += shift * (self.drift[axis] + v[place]);
+                motion.acceleration[axis] += shift * a[place];
                 motion.spin[axis] += direction.turn[axis] * v[place];
                 motion.spin_rate[axis] += direction.turn[axis] * a[place];
             }
@@ -169,17 +185,22 @@ impl FreeFrame {
         }
     }
 
-    /// Unknowns and rates of a pose; rotation vectors are zero, [`Pose::rotation`] goes to the state.
-    pub fn unknowns(&self, pose: &Pose, x: &mut [f64], v: &mut [f64]) {
-        for (place, direction) in self.directions.iter().enumerate() {
-            let along = |shift: Vector, turn: Vector| {
-                (0..3)
-                    .map(|i| direction.shift[i] * shift[i] + direction.turn[i] * turn[i])
-                    .sum()
-            };
-            x[place] = along(pose.position, [0.0; 3]);
-            v[place] = along(pose.velocity, pose.spin);
+    /// Rates of the unknowns at a velocity of the origin (inertial axes) and an angular velocity (frame axes).
+    pub fn rates(&self, velocity: Vector, spin: Vector, v: &mut [f64]) {
+        let shifting = subtract(velocity, self.drift);
+        for (rate, direction) in v.iter_mut().zip(&self.directions) {
+            *rate = dot(direction.shift, shifting) + dot(direction.turn, spin);
         }
+    }
+
+    /// Unknowns and rates of a pose at time `t` (s); rotation vectors are zero, [`Pose::rotation`] goes to
+    /// the state.
+    pub fn unknowns(&self, t: f64, pose: &Pose, x: &mut [f64], v: &mut [f64]) {
+        let moved = subtract(subtract(pose.position, self.start.position), scale(t, self.drift));
+        for (value, direction) in x.iter_mut().zip(&self.directions) {
+            *value = dot(direction.shift, moved);
+        }
+        self.rates(pose.velocity, pose.spin, v);
         if let Some(place) = self.angle() {
             x[place] = pose.angle;
         }

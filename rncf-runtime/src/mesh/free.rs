@@ -2,8 +2,10 @@
 
 use crate::vector::{Matrix, Vector};
 
-/// Which motions of a free frame are unknown. Unknowns stand in this order: positions of the origin
-/// in inertial axes (m), then the orientation.
+/// Which motions of a free frame are unknown. Unknowns stand in this order: displacements of the origin
+/// from its start in inertial axes (m), then the orientation. A start that is far away, like one
+/// astronomical unit, moves on with its velocity (THEORY 7.3): the unknowns are of the size of what
+/// happens, and so is their round-off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Motions {
     /// Along and about all axes: three positions, one orientation of three unknowns.

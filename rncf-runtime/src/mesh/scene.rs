@@ -256,6 +256,14 @@ impl MeshScene {
         sizes
     }
 
+    /// Lets the positions of frames that start far away count from moving points.
+    pub(super) fn follow_far_starts(&mut self) {
+        let border = self.layout.unknowns() - self.layout.border();
+        for frame in self.free.iter_mut().filter(|frame| frame.shifts() > 0) {
+            frame.follow(self.sizes[border + frame.first]);
+        }
+    }
+
     /// Largest length in a free frame: its bodies' lines, distances of its points from the origin.
     fn length_at(&self, free: usize) -> f64 {
         let frame = self.free[free].spec.frame;

@@ -62,8 +62,9 @@ impl MeshScene {
             let (mut x, mut v) = (vec![0.0; frame.count()], vec![0.0; frame.count()]);
             let a = x.clone();
             let pose = poses.get(frame.place).unwrap_or(&frame.start);
-            frame.unknowns(pose, &mut x, &mut v);
-            frames[frame.spec.frame] = frame.motion(&frames[frame.spec.parent], pose.rotation, &x, &v, &a);
+            frame.unknowns(t, pose, &mut x, &mut v);
+            let parent = frames[frame.spec.parent];
+            frames[frame.spec.frame] = frame.motion(t, &parent, pose.rotation, [&x, &v, &a]);
         }
         for frame in &self.fixed {
             let pose = poses.get(frame.place).unwrap_or(&frame.start);
@@ -126,7 +127,7 @@ impl MeshScene {
         for frame in &self.free {
             let own = border + frame.first..border + frame.first + frame.count();
             let pose = poses.get(frame.place).unwrap_or(&frame.start);
-            frame.unknowns(pose, &mut state.x[own.clone()], &mut state.v[own]);
+            frame.unknowns(t, pose, &mut state.x[own.clone()], &mut state.v[own]);
             if let Some(turn) = frame.turn {
                 state.turns[turn] = pose.rotation;
             }

@@ -75,10 +75,10 @@ impl MeshScene {
             let velocity = cross(turning, subtract(motion.position, spin.point));
             let acceleration = cross(turning, velocity);
             let within = motion.direction_to_frame(turning);
-            for (place, direction) in frame.directions.iter().enumerate() {
-                let unknown = border + frame.first + place;
-                state.v[unknown] = dot(direction.shift, velocity) + dot(direction.turn, within);
-                state.a[unknown] = dot(direction.shift, acceleration);
+            let own = border + frame.first..border + frame.first + frame.count();
+            frame.rates(velocity, within, &mut state.v[own.clone()]);
+            for (rate, direction) in state.a[own].iter_mut().zip(&frame.directions) {
+                *rate = dot(direction.shift, acceleration);
             }
         }
     }

@@ -60,9 +60,10 @@ impl Estimate {
     ) -> f64 {
         let [a, b, c] = coefficients.embedded.map(|value| value / stages.h);
         for i in 0..self.x.len() {
-            let v = start.v[i];
-            self.first[i] = v + a * stages.z[0][i] + b * stages.z[1][i] + c * stages.z[2][i];
-            self.work[i] = start.a[i] + a * (stages.v[0][i] - v) + b * (stages.v[1][i] - v) + c * (stages.v[2][i] - v);
+            // The embedded weights make -1 of the nodes: v_n + (e . Z) / h = (e . W) / h.
+            let (w, change) = (&stages.w, &stages.change);
+            self.first[i] = a * w[0][i] + b * w[1][i] + c * w[2][i];
+            self.work[i] = start.a[i] + a * change[0][i] + b * change[1][i] + c * change[2][i];
         }
         self.x.fill(0.0);
         let (block, mass) = (&matrices.chart.block, &matrices.tangent.mass);
@@ -84,11 +85,11 @@ impl Estimate {
         let [a, b, c] = coefficients.embedded.map(|value| value / stages.h);
         self.state.clone_from(start);
         for i in 0..self.x.len() {
-            let v = start.v[i];
+            let (w, change) = (&stages.w, &stages.change);
             self.state.x[i] += self.x[i];
             self.state.v[i] += self.v[i];
-            self.first[i] = self.state.v[i] + a * stages.z[0][i] + b * stages.z[1][i] + c * stages.z[2][i];
-            self.work[i] = -(a * (stages.v[0][i] - v) + b * (stages.v[1][i] - v) + c * (stages.v[2][i] - v));
+            self.first[i] = self.v[i] + a * w[0][i] + b * w[1][i] + c * w[2][i];
+            self.work[i] = -(a * change[0][i] + b * change[1][i] + c * change[2][i]);
         }
         // M a + f at a = -(e . (V - v_n)) / h is -F2.
         self.state.a.copy_from_slice(&self.work);

@@ -265,7 +265,7 @@ impl Newton {
         self.iterate.clear();
         self.increment.clear();
         for (values, changes) in [
-            (&stages.z, &self.dynamics),
+            (&stages.w, &self.dynamics),
             (&stages.lambda, &self.constraints),
             (&stages.mu, &self.rates),
         ] {
@@ -279,7 +279,7 @@ impl Newton {
             self.acceleration.accelerate(&self.weights, &mut self.increment);
         }
         let mut changes = self.increment.as_slice();
-        for values in [&mut stages.z, &mut stages.lambda, &mut stages.mu] {
+        for values in [&mut stages.w, &mut stages.lambda, &mut stages.mu] {
             for values in values {
                 let (these, others) = changes.split_at(values.len());
                 add(values, these);

@@ -9,8 +9,13 @@ use crate::system::State;
 pub(super) struct Stages {
     /// Step size, s.
     pub(super) h: f64,
+    /// Increments of position from the start of the step, less those at the velocity of the start:
+    /// the unknowns.
+    pub(super) w: [Vec<f64>; 3],
     /// Increments of position from the start of the step.
     pub(super) z: [Vec<f64>; 3],
+    /// Changes of the rates since the start of the step.
+    pub(super) change: [Vec<f64>; 3],
     /// Rates that the positions have less their drift: those that enter the equations of motion.
     pub(super) v: [Vec<f64>; 3],
     /// Derivatives of the rates.
@@ -27,7 +32,9 @@ impl Stages {
         let vectors = |length: usize| std::array::from_fn(|_| vec![0.0; length]);
         Self {
             h: 0.0,
+            w: vectors(n),
             z: vectors(n),
+            change: vectors(n),
             v: vectors(n),
             a: vectors(n),
             lambda: vectors(m),
@@ -36,23 +43,27 @@ impl Stages {
         }
     }
 
-    /// Rates and their derivatives at the stages from the increments of position and the drift:
-    /// `V = A^-1 Z / h + drift`, `A = A^-1 (V - v_n) / h`.
+    /// Increments, rates and their derivatives at the stages from the unknowns and the drift:
+    /// `Z = W + c h v_n`, `V - v_n = A^-1 W / h + drift`, `A = A^-1 (V - v_n) / h`.
     pub(super) fn differentiate(&mut self, coefficients: &Coefficients, start: &State) {
         for (s, row) in coefficients.inverse.iter().enumerate() {
             let [a, b, c] = row.map(|value| value / self.h);
+            let dt = coefficients.nodes[s] * self.h;
             for i in 0..start.v.len() {
-                self.v[s][i] = a * self.z[0][i] + b * self.z[1][i] + c * self.z[2][i];
+                self.z[s][i] = dt * start.v[i] + self.w[s][i];
+                self.change[s][i] = a * self.w[0][i] + b * self.w[1][i] + c * self.w[2][i];
             }
-            for (v, drift) in self.v[s].iter_mut().zip(&self.drift[s]) {
-                *v += drift;
+            for (change, drift) in self.change[s].iter_mut().zip(&self.drift[s]) {
+                *change += drift;
+            }
+            for i in 0..start.v.len() {
+                self.v[s][i] = start.v[i] + self.change[s][i];
             }
         }
         for (s, row) in coefficients.inverse.iter().enumerate() {
             let [a, b, c] = row.map(|value| value / self.h);
             for i in 0..start.v.len() {
-                let v = start.v[i];
-                self.a[s][i] = a * (self.v[0][i] - v) + b * (self.v[1][i] - v) + c * (self.v[2][i] - v);
+                self.a[s][i] = a * self.change[0][i] + b * self.change[1][i] + c * self.change[2][i];
             }
         }
     }
@@ -64,7 +75,8 @@ impl Stages {
         for (s, node) in coefficients.nodes.iter().enumerate() {
             let dt = node * h;
             for i in 0..start.v.len() {
-                self.z[s][i] = dt * (start.v[i] + 0.5 * dt * start.a[i]);
+                self.w[s][i] = 0.5 * dt * dt * start.a[i];
+                self.z[s][i] = dt * start.v[i] + self.w[s][i];
             }
             self.lambda[s].copy_from_slice(&start.lambda);
         }
@@ -73,7 +85,14 @@ impl Stages {
 
     /// Increments and multipliers at the stages of the step of size `h` behind `last`: its
     /// polynomials continued, in the chart that begins at its end.
-    pub(super) fn extrapolate(&mut self, coefficients: &Coefficients, chart: &Chart, last: &Stages, h: f64) {
+    pub(super) fn extrapolate(
+        &mut self,
+        coefficients: &Coefficients,
+        chart: &Chart,
+        last: &Stages,
+        start: &State,
+        h: f64,
+    ) {
         self.h = h;
         let end = &last.z[2];
         for (s, node) in coefficients.nodes.iter().enumerate() {
@@ -94,6 +113,9 @@ impl Stages {
                     i += 1;
                 }
             }
+            for i in 0..z.len() {
+                self.w[s][i] = z[i] - node * h * start.v[i];
+            }
             combine(coefficients.quadratic(at), &last.lambda, &mut self.lambda[s]);
         }
         self.begin_without_drift();
@@ -109,10 +131,11 @@ impl Stages {
 
     /// Time and position of stage `s` into `state`; its rates are left as they are.
     pub(super) fn place(&self, coefficients: &Coefficients, s: usize, start: &State, state: &mut State) {
-        state.t = start.t + coefficients.nodes[s] * self.h;
+        let dt = coefficients.nodes[s] * self.h;
+        state.t = start.t + dt;
         state.turns.clone_from(&start.turns);
         for i in 0..start.x.len() {
-            state.x[i] = start.x[i] + self.z[s][i];
+            state.x[i] = start.x[i] + (dt * start.v[i] + self.w[s][i]);
         }
     }
 

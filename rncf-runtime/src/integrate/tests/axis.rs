@@ -10,7 +10,7 @@ fn walk(axis: &mut Segments, wanted: f64, fixed: bool) -> Vec<f64> {
             t = axis.behind_kink();
             axis.pass_kink();
         }
-        let h = axis.fit(t, wanted, fixed, f64::INFINITY);
+        let h = axis.fit((t, 0.0), wanted, fixed, f64::INFINITY);
         assert!(h > 0.45 * wanted && h <= 1.1 * wanted, "{h} from {t}");
         t += h;
         ends.push(t);
