@@ -36,6 +36,12 @@ pub(super) fn dispatch<V: Vectorised>(arch: Arch, what: V) -> V::Output {
     arch.dispatch(Operation(what))
 }
 
+/// Whether kernels for constant sizes are worth their code: for real numbers where these are fast.
+#[inline(always)]
+pub(super) const fn is_specialised<T, const F: bool>() -> bool {
+    F && size_of::<T>() == size_of::<f64>()
+}
+
 /// `c + a b`.
 #[inline(always)]
 pub(super) fn add<T: Scalar, const F: bool>(c: T, a: T, b: T) -> T {
@@ -186,22 +192,25 @@ pub(super) fn factor_node<T: Scalar, const F: bool>(
 ) -> Option<f64> {
     let (rows, below) = values.split_at_mut(n * (n + m));
     let size = largest(below);
-    let pivot = match (n, m) {
-        (6, 6) => eliminate_fixed::<T, F, 6, 12>(rows, pivots, smallest),
-        (6, 12) => eliminate_fixed::<T, F, 6, 18>(rows, pivots, smallest),
-        (3, 3) => eliminate_fixed::<T, F, 3, 6>(rows, pivots, smallest),
-        (3, 15) => eliminate_fixed::<T, F, 3, 18>(rows, pivots, smallest),
-        (3, 12) => eliminate_fixed::<T, F, 3, 15>(rows, pivots, smallest),
-        _ => eliminate::<T, F>(rows, pivots, (n, m), smallest),
+    let pivot = if is_specialised::<T, F>() {
+        let pivot = match (n, m) {
+            (6, 6) => eliminate_fixed::<T, F, 6, 12>(rows, pivots, smallest),
+            (6, 12) => eliminate_fixed::<T, F, 6, 18>(rows, pivots, smallest),
+            (3, 3) => eliminate_fixed::<T, F, 3, 6>(rows, pivots, smallest),
+            _ => eliminate::<T, F>(rows, pivots, (n, m), smallest),
+        };
+        match (n, m) {
+            (6, 6) => divide::<T, F>(rows, below, (6, 6)),
+            (6, 12) => divide::<T, F>(rows, below, (6, 12)),
+            (3, 3) => divide::<T, F>(rows, below, (3, 3)),
+            _ => divide::<T, F>(rows, below, (n, m)),
+        }
+        pivot
+    } else {
+        let pivot = eliminate::<T, F>(rows, pivots, (n, m), smallest);
+        divide::<T, F>(rows, below, (n, m));
+        pivot
     };
-    match (n, m) {
-        (6, 6) => divide::<T, F>(rows, below, (6, 6)),
-        (6, 12) => divide::<T, F>(rows, below, (6, 12)),
-        (3, 3) => divide::<T, F>(rows, below, (3, 3)),
-        (3, 15) => divide::<T, F>(rows, below, (3, 15)),
-        (3, 12) => divide::<T, F>(rows, below, (3, 12)),
-        _ => divide::<T, F>(rows, below, (n, m)),
-    }
     pivot.map(|pivot| pivot.max(size))
 }
 
@@ -222,27 +231,30 @@ pub(super) struct Update {
 /// Carries out an update of a node of size `n`; `target` begins at its target.
 #[inline(always)]
 pub(super) fn update<T: Scalar, const F: bool>(update: &Update, n: usize, node: &[T], target: &mut [T]) {
-    match (n, update.rows, update.width) {
+    let rows = update.rows as usize;
+    if !is_specialised::<T, F>() {
+        return update_any::<T, F>(update, n, node, target);
+    }
+    match (n, rows, update.width) {
         (6, 6, 6) => update_fixed::<T, F, 6>(update, 6, 6, node, target),
-        (6, 3, 6) => update_fixed::<T, F, 6>(update, 6, 3, node, target),
         (6, 6, 12) => update_fixed::<T, F, 12>(update, 6, 6, node, target),
         (3, 3, 3) => update_fixed::<T, F, 3>(update, 3, 3, node, target),
-        (3, 3, 6) => update_fixed::<T, F, 6>(update, 3, 3, node, target),
-        (3, 3, 9) => update_fixed::<T, F, 9>(update, 3, 3, node, target),
-        (_, _, 1) => update_fixed::<T, F, 1>(update, n, update.rows as usize, node, target),
-        (_, _, 3) => update_fixed::<T, F, 3>(update, n, update.rows as usize, node, target),
-        (_, _, 6) => update_fixed::<T, F, 6>(update, n, update.rows as usize, node, target),
-        (_, _, 9) => update_fixed::<T, F, 9>(update, n, update.rows as usize, node, target),
-        (_, _, 12) => update_fixed::<T, F, 12>(update, n, update.rows as usize, node, target),
-        _ => {
-            for row in 0..update.rows as usize {
-                let target = &mut target[row * update.target_stride as usize..][..update.width as usize];
-                for k in 0..n {
-                    let scalar = node[update.scalars as usize + k * update.scalar_stride as usize + row];
-                    let vector = &node[update.vectors as usize + k * update.vector_stride as usize..];
-                    add_scaled::<T, F>(target, -scalar, vector);
-                }
-            }
+        (_, _, 3) => update_fixed::<T, F, 3>(update, n, rows, node, target),
+        (_, _, 6) => update_fixed::<T, F, 6>(update, n, rows, node, target),
+        (_, _, 9) => update_fixed::<T, F, 9>(update, n, rows, node, target),
+        (_, _, 12) => update_fixed::<T, F, 12>(update, n, rows, node, target),
+        _ => update_any::<T, F>(update, n, node, target),
+    }
+}
+
+#[inline(always)]
+fn update_any<T: Scalar, const F: bool>(update: &Update, n: usize, node: &[T], target: &mut [T]) {
+    for row in 0..update.rows as usize {
+        let target = &mut target[row * update.target_stride as usize..][..update.width as usize];
+        for k in 0..n {
+            let scalar = node[update.scalars as usize + k * update.scalar_stride as usize + row];
+            let vector = &node[update.vectors as usize + k * update.vector_stride as usize..];
+            add_scaled::<T, F>(target, -scalar, vector);
         }
     }
 }

@@ -83,30 +83,42 @@ fn equal_unknowns(pattern: &Pattern, adjacent: &[Vec<usize>]) -> Vec<Vec<usize>>
 
 /// Order by least weight of the neighbours left, and these neighbours. Among equals the one that
 /// changed longest ago comes first: neighbours in the order are then independent of each other, which
-/// lets the processor overlap their chains of operations. Nodes with an `empty` diagonal wait until a
-/// neighbour has filled it.
+/// lets the processor overlap their chains of operations. Nodes with an `empty` diagonal (multipliers)
+/// wait until all that fill it are eliminated: fewer may leave it singular.
 fn minimum_degree(
     sizes: &[usize],
     mut neighbours: Vec<BTreeSet<usize>>,
     empty: &[bool],
 ) -> (Vec<usize>, Vec<Vec<usize>>) {
     let degree = |neighbours: &BTreeSet<usize>| neighbours.iter().map(|&node| sizes[node]).sum::<usize>();
+    let mut filling: Vec<Vec<usize>> = vec![Vec::new(); sizes.len()];
+    let mut missing = vec![0; sizes.len()];
+    for node in (0..sizes.len()).filter(|&node| empty[node]) {
+        for &other in neighbours[node].iter().filter(|&&other| !empty[other]) {
+            filling[other].push(node);
+            missing[node] += 1;
+        }
+    }
     let mut keys: Vec<_> = neighbours
         .iter()
-        .zip(empty)
-        .map(|(neighbours, &empty)| (empty, degree(neighbours), 0))
+        .zip(&missing)
+        .map(|(neighbours, &missing)| (missing > 0, degree(neighbours), 0))
         .collect();
     let mut queue: BTreeSet<_> = keys.iter().copied().zip(0..sizes.len()).collect();
     let mut order = Vec::with_capacity(sizes.len());
     let mut later = vec![Vec::new(); sizes.len()];
     while let Some((_, node)) = queue.pop_first() {
         order.push(node);
+        for &waiting in &filling[node] {
+            missing[waiting] -= 1;
+        }
+        // All that wait for the node are among its neighbours.
         let left = std::mem::take(&mut neighbours[node]);
         for &at in &left {
             queue.remove(&(keys[at], at));
             neighbours[at].remove(&node);
             neighbours[at].extend(left.iter().filter(|&&other| other != at));
-            keys[at] = (false, degree(&neighbours[at]), order.len());
+            keys[at] = (missing[at] > 0, degree(&neighbours[at]), order.len());
             queue.insert((keys[at], at));
         }
         later[node] = left.into_iter().collect();

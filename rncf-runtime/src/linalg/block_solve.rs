@@ -1,6 +1,6 @@
 //! Substitution with block factors, for one right side or several at once.
 
-use super::block_kernels::add;
+use super::block_kernels::{add, is_specialised};
 use super::blocks::{Node, Segment};
 use super::scalar::Scalar;
 
@@ -23,11 +23,11 @@ pub(super) fn forward<T: Scalar, const F: bool, const W: usize>(
     pivots: &[u32],
     right: &mut [Row<T, W>],
 ) {
-    match (node.size, node.below, segments.len()) {
-        (6, 6, 1) => forward_sized::<T, F, W>((6, 6), 1, node.first, segments, values, pivots, right),
-        (6, 12, 1) => forward_sized::<T, F, W>((6, 12), 1, node.first, segments, values, pivots, right),
-        (3, 3, 1) => forward_sized::<T, F, W>((3, 3), 1, node.first, segments, values, pivots, right),
-        (n, m, count) => forward_sized::<T, F, W>((n, m), count, node.first, segments, values, pivots, right),
+    let (n, m, count, first) = (node.size, node.below, segments.len(), node.first);
+    if is_specialised::<T, F>() && (n, m, count) == (6, 6, 1) {
+        forward_sized::<T, F, W>((6, 6), 1, first, segments, values, pivots, right);
+    } else {
+        forward_sized::<T, F, W>((n, m), count, first, segments, values, pivots, right);
     }
 }
 
@@ -88,11 +88,11 @@ pub(super) fn backward<T: Scalar, const F: bool, const W: usize>(
     values: &[T],
     right: &mut [Row<T, W>],
 ) {
-    match (node.size, node.below, segments.len()) {
-        (6, 6, 1) => backward_sized::<T, F, W>((6, 6), 1, node.first, segments, values, right),
-        (6, 12, 1) => backward_sized::<T, F, W>((6, 12), 1, node.first, segments, values, right),
-        (3, 3, 1) => backward_sized::<T, F, W>((3, 3), 1, node.first, segments, values, right),
-        (n, m, count) => backward_sized::<T, F, W>((n, m), count, node.first, segments, values, right),
+    let (n, m, count, first) = (node.size, node.below, segments.len(), node.first);
+    if is_specialised::<T, F>() && (n, m, count) == (6, 6, 1) {
+        backward_sized::<T, F, W>((6, 6), 1, first, segments, values, right);
+    } else {
+        backward_sized::<T, F, W>((n, m), count, first, segments, values, right);
     }
 }
 

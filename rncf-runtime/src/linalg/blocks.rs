@@ -24,9 +24,6 @@ pub(super) struct Blocks<T> {
     /// Parts of the right side that the nodes act on, and products that they subtract from others.
     segments: Vec<Segment>,
     updates: Vec<Update>,
-    /// Columns of the pattern by nodes, whose columns have equal rows: ends in `grouped`.
-    groups: Vec<u32>,
-    grouped: Vec<u32>,
     /// Place of every entry of the pattern in `values`.
     slots: Vec<u32>,
     /// Unknown at every place of the elimination.
@@ -38,7 +35,7 @@ pub(super) struct Blocks<T> {
     pivots: Vec<u32>,
     row_scale: Vec<f64>,
     column_scale: Vec<f64>,
-    /// Sums, then scales, of the rows of a group of columns.
+    /// Sums, then scales, of the rows of a node's columns, which are equal.
     of_rows: Vec<f64>,
     right: Vec<[T; 1]>,
     right_together: Vec<[T; TOGETHER]>,
@@ -96,14 +93,6 @@ impl<T: Scalar> Blocks<T> {
         let mut layout = Layout::new(&members, &later);
         u32::try_from(layout.length).ok()?;
         layout.connect(&later);
-        let mut by_column: Vec<&Vec<usize>> = members.iter().collect();
-        by_column.sort_unstable_by_key(|members| members[0]);
-        let mut groups = Vec::with_capacity(members.len());
-        let mut grouped = Vec::with_capacity(pattern.columns());
-        for members in by_column {
-            grouped.extend(members.iter().map(|&unknown| unknown as u32));
-            groups.push(grouped.len() as u32);
-        }
         let longest = pattern.starts().windows(2).map(|pair| pair[1] - pair[0]).max();
         let size = pattern.columns();
         Some(Self {
@@ -112,8 +101,6 @@ impl<T: Scalar> Blocks<T> {
             nodes: layout.nodes,
             segments: layout.segments,
             updates: layout.updates,
-            groups,
-            grouped,
             unknowns: members.iter().flatten().map(|&unknown| unknown as u32).collect(),
             values: vec![T::default(); layout.length],
             pivots: vec![0; size],
@@ -153,7 +140,8 @@ impl<T: Scalar> Blocks<T> {
 
     /// Solves in place for `count` right sides; all of the first unknown come first.
     pub(super) fn solve_many(&mut self, x: &mut [T], count: usize) {
-        self.right_together.resize(self.unknowns.len(), [T::default(); TOGETHER]);
+        self.right_together
+            .resize(self.unknowns.len(), [T::default(); TOGETHER]);
         kernels::dispatch(self.arch, SolveMany(self, x, count));
     }
 
@@ -161,10 +149,8 @@ impl<T: Scalar> Blocks<T> {
     #[inline(always)]
     fn load(&mut self, pattern: &Pattern, values: &[T], starts: &[usize]) -> Result<(), Failure> {
         self.row_scale.fill(0.0);
-        let mut begin = 0;
-        for &end in &self.groups {
-            let columns = &self.grouped[begin..end as usize];
-            begin = end as usize;
+        for node in &self.nodes {
+            let columns = &self.unknowns[node.first..][..node.size];
             let rows = column(pattern, columns[0] as usize);
             let sums = &mut self.of_rows[..rows.len()];
             sums.fill(0.0);
@@ -186,10 +172,8 @@ impl<T: Scalar> Blocks<T> {
             }
         }
         self.values.fill(T::default());
-        let mut begin = 0;
-        for &end in &self.groups {
-            let columns = &self.grouped[begin..end as usize];
-            begin = end as usize;
+        for node in &self.nodes {
+            let columns = &self.unknowns[node.first..][..node.size];
             let rows = column(pattern, columns[0] as usize);
             let scales = &mut self.of_rows[..rows.len()];
             for (scale, &row) in scales.iter_mut().zip(rows) {
@@ -242,7 +226,11 @@ impl<T: Scalar> Blocks<T> {
             forward::<T, F, W>(node, segments, values, pivots, &mut right[node.first..]);
         }
         for (index, node) in self.nodes.iter().enumerate().rev() {
-            let begin = if index == 0 { 0 } else { self.nodes[index - 1].segments_end };
+            let begin = if index == 0 {
+                0
+            } else {
+                self.nodes[index - 1].segments_end
+            };
             let segments = &self.segments[begin..node.segments_end];
             let values = &self.values[node.start..node.lower()];
             backward::<T, F, W>(node, segments, values, &mut right[node.first..]);
@@ -505,4 +493,4 @@ impl Layout {
 
 #[cfg(test)]
 #[path = "blocks_tests.rs"]
-mod tests;
+pub(super) mod tests;

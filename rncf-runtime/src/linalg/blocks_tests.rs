@@ -37,10 +37,14 @@ pub(crate) fn tethers(chains: usize, length: usize) -> Pattern {
     Pattern::new(chains * each, chains * each, entries)
 }
 
+/// 1 / size of an unknown.
+fn size(index: usize) -> f64 {
+    10_f64.powi((index % 3) as i32 * 3 - 3)
+}
+
 /// Values with a heavier diagonal, in rows and columns of very different sizes, as of positions and
 /// slopes.
 fn values<T: Scalar>(pattern: &Pattern, mut number: impl FnMut() -> T) -> Vec<T> {
-    let size = |index: usize| 10_f64.powi((index % 3) as i32 * 3 - 3);
     let entries = (0..pattern.columns()).flat_map(|j| column(pattern, j).iter().map(move |&row| (row, j)));
     let value = |(row, column): (usize, usize)| {
         let diagonal = if row == column { T::real(6.0) } else { T::default() };
@@ -63,15 +67,24 @@ fn multiply<T: Scalar>(pattern: &Pattern, values: &[T], x: &[T]) -> Vec<T> {
 fn random(nodes: usize, number: &mut impl FnMut() -> f64) -> Pattern {
     let sizes: Vec<usize> = (0..nodes).map(|index| 1 + index * 5 % 7).collect();
     let size = sizes.iter().sum::<usize>();
-    let stride = (1..).map(|k| 2 * k + 1).find(|k| *k > 7 && (2..=*k).all(|d| k % d != 0 || size % d != 0));
+    let stride = (1..)
+        .map(|k| 2 * k + 1)
+        .find(|k| *k > 7 && (2..=*k).all(|d| k % d != 0 || size % d != 0));
     let stride = stride.expect("some number has no divisor of it");
     let mut unknown = (0..size).map(|index| index * stride % size);
-    let members: Vec<Vec<usize>> = sizes.iter().map(|&size| unknown.by_ref().take(size).collect()).collect();
+    let members: Vec<Vec<usize>> = sizes
+        .iter()
+        .map(|&size| unknown.by_ref().take(size).collect())
+        .collect();
     let mut entries = Vec::new();
     for i in 0..nodes {
         for j in 0..nodes {
             if i == j || number() > 0.75 {
-                entries.extend(members[i].iter().flat_map(|&row| members[j].iter().map(move |&at| (row, at))));
+                entries.extend(
+                    members[i]
+                        .iter()
+                        .flat_map(|&row| members[j].iter().map(move |&at| (row, at))),
+                );
             }
         }
     }
@@ -84,8 +97,12 @@ fn check<T: Scalar>(pattern: &Pattern, mut number: impl FnMut() -> T) {
     let values = values(pattern, &mut number);
     for arch in [Arch::Scalar, Arch::new()] {
         blocks.arch = arch;
-        blocks.factor(pattern, &values, pattern.starts(), 1e-14).expect("a regular matrix");
-        let exact: Vec<T> = (0..11 * n).map(|_| number()).collect();
+        blocks
+            .factor(pattern, &values, pattern.starts(), 1e-14)
+            .expect("a regular matrix");
+        let exact: Vec<T> = (0..11 * n)
+            .map(|index| number().times(1.0 / size(index / 11)))
+            .collect();
         let side = |k: usize| -> Vec<T> { exact.iter().skip(k).step_by(11).copied().collect() };
         let right = |k: usize| multiply(pattern, &values, &side(k));
         let mut many = vec![T::default(); 11 * n];
@@ -98,7 +115,7 @@ fn check<T: Scalar>(pattern: &Pattern, mut number: impl FnMut() -> T) {
         let mut one = right(4);
         blocks.solve(&mut one);
         for row in 0..n {
-            let error = |value: T, k: usize| (value - exact[11 * row + k]).size();
+            let error = |value: T, k: usize| size(row) * (value - exact[11 * row + k]).size();
             assert!(error(one[row], 4) < 1e-9, "{row}: {:e}", error(one[row], 4));
             for k in 0..11 {
                 let error = error(many[11 * row + k], k);
@@ -150,7 +167,9 @@ fn repeated_factorizations_have_the_same_bits() {
     let (first, second) = (values(&pattern, &mut number), values(&pattern, &mut number));
     let mut blocks = Blocks::<f64>::new(&pattern).expect("a small pattern");
     let mut solution = |values: &[f64]| {
-        blocks.factor(&pattern, values, pattern.starts(), 1e-14).expect("regular");
+        blocks
+            .factor(&pattern, values, pattern.starts(), 1e-14)
+            .expect("regular");
         let mut x: Vec<f64> = (0..pattern.columns()).map(|index| (index as f64).sin()).collect();
         blocks.solve(&mut x);
         x
@@ -166,7 +185,12 @@ fn growth_is_refused() {
     let pattern = Pattern::new(3, 3, [(0, 0), (0, 1), (1, 0), (1, 1), (1, 2), (2, 1), (2, 2)]);
     let mut blocks = Blocks::<f64>::new(&pattern).expect("a small pattern");
     let factor = |blocks: &mut Blocks<f64>, tiny: f64| {
-        blocks.factor(&pattern, &[tiny, 1.0, 1.0, tiny, 1.0, 1.0, tiny], pattern.starts(), 1e-15)
+        blocks.factor(
+            &pattern,
+            &[tiny, 1.0, 1.0, tiny, 1.0, 1.0, tiny],
+            pattern.starts(),
+            1e-15,
+        )
     };
     assert_eq!(factor(&mut blocks, 0.1), Ok(()));
     assert_eq!(factor(&mut blocks, 1e-13), Err(Failure::Unsuited));
@@ -204,27 +228,46 @@ fn time_of_tethers() {
             };
             let starts = pattern.starts();
             time(0, &mut || blocks.load(&pattern, &values, starts).expect("regular"));
-            time(1, &mut || blocks.factor(&pattern, &values, starts, 1e-15).expect("regular"));
+            time(1, &mut || {
+                blocks.factor(&pattern, &values, starts, 1e-15).expect("regular")
+            });
             x.fill(1.0);
             time(2, &mut || blocks.solve(&mut x));
             many.fill(1.0);
             time(3, &mut || blocks.solve_many(&mut many, 8));
             if round % 20 == 0 {
-                time(4, &mut || plain.factor(&pattern, &values, starts, 1e-15).expect("regular"));
+                time(4, &mut || {
+                    plain.factor(&pattern, &values, starts, 1e-15).expect("regular")
+                });
                 time(5, &mut || plain.solve(&mut x));
                 time(6, &mut || sparse.factor(&pattern, &values, 1e-15).expect("regular"));
                 time(7, &mut || sparse.solve(&mut x));
             }
         }
-        let fused: usize = blocks.nodes.iter().map(|node| {
-            let (n, m) = (node.size, node.below);
-            n * (n - 1) * (2 * n - 1) / 6 + n * (n - 1) * m + n * m * m
-        }).sum();
+        let fused: usize = blocks
+            .nodes
+            .iter()
+            .map(|node| {
+                let (n, m) = (node.size, node.below);
+                n * (n - 1) * (2 * n - 1) / 6 + n * (n - 1) * m + n * m * m
+            })
+            .sum();
         println!(
             "{} unknowns, {} entries, {} factors, {fused} fused products, analysis {analysis:.0} us",
-            pattern.columns(), pattern.entries(), blocks.values.len()
+            pattern.columns(),
+            pattern.entries(),
+            blocks.values.len()
         );
-        let names = ["load (baseline instructions)", "factor", "solve", "solve 8", "plain factor", "plain solve", "faer factor", "faer solve"];
+        let names = [
+            "load (baseline instructions)",
+            "factor",
+            "solve",
+            "solve 8",
+            "plain factor",
+            "plain solve",
+            "faer factor",
+            "faer solve",
+        ];
         for (name, times) in names.iter().zip(&mut times) {
             println!("{name:>30} {:8.1} us", median(times));
         }

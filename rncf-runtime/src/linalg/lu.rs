@@ -148,7 +148,8 @@ impl<T: Scalar> Lu<T> {
             }
             if fallback.sparse.is_none() {
                 fallback.sparse = Sparse::new(&self.pattern).map(Box::new);
-                self.work.resize(self.pattern.entries().max(self.work.len()), T::default());
+                self.work
+                    .resize(self.pattern.entries().max(self.work.len()), T::default());
             }
         }
         self.equilibrate(values, starts)?;

@@ -5,6 +5,7 @@ mod block_kernels;
 mod block_order;
 mod block_solve;
 mod blocks;
+mod border_kernels;
 mod dense;
 mod eigen;
 mod lu;
