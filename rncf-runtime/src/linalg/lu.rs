@@ -2,6 +2,7 @@
 
 use super::Pattern;
 use super::banded::Banded;
+use super::blocks::{Blocks, Failure};
 use super::order::{half_bandwidth, reverse_cuthill_mckee};
 use super::scalar::Scalar;
 use super::sparse::Sparse;
@@ -13,19 +14,29 @@ const SMALLEST_PIVOT: f64 = 8.0 * f64::EPSILON;
 /// full matrix is a banded one.
 const LARGEST_BANDWIDTH: usize = 40;
 
-/// LU factorization with partial pivoting of a square matrix on a fixed pattern, in the field `T`
-/// (`f64` or `c64`). Narrow matrices (chains of elements) are factored as banded ones, others by
-/// faer. The pattern is analysed once; later calls do not allocate (faer's may, when the pivots
-/// change).
+/// Number of unknowns from which on wide matrices are factored by node blocks.
+const LEAST_BLOCKS: usize = 300;
+
+/// LU factorization with pivoting of a square matrix on a fixed pattern, in the field `T` (`f64` or
+/// `c64`). The pattern is analysed once and decides how:
+///
+/// - narrow matrices (chains of elements) are banded, with partial pivoting;
+/// - large wide ones are factored by the node blocks that the pattern shows, with pivots inside the
+///   blocks; values for which these do not suffice go to faer;
+/// - others go to faer (partial pivoting).
+///
+/// Later calls do not allocate, but for those that go to faer.
 #[derive(Debug)]
 pub struct Lu<T> {
     pattern: Pattern,
     factors: Factors<T>,
-    /// Place of every unknown in the order of elimination.
+    /// Place of every unknown in the order of elimination of the banded factors.
     place: Vec<usize>,
     row_scale: Vec<f64>,
     column_scale: Vec<f64>,
     work: Vec<T>,
+    /// Starts of the columns of the pattern.
+    starts: Vec<usize>,
 }
 
 #[derive(Debug)]
@@ -33,6 +44,21 @@ enum Factors<T> {
     /// Banded, and the place of every entry of the pattern in it.
     Banded(Banded<T>, Vec<usize>),
     Sparse(Box<Sparse<T>>),
+    Blocks(Box<Blocks<T>>, Fallback<T>),
+}
+
+/// What stands in for factors by blocks.
+#[derive(Debug)]
+struct Fallback<T> {
+    sparse: Option<Box<Sparse<T>>>,
+    is_used: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Method {
+    Banded,
+    Sparse,
+    Blocks,
 }
 
 impl<T: Scalar> Lu<T> {
@@ -41,22 +67,33 @@ impl<T: Scalar> Lu<T> {
     /// # Panics
     /// If the pattern is not square: a defect of the caller.
     pub fn new(pattern: &Pattern) -> Self {
-        Self::with_bandwidth_limit(pattern, LARGEST_BANDWIDTH)
+        let place = places(pattern);
+        let method = if half_bandwidth(pattern, &place) <= LARGEST_BANDWIDTH {
+            Method::Banded
+        } else if pattern.columns() < LEAST_BLOCKS {
+            Method::Sparse
+        } else {
+            Method::Blocks
+        };
+        Self::with_method(pattern, place, method)
     }
 
-    fn with_bandwidth_limit(pattern: &Pattern, limit: usize) -> Self {
+    fn with_method(pattern: &Pattern, place: Vec<usize>, method: Method) -> Self {
         assert_eq!(pattern.rows(), pattern.columns(), "the pattern is square");
         let size = pattern.columns();
-        let mut place = vec![0; size];
-        for (new, &old) in reverse_cuthill_mckee(pattern).iter().enumerate() {
-            place[old] = new;
-        }
-        let half = half_bandwidth(pattern, &place);
-        let sparse = if half > limit { Sparse::new(pattern) } else { None };
-        let (factors, work) = match sparse {
-            Some(sparse) => (Factors::Sparse(Box::new(sparse)), size.max(pattern.entries())),
-            None => {
-                let banded = Banded::new(size, half);
+        let blocks = (method == Method::Blocks).then(|| Blocks::new(pattern)).flatten();
+        let sparse = (method != Method::Banded && blocks.is_none()).then(|| Sparse::new(pattern));
+        let (factors, work) = match (blocks, sparse.flatten()) {
+            (Some(blocks), _) => {
+                let fallback = Fallback {
+                    sparse: None,
+                    is_used: false,
+                };
+                (Factors::Blocks(Box::new(blocks), fallback), size)
+            }
+            (None, Some(sparse)) => (Factors::Sparse(Box::new(sparse)), size.max(pattern.entries())),
+            (None, None) => {
+                let banded = Banded::new(size, half_bandwidth(pattern, &place));
                 let places = (0..size)
                     .flat_map(|column| {
                         pattern.indices()[pattern.starts()[column]..pattern.starts()[column + 1]]
@@ -75,6 +112,7 @@ impl<T: Scalar> Lu<T> {
             row_scale: vec![1.0; size],
             column_scale: vec![1.0; size],
             work: vec![T::default(); work],
+            starts: pattern.starts().to_vec(),
         }
     }
 
@@ -88,42 +126,76 @@ impl<T: Scalar> Lu<T> {
     /// # Errors
     /// The unknown at which the matrix is singular, or holds a value that is not finite.
     pub fn factor(&mut self, values: &[T]) -> Result<(), usize> {
-        self.equilibrate(values)?;
-        let (starts, indices) = (self.pattern.starts(), self.pattern.indices());
-        let scaled = |entry: usize, column: usize| {
-            values[entry].times(self.row_scale[indices[entry]] * self.column_scale[column])
+        let starts = std::mem::take(&mut self.starts);
+        let factored = self.factor_from(values, &starts);
+        self.starts = starts;
+        factored
+    }
+
+    /// Factors values of which those of column j begin at `starts[j]`: the matrix may be a part of
+    /// another one.
+    ///
+    /// # Errors
+    /// As of [`Lu::factor`].
+    pub(super) fn factor_from(&mut self, values: &[T], starts: &[usize]) -> Result<(), usize> {
+        if let Factors::Blocks(blocks, fallback) = &mut self.factors {
+            let factored = blocks.factor(&self.pattern, values, starts, SMALLEST_PIVOT);
+            fallback.is_used = factored == Err(Failure::Unsuited);
+            match factored {
+                Ok(()) => return Ok(()),
+                Err(Failure::Line(unknown)) => return Err(unknown),
+                Err(Failure::Unsuited) => {}
+            }
+            if fallback.sparse.is_none() {
+                fallback.sparse = Sparse::new(&self.pattern).map(Box::new);
+                self.work
+                    .resize(self.pattern.entries().max(self.work.len()), T::default());
+            }
+        }
+        self.equilibrate(values, starts)?;
+        let indices = self.pattern.indices();
+        let scaled = |entry: usize, from: usize, column: usize| {
+            values[starts[column] + entry - from].times(self.row_scale[indices[entry]] * self.column_scale[column])
         };
-        match &mut self.factors {
+        let columns = self.pattern.starts().windows(2).enumerate();
+        let sparse = match &mut self.factors {
             Factors::Banded(banded, places) => {
                 let target = banded.values();
                 target.fill(T::default());
-                for column in 0..self.place.len() {
-                    for entry in starts[column]..starts[column + 1] {
-                        target[places[entry]] = scaled(entry, column);
+                for (column, ends) in columns {
+                    for entry in ends[0]..ends[1] {
+                        target[places[entry]] = scaled(entry, ends[0], column);
                     }
                 }
-                banded.factor(SMALLEST_PIVOT).map_err(|at| {
+                return banded.factor(SMALLEST_PIVOT).map_err(|at| {
                     let unknown = self.place.iter().position(|&place| place == at);
                     unknown.unwrap_or(at)
-                })
+                });
             }
-            Factors::Sparse(sparse) => {
-                let target = &mut self.work[..indices.len()];
-                for column in 0..self.place.len() {
-                    for entry in starts[column]..starts[column + 1] {
-                        target[entry] = scaled(entry, column);
-                    }
-                }
-                sparse.factor(&self.pattern, target, SMALLEST_PIVOT)
+            Factors::Sparse(sparse) => Some(sparse),
+            Factors::Blocks(_, fallback) => fallback.sparse.as_mut(),
+        };
+        let target = &mut self.work[..indices.len()];
+        for (column, ends) in columns {
+            for entry in ends[0]..ends[1] {
+                target[entry] = scaled(entry, ends[0], column);
             }
+        }
+        match sparse {
+            Some(sparse) => sparse.factor(&self.pattern, target, SMALLEST_PIVOT),
+            None => Err(0),
         }
     }
 
     /// Scales such that the largest entry of every row, then of every column, is 1.
-    fn equilibrate(&mut self, values: &[T]) -> Result<(), usize> {
-        let (starts, indices) = (self.pattern.starts(), self.pattern.indices());
+    fn equilibrate(&mut self, values: &[T], starts: &[usize]) -> Result<(), usize> {
+        let (ends, indices) = (self.pattern.starts(), self.pattern.indices());
+        let column = |column: usize| {
+            let rows = &indices[ends[column]..ends[column + 1]];
+            rows.iter().zip(&values[starts[column]..][..rows.len()])
+        };
         self.row_scale.fill(0.0);
-        for (&row, &value) in indices.iter().zip(values) {
+        for (&row, &value) in (0..self.place.len()).flat_map(column) {
             let size = value.size();
             if !size.is_finite() {
                 return Err(row);
@@ -136,24 +208,22 @@ impl<T: Scalar> Lu<T> {
                 return Err(row);
             }
         }
-        for column in 0..self.place.len() {
-            let largest = (starts[column]..starts[column + 1])
-                .map(|entry| values[entry].size() * self.row_scale[indices[entry]])
-                .fold(0.0, f64::max);
-            let scale = 1.0 / largest;
+        for index in 0..self.place.len() {
+            let sizes = column(index).map(|(&row, value)| value.size() * self.row_scale[row]);
+            let scale = 1.0 / sizes.fold(0.0, f64::max);
             if !scale.is_finite() {
-                return Err(column);
+                return Err(index);
             }
-            self.column_scale[column] = scale;
+            self.column_scale[index] = scale;
         }
         Ok(())
     }
 
     /// Solves in place with the factors of the last successful [`Lu::factor`].
     pub fn solve(&mut self, x: &mut [T]) {
-        let work = &mut self.work[..x.len()];
-        match &mut self.factors {
+        let sparse = match &mut self.factors {
             Factors::Banded(banded, _) => {
+                let work = &mut self.work[..x.len()];
                 for (row, &value) in x.iter().enumerate() {
                     work[self.place[row]] = value.times(self.row_scale[row]);
                 }
@@ -161,18 +231,53 @@ impl<T: Scalar> Lu<T> {
                 for (column, value) in x.iter_mut().enumerate() {
                     *value = work[self.place[column]].times(self.column_scale[column]);
                 }
+                return;
             }
-            Factors::Sparse(sparse) => {
-                for (row, &value) in x.iter().enumerate() {
-                    work[row] = value.times(self.row_scale[row]);
-                }
-                sparse.solve(work);
-                for (column, value) in x.iter_mut().enumerate() {
-                    *value = work[column].times(self.column_scale[column]);
+            Factors::Blocks(blocks, fallback) => match &mut fallback.sparse {
+                Some(sparse) if fallback.is_used => sparse,
+                _ => return blocks.solve(x),
+            },
+            Factors::Sparse(sparse) => sparse,
+        };
+        let work = &mut self.work[..x.len()];
+        for (row, &value) in x.iter().enumerate() {
+            work[row] = value.times(self.row_scale[row]);
+        }
+        sparse.solve(work);
+        for (column, value) in x.iter_mut().enumerate() {
+            *value = work[column].times(self.column_scale[column]);
+        }
+    }
+
+    /// [`Lu::solve`] for `count` right sides: `x` holds those of the first unknown, then those of the
+    /// second, and so on (n x `count`, row after row).
+    pub fn solve_many(&mut self, x: &mut [T], count: usize) {
+        match &mut self.factors {
+            Factors::Blocks(blocks, fallback) if !fallback.is_used => blocks.solve_many(x, count),
+            _ => {
+                let mut column = vec![T::default(); self.place.len()];
+                for side in 0..count {
+                    for (value, row) in column.iter_mut().zip(x.chunks_exact(count)) {
+                        *value = row[side];
+                    }
+                    self.solve(&mut column);
+                    for (value, row) in column.iter().zip(x.chunks_exact_mut(count)) {
+                        row[side] = *value;
+                    }
                 }
             }
         }
     }
+}
+
+/// Place of every unknown in an order with a small bandwidth.
+fn places(pattern: &Pattern) -> Vec<usize> {
+    assert_eq!(pattern.rows(), pattern.columns(), "the pattern is square");
+    let mut place = vec![0; pattern.columns()];
+    for (new, &old) in reverse_cuthill_mckee(pattern).iter().enumerate() {
+        place[old] = new;
+    }
+    place
 }
 
 impl Lu<f64> {
@@ -182,6 +287,10 @@ impl Lu<f64> {
             // Rows and columns have the same order there.
             Factors::Banded(banded, _) => banded.is_determinant_negative(),
             Factors::Sparse(sparse) => sparse.is_determinant_negative(),
+            Factors::Blocks(blocks, fallback) => match &fallback.sparse {
+                Some(sparse) if fallback.is_used => sparse.is_determinant_negative(),
+                _ => blocks.is_determinant_negative(),
+            },
         }
     }
 }

@@ -34,8 +34,14 @@ fn multiply<T: Scalar>(pattern: &Pattern, values: &[T], x: &[T]) -> Vec<T> {
     out
 }
 
-fn check<T: Scalar>(pattern: &Pattern, limit: usize, mut number: impl FnMut() -> T) {
-    let mut lu = Lu::with_bandwidth_limit(pattern, limit);
+const METHODS: [Method; 3] = [Method::Banded, Method::Sparse, Method::Blocks];
+
+fn with<T: Scalar>(pattern: &Pattern, method: Method) -> Lu<T> {
+    Lu::with_method(pattern, places(pattern), method)
+}
+
+fn check<T: Scalar>(pattern: &Pattern, method: Method, mut number: impl FnMut() -> T) {
+    let mut lu = with(pattern, method);
     for round in 0..3 {
         // Rows of very different size, as positions and slopes have.
         let values: Vec<T> = pattern
@@ -57,10 +63,10 @@ fn check<T: Scalar>(pattern: &Pattern, limit: usize, mut number: impl FnMut() ->
 fn banded_and_sparse_solve_what_was_multiplied() {
     for nodes in [1, 2, 17, 60] {
         let mut number = numbers(nodes as u64);
-        check::<f64>(&chain(nodes), usize::MAX, &mut number);
-        check::<f64>(&chain(nodes), 0, &mut number);
-        check::<c64>(&chain(nodes), usize::MAX, || c64::new(number(), number()));
-        check::<c64>(&chain(nodes), 0, || c64::new(number(), number()));
+        for method in METHODS {
+            check::<f64>(&chain(nodes), method, &mut number);
+            check::<c64>(&chain(nodes), method, || c64::new(number(), number()));
+        }
     }
 }
 
@@ -83,15 +89,15 @@ fn scattered_chain_is_banded_again() {
         "{}",
         half_bandwidth(&scattered, &place)
     );
-    check::<f64>(&scattered, LARGEST_BANDWIDTH, numbers(5));
+    check::<f64>(&scattered, Method::Banded, numbers(5));
 }
 
 #[test]
 fn singular_and_not_finite_values_are_placed() {
     let pattern = chain(10);
-    for limit in [usize::MAX, 0] {
+    for method in METHODS {
         let mut number = numbers(3);
-        let mut lu = Lu::<f64>::with_bandwidth_limit(&pattern, limit);
+        let mut lu = with::<f64>(&pattern, method);
         let good: Vec<f64> = (0..pattern.entries()).map(|_| number()).collect();
         let mut empty = good.clone();
         for entry in pattern.starts()[13]..pattern.starts()[14] {
@@ -116,11 +122,11 @@ fn singular_and_not_finite_values_are_placed() {
 #[test]
 #[ignore = "a measurement"]
 fn time_of_chains() {
-    fn time<T: Scalar>(limit: usize, nodes: usize) -> (f64, f64) {
+    fn time<T: Scalar>(method: Method, nodes: usize) -> (f64, f64) {
         let pattern = chain(nodes);
         let mut number = numbers(1);
         let values: Vec<T> = (0..pattern.entries()).map(|_| T::real(number())).collect();
-        let mut lu = Lu::<T>::with_bandwidth_limit(&pattern, limit);
+        let mut lu = with::<T>(&pattern, method);
         let mut x = vec![T::real(1.0); 4 * nodes];
         let rounds = 100_000 / nodes;
         let start = std::time::Instant::now();
@@ -136,12 +142,13 @@ fn time_of_chains() {
         (factor * 1e6, start.elapsed().as_secs_f64() / rounds as f64 * 1e6)
     }
     for nodes in [17, 75, 750] {
-        let (real, complex) = (time::<f64>(usize::MAX, nodes), time::<c64>(usize::MAX, nodes));
-        let general = time::<f64>(0, nodes);
-        println!(
-            "{} unknowns, us to factor and solve: banded {real:.1?}, complex {complex:.1?}, faer {general:.1?}",
-            4 * nodes
-        );
+        for method in METHODS {
+            let (real, complex) = (time::<f64>(method, nodes), time::<c64>(method, nodes));
+            println!(
+                "{} unknowns, us to factor and solve: {method:?} {real:.1?}, complex {complex:.1?}",
+                4 * nodes
+            );
+        }
     }
 }
 
@@ -151,8 +158,8 @@ fn signs_of_determinants() {
     for size in 1..7 {
         let entries = (0..size * size).map(|i| (i % size, i / size));
         let pattern = Pattern::new(size, size, entries);
-        for limit in [usize::MAX, 0] {
-            let mut lu = Lu::with_bandwidth_limit(&pattern, limit);
+        for method in METHODS {
+            let mut lu = with(&pattern, method);
             let (mut negative, mut positive) = (0, 0);
             for _ in 0..8 {
                 let values: Vec<f64> = (0..size * size).map(|_| number()).collect();

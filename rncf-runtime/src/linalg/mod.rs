@@ -1,6 +1,11 @@
 //! Sparse linear algebra: a fixed pattern, its factorizations, and saddle-point systems on it.
 
 mod banded;
+mod block_kernels;
+mod block_order;
+mod block_solve;
+mod blocks;
+mod border_kernels;
 mod dense;
 mod eigen;
 mod lu;

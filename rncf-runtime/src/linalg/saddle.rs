@@ -1,6 +1,7 @@
 //! Saddle-point systems `[[K, B], [C, 0]]` with a border: LU of the leading block of K, dense Schur
 //! complement of its border and of the multipliers.
 
+use super::border_kernels::Tall;
 use super::dense::Dense;
 use super::lu::Lu;
 use super::pattern::Pattern;
@@ -34,31 +35,46 @@ pub struct Saddle<T> {
     inner: usize,
     border: usize,
     leading: Lu<T>,
-    /// Entries of K in the leading block, and memory for their values.
-    leading_entries: Vec<usize>,
-    leading_values: Vec<T>,
+    /// Start of every leading column among the entries of K; its leading rows come first.
+    starts: Vec<usize>,
     /// Entries of K with row and column in the border, of B and `C^T` with border row and constraint;
     /// counted in the Schur complement.
     corner: Vec<(usize, usize, usize)>,
     corner_constraints: Vec<(usize, usize, usize)>,
-    /// Columns of `[K_ib, B_i]` and rows of `[K_bi; C_i]`, which follow.
-    sides: Vec<Side<T>>,
+    columns: Columns<T>,
+    rows: Rows<T>,
     schur: Dense<T>,
-    /// Right sides and solution of the Schur complement.
+    /// Right sides and solution of the Schur complement; what of it multiplies the responses.
     work: Vec<T>,
+    known: Vec<T>,
 }
 
-/// One border unknown or multiplier seen from the leading unknowns.
+/// Columns of `[K_ib, B_i]` that have entries.
 #[derive(Debug)]
-struct Side<T> {
-    /// Leading unknowns and entries (of K, or of B) of its column.
-    column: Vec<(usize, usize)>,
-    /// Leading unknowns and entries (of K, or of `C^T`) of its row.
-    row: Vec<(usize, usize)>,
-    /// Values of the row.
-    values: Vec<T>,
-    /// `K_ii^-1` times its column; empty if that has no entries.
-    response: Vec<T>,
+struct Columns<T> {
+    /// Their numbers in the Schur complement.
+    numbers: Vec<usize>,
+    /// Places in the responses and entries, of K and of B.
+    of_block: Vec<(u32, u32)>,
+    of_forces: Vec<(u32, u32)>,
+    /// `K_ii^-1` times them.
+    responses: Tall<T>,
+}
+
+/// Rows of `[K_bi; C_i]`.
+#[derive(Debug)]
+struct Rows<T> {
+    /// Those with most entries stored: their numbers, places in the values and entries, of K and of `C^T`.
+    full: Vec<usize>,
+    full_of_block: Vec<(u32, u32)>,
+    full_of_constraints: Vec<(u32, u32)>,
+    full_values: Tall<T>,
+    /// The others: number, and end of the leading unknowns and entries.
+    sparse: Vec<(usize, usize)>,
+    sparse_entries: Vec<(usize, usize)>,
+    sparse_values: Vec<T>,
+    /// Sums of products with the responses, and of the sizes of their terms.
+    sums: Vec<(T, f64)>,
 }
 
 impl<T: Scalar> Saddle<T> {
@@ -72,41 +88,36 @@ impl<T: Scalar> Saddle<T> {
         assert!(border <= block.rows(), "the border is a part of K");
         let (n, m) = (block.rows(), constraint_transposed.columns());
         let inner = n - border;
-        let mut sides: Vec<Side<T>> = (0..border + m).map(|_| Side::default()).collect();
-        let (mut leading_entries, mut leading) = (Vec::new(), Vec::new());
+        let (mut columns, mut rows) = (vec![Vec::new(); border + m], vec![Vec::new(); border + m]);
+        let mut leading = Vec::new();
         let (mut corner, mut corner_constraints) = (Vec::new(), Vec::new());
         for (entry, row, column) in entries(block) {
             match (row < inner, column < inner) {
-                (true, true) => {
-                    leading_entries.push(entry);
-                    leading.push((row, column));
-                }
-                (true, false) => sides[column - inner].column.push((row, entry)),
-                (false, true) => sides[row - inner].row.push((column, entry)),
+                (true, true) => leading.push((row, column)),
+                (true, false) => columns[column - inner].push((row, entry)),
+                (false, true) => rows[row - inner].push((column, entry)),
                 (false, false) => corner.push((entry, row - inner, column - inner)),
             }
         }
         for (entry, row, column) in entries(constraint_transposed) {
             if row < inner {
-                sides[border + column].column.push((row, entry));
-                sides[border + column].row.push((row, entry));
+                columns[border + column].push((row, entry));
+                rows[border + column].push((row, entry));
             } else {
                 corner_constraints.push((entry, row - inner, border + column));
             }
         }
-        for side in &mut sides {
-            side.values = vec![T::default(); side.row.len()];
-            side.response = vec![T::default(); if side.column.is_empty() { 0 } else { inner }];
-        }
+        let columns = Columns::new(&columns, border, inner);
         Self {
             inner,
             border,
             leading: Lu::new(&Pattern::new(inner, inner, leading)),
-            leading_values: vec![T::default(); leading_entries.len()],
-            leading_entries,
+            starts: block.starts()[..inner].to_vec(),
             corner,
             corner_constraints,
-            sides,
+            rows: Rows::new(&rows, border, inner, columns.numbers.len()),
+            known: vec![T::default(); columns.numbers.len()],
+            columns,
             schur: Dense::new(border + m),
             work: vec![T::default(); border + m],
         }
@@ -126,27 +137,14 @@ impl<T: Scalar> Saddle<T> {
     /// The unknown around which K is singular (and not fixed by constraints), or the constraint that
     /// is redundant or empty: the last one of those that are found to depend on each other.
     pub fn factor(&mut self, block: &[T], forces: &[f64], constraint_transposed: &[f64]) -> Result<(), Singular> {
-        for (value, &entry) in self.leading_values.iter_mut().zip(&self.leading_entries) {
-            *value = block[entry];
+        let factored = self.leading.factor_from(block, &self.starts);
+        factored.map_err(Singular::Unknown)?;
+        self.columns.load(block, forces);
+        let responses = &mut self.columns.responses;
+        if responses.width > 0 {
+            self.leading.solve_many(&mut responses.values, responses.width);
         }
-        self.leading.factor(&self.leading_values).map_err(Singular::Unknown)?;
-        for (index, side) in self.sides.iter_mut().enumerate() {
-            let of_k = index < self.border;
-            for (value, &(_, entry)) in side.values.iter_mut().zip(&side.row) {
-                *value = if of_k {
-                    block[entry]
-                } else {
-                    T::real(constraint_transposed[entry])
-                };
-            }
-            if !side.column.is_empty() {
-                side.response.fill(T::default());
-                for &(row, entry) in &side.column {
-                    side.response[row] = if of_k { block[entry] } else { T::real(forces[entry]) };
-                }
-                self.leading.solve(&mut side.response);
-            }
-        }
+        self.rows.load(block, constraint_transposed, self.border);
         self.fill_schur(block, forces, constraint_transposed);
         self.schur.factor().map_err(|index| {
             if index < self.border {
@@ -158,30 +156,38 @@ impl<T: Scalar> Saddle<T> {
     }
 
     fn fill_schur(&mut self, block: &[T], forces: &[f64], constraint_transposed: &[f64]) {
-        self.schur.clear();
+        let schur = &mut self.schur;
+        schur.clear();
         for &(entry, row, column) in &self.corner {
-            self.schur.add(row, column, block[entry], block[entry].size());
+            schur.add(row, column, block[entry], block[entry].size());
         }
         for &(entry, row, column) in &self.corner_constraints {
             let (force, derivative) = (forces[entry], constraint_transposed[entry]);
-            self.schur.add(row, column, T::real(force), force.abs());
-            self.schur.add(column, row, T::real(derivative), derivative.abs());
+            schur.add(row, column, T::real(force), force.abs());
+            schur.add(column, row, T::real(derivative), derivative.abs());
         }
-        for (j, of) in self
-            .sides
-            .iter()
-            .enumerate()
-            .filter(|(_, side)| !side.column.is_empty())
-        {
-            for (i, side) in self.sides.iter().enumerate() {
-                let (mut sum, mut terms) = (T::default(), 0.0);
-                for (&(column, _), &value) in side.row.iter().zip(&side.values) {
-                    let term = value * of.response[column];
-                    sum += term;
-                    terms += term.size();
+        let (rows, columns) = (&mut self.rows, &self.columns);
+        rows.full_values.products(&columns.responses, |i, j, sum, terms| {
+            schur.add(rows.full[i], columns.numbers[j], -sum, terms);
+        });
+        let (responses, width) = (&columns.responses.values, columns.responses.width);
+        let mut begin = 0;
+        for &(row, end) in &rows.sparse {
+            rows.sums.fill((T::default(), 0.0));
+            for (&(at, _), &value) in rows.sparse_entries[begin..end]
+                .iter()
+                .zip(&rows.sparse_values[begin..end])
+            {
+                for (sum, &response) in rows.sums.iter_mut().zip(&responses[at * width..(at + 1) * width]) {
+                    let term = value * response;
+                    sum.0 += term;
+                    sum.1 += term.size();
                 }
-                self.schur.add(i, j, -sum, terms);
             }
+            for (&column, &(sum, terms)) in columns.numbers.iter().zip(&rows.sums) {
+                schur.add(row, column, -sum, terms);
+            }
+            begin = end;
         }
     }
 
@@ -190,33 +196,132 @@ impl<T: Scalar> Saddle<T> {
     pub fn solve(&mut self, dynamics: &mut [T], constraints: &mut [T]) {
         let (leading, border) = dynamics.split_at_mut(self.inner);
         self.leading.solve(leading);
-        self.work[..self.border].copy_from_slice(border);
-        self.work[self.border..].copy_from_slice(constraints);
-        for (right, side) in self.work.iter_mut().zip(&self.sides) {
-            for (&(column, _), &value) in side.row.iter().zip(&side.values) {
-                *right -= value * leading[column];
+        let (work, rows) = (&mut self.work, &self.rows);
+        work[..self.border].copy_from_slice(border);
+        work[self.border..].copy_from_slice(constraints);
+        rows.full_values
+            .transposed_times(leading, |i, sum| work[rows.full[i]] -= sum);
+        let mut begin = 0;
+        for &(row, end) in &rows.sparse {
+            for (&(at, _), &value) in rows.sparse_entries[begin..end]
+                .iter()
+                .zip(&rows.sparse_values[begin..end])
+            {
+                work[row] -= value * leading[at];
             }
+            begin = end;
         }
-        self.schur.solve(&mut self.work);
-        border.copy_from_slice(&self.work[..self.border]);
-        constraints.copy_from_slice(&self.work[self.border..]);
-        for (&known, side) in self.work.iter().zip(&self.sides) {
-            for (value, &response) in leading.iter_mut().zip(&side.response) {
-                *value -= response * known;
-            }
+        self.schur.solve(work);
+        border.copy_from_slice(&work[..self.border]);
+        constraints.copy_from_slice(&work[self.border..]);
+        for (known, &number) in self.known.iter_mut().zip(&self.columns.numbers) {
+            *known = work[number];
+        }
+        self.columns.responses.subtract(&self.known, leading);
+    }
+}
+
+impl<T: Scalar> Columns<T> {
+    /// From leading unknowns and entries of all columns, of which the first `border` are those of K.
+    fn new(all: &[Vec<(usize, usize)>], border: usize, inner: usize) -> Self {
+        let numbers: Vec<usize> = (0..all.len()).filter(|&number| !all[number].is_empty()).collect();
+        let width = numbers.len();
+        let (mut of_block, mut of_forces) = (Vec::new(), Vec::new());
+        for (index, &number) in numbers.iter().enumerate() {
+            let target = if number < border { &mut of_block } else { &mut of_forces };
+            let place = |&(row, entry): &(usize, usize)| numbered(row * width + index, entry);
+            target.extend(all[number].iter().map(place));
+        }
+        // In the order of the responses, which are written several to a row.
+        of_block.sort_unstable();
+        of_forces.sort_unstable();
+        Self {
+            responses: Tall::new(inner, width),
+            numbers,
+            of_block,
+            of_forces,
+        }
+    }
+
+    fn load(&mut self, block: &[T], forces: &[f64]) {
+        let target = &mut self.responses.values;
+        target.fill(T::default());
+        for &(place, entry) in &self.of_block {
+            target[place as usize] = block[entry as usize];
+        }
+        for &(place, entry) in &self.of_forces {
+            target[place as usize] = T::real(forces[entry as usize]);
         }
     }
 }
 
-impl<T> Default for Side<T> {
-    fn default() -> Self {
+impl<T: Scalar> Rows<T> {
+    /// From leading unknowns and entries of all rows, of which the first `border` are those of K.
+    fn new(all: &[Vec<(usize, usize)>], border: usize, inner: usize, responses: usize) -> Self {
+        let is_full = |row: &[(usize, usize)]| !row.is_empty() && 2 * row.len() >= inner;
+        let full: Vec<usize> = (0..all.len()).filter(|&number| is_full(&all[number])).collect();
+        let width = full.len();
+        let (mut full_of_block, mut full_of_constraints) = (Vec::new(), Vec::new());
+        for (index, &number) in full.iter().enumerate() {
+            let is_of_block = number < border;
+            let target = if is_of_block {
+                &mut full_of_block
+            } else {
+                &mut full_of_constraints
+            };
+            let place = |&(column, entry): &(usize, usize)| numbered(column * width + index, entry);
+            target.extend(all[number].iter().map(place));
+        }
+        // In the order of K, whose columns hold all of these rows next to each other.
+        full_of_block.sort_unstable_by_key(|&(_, entry)| entry);
+        full_of_constraints.sort_unstable();
+        let (mut sparse, mut sparse_entries) = (Vec::new(), Vec::new());
+        for (number, row) in all.iter().enumerate().filter(|(_, row)| !is_full(row)) {
+            sparse_entries.extend(row);
+            sparse.push((number, sparse_entries.len()));
+        }
         Self {
-            column: Vec::new(),
-            row: Vec::new(),
-            values: Vec::new(),
-            response: Vec::new(),
+            full_values: Tall::new(inner, width),
+            full,
+            full_of_block,
+            full_of_constraints,
+            sparse_values: vec![T::default(); sparse_entries.len()],
+            sparse,
+            sparse_entries,
+            sums: vec![(T::default(), 0.0); responses],
         }
     }
+
+    fn load(&mut self, block: &[T], constraint_transposed: &[f64], border: usize) {
+        let target = &mut self.full_values.values;
+        for &(place, entry) in &self.full_of_block {
+            target[place as usize] = block[entry as usize];
+        }
+        for &(place, entry) in &self.full_of_constraints {
+            target[place as usize] = T::real(constraint_transposed[entry as usize]);
+        }
+        let mut begin = 0;
+        for &(row, end) in &self.sparse {
+            let entries = &self.sparse_entries[begin..end];
+            for (value, &(_, entry)) in self.sparse_values[begin..end].iter_mut().zip(entries) {
+                *value = if row < border {
+                    block[entry]
+                } else {
+                    T::real(constraint_transposed[entry])
+                };
+            }
+            begin = end;
+        }
+    }
+}
+
+/// A place and an entry in few bytes.
+///
+/// # Panics
+/// From 2^32 entries on.
+fn numbered(place: usize, entry: usize) -> (u32, u32) {
+    let narrow = |value: usize| u32::try_from(value).expect("fewer than 2^32 entries");
+    (narrow(place), narrow(entry))
 }
 
 /// Entries of a pattern with their rows and columns.

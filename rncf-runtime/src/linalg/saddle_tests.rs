@@ -158,3 +158,58 @@ fn border_that_nothing_holds_is_named() {
     k[place(13, 13)] = f64::NAN;
     assert_eq!(saddle.factor_symmetric(&k, &[1.0, 1.0]), Err(Singular::Unknown(13)));
 }
+
+/// Times of tethers with a border of a frame and two full constraints; run with `--release --ignored`.
+#[test]
+#[ignore = "a measurement"]
+fn time_of_bordered_tethers() {
+    let leading = super::super::blocks::tests::tethers(100, 15);
+    let inner = leading.columns();
+    let n = inner + 6;
+    let full = (0..n).flat_map(|i| (inner..n).flat_map(move |j| [(i, j), (j, i)]));
+    let own: Vec<_> = entries(&leading).map(|(_, row, column)| (row, column)).collect();
+    let block = Pattern::new(n, n, own.into_iter().chain(full));
+    let transposed = Pattern::new(n, 2, (0..n).flat_map(|i| [(i, 0), (i, 1)]));
+    let mut number = numbers(3);
+    let heavy = |row: usize, column: usize| if row == column { 6.0 } else { 0.0 };
+    let k: Vec<f64> = entries(&block)
+        .map(|(_, row, column)| number() + heavy(row, column))
+        .collect();
+    let c: Vec<f64> = (0..transposed.entries()).map(|_| number()).collect();
+    let mut saddle = Saddle::<f64>::new(&block, 6, &transposed);
+    let (mut x, mut multipliers) = (vec![1.0; n], vec![1.0; 2]);
+    let mut times = [const { Vec::new() }; 6];
+    for _ in 0..1000 {
+        let mut time = |kind: usize, what: &mut dyn FnMut()| {
+            let start = std::time::Instant::now();
+            what();
+            times[kind].push(start.elapsed().as_secs_f64() * 1e6);
+        };
+        time(0, &mut || saddle.factor_symmetric(&k, &c).expect("regular"));
+        x.fill(1.0);
+        time(1, &mut || saddle.solve(&mut x, &mut multipliers));
+        time(2, &mut || {
+            saddle.leading.factor_from(&k, &saddle.starts).expect("regular")
+        });
+        time(3, &mut || {
+            saddle.columns.load(&k, &c);
+            saddle.rows.load(&k, &c, 6);
+        });
+        time(4, &mut || {
+            saddle.leading.solve_many(&mut saddle.columns.responses.values, 8)
+        });
+        time(5, &mut || saddle.fill_schur(&k, &c, &c));
+    }
+    let names = [
+        "factor",
+        "solve",
+        "  factor leading",
+        "  load border",
+        "  solve 8",
+        "  Schur complement",
+    ];
+    for (name, times) in names.iter().zip(&mut times) {
+        times.sort_by(f64::total_cmp);
+        println!("{name:>20} {:8.1} us, least {:8.1}", times[500], times[0]);
+    }
+}

@@ -27,41 +27,61 @@ pub trait Scalar:
     fn times(self, factor: f64) -> Self;
     /// 1 / self.
     fn inverse(self) -> Self;
+    /// `self + a b`, rounded once for real numbers: fast where the processor does so, slow elsewhere.
+    fn fused(self, a: Self, b: Self) -> Self;
 }
 
 impl Scalar for f64 {
+    #[inline(always)]
     fn real(value: f64) -> Self {
         value
     }
 
+    #[inline(always)]
     fn size(self) -> f64 {
         self.abs()
     }
 
+    #[inline(always)]
     fn times(self, factor: f64) -> Self {
         self * factor
     }
 
+    #[inline(always)]
     fn inverse(self) -> Self {
         1.0 / self
+    }
+
+    #[inline(always)]
+    fn fused(self, a: Self, b: Self) -> Self {
+        a.mul_add(b, self)
     }
 }
 
 impl Scalar for c64 {
+    #[inline(always)]
     fn real(value: f64) -> Self {
         c64::new(value, 0.0)
     }
 
+    #[inline(always)]
     fn size(self) -> f64 {
         self.re.abs() + self.im.abs()
     }
 
+    #[inline(always)]
     fn times(self, factor: f64) -> Self {
         c64::new(self.re * factor, self.im * factor)
     }
 
+    #[inline(always)]
     fn inverse(self) -> Self {
         let square = self.re * self.re + self.im * self.im;
         c64::new(self.re / square, -self.im / square)
+    }
+
+    #[inline(always)]
+    fn fused(self, a: Self, b: Self) -> Self {
+        self + a * b
     }
 }

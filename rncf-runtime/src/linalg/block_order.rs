@@ -1,0 +1,127 @@
+//! Node blocks of a pattern and the order in which they are eliminated.
+
+use std::collections::BTreeSet;
+
+use super::Pattern;
+
+/// Node blocks of a square pattern in the order of elimination.
+#[derive(Debug)]
+pub(super) struct Nodes {
+    /// Unknowns of every node.
+    pub members: Vec<Vec<usize>>,
+    /// Nodes later in the order that each is coupled to when its turn comes, ascending.
+    pub later: Vec<Vec<usize>>,
+}
+
+impl Nodes {
+    /// Unknowns with equal rows and columns form a node; nodes are ordered by minimum degree.
+    pub(super) fn new(pattern: &Pattern) -> Self {
+        let adjacent = adjacency(pattern);
+        let members = equal_unknowns(pattern, &adjacent);
+        let mut node = vec![0; pattern.columns()];
+        for (index, members) in members.iter().enumerate() {
+            for &member in members {
+                node[member] = index;
+            }
+        }
+        let neighbours = members.iter().enumerate().map(|(index, members)| {
+            let others = adjacent[members[0]].iter().map(|&other| node[other]);
+            others.filter(|&other| other != index).collect()
+        });
+        let sizes: Vec<usize> = members.iter().map(Vec::len).collect();
+        let empty = |members: &Vec<usize>| members.iter().any(|&at| pattern.find(at, at).is_none());
+        let empty: Vec<bool> = members.iter().map(empty).collect();
+        let (order, later) = minimum_degree(&sizes, neighbours.collect(), &empty);
+        let mut place = vec![0; order.len()];
+        for (new, &old) in order.iter().enumerate() {
+            place[old] = new;
+        }
+        let sorted = |of: &usize| {
+            let mut nodes: Vec<usize> = later[*of].iter().map(|&node| place[node]).collect();
+            nodes.sort_unstable();
+            nodes
+        };
+        Self {
+            later: order.iter().map(sorted).collect(),
+            members: order.iter().map(|&old| members[old].clone()).collect(),
+        }
+    }
+}
+
+/// Unknowns coupled with every unknown by its row or its column, with itself, ascending.
+fn adjacency(pattern: &Pattern) -> Vec<Vec<usize>> {
+    let mut adjacent: Vec<Vec<usize>> = (0..pattern.columns()).map(|index| vec![index]).collect();
+    for column in 0..pattern.columns() {
+        for &row in rows(pattern, column) {
+            adjacent[column].push(row);
+            adjacent[row].push(column);
+        }
+    }
+    for list in &mut adjacent {
+        list.sort_unstable();
+        list.dedup();
+    }
+    adjacent
+}
+
+fn rows(pattern: &Pattern, column: usize) -> &[usize] {
+    &pattern.indices()[pattern.starts()[column]..pattern.starts()[column + 1]]
+}
+
+/// Groups of unknowns with the same neighbours and the same stored columns, by their first members.
+fn equal_unknowns(pattern: &Pattern, adjacent: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let key = |unknown: usize| (&adjacent[unknown], rows(pattern, unknown));
+    let mut unknowns: Vec<usize> = (0..adjacent.len()).collect();
+    unknowns.sort_by(|&a, &b| key(a).cmp(&key(b)).then(a.cmp(&b)));
+    let mut groups: Vec<Vec<usize>> = unknowns
+        .chunk_by(|&a, &b| key(a) == key(b))
+        .map(<[usize]>::to_vec)
+        .collect();
+    groups.sort_unstable_by_key(|group| group[0]);
+    groups
+}
+
+/// Order by least weight of the neighbours left, and these neighbours. Among equals the one that
+/// changed longest ago comes first: neighbours in the order are then independent of each other, which
+/// lets the processor overlap their chains of operations. Nodes with an `empty` diagonal (multipliers)
+/// wait until all that fill it are eliminated: fewer may leave it singular.
+fn minimum_degree(
+    sizes: &[usize],
+    mut neighbours: Vec<BTreeSet<usize>>,
+    empty: &[bool],
+) -> (Vec<usize>, Vec<Vec<usize>>) {
+    let degree = |neighbours: &BTreeSet<usize>| neighbours.iter().map(|&node| sizes[node]).sum::<usize>();
+    let mut filling: Vec<Vec<usize>> = vec![Vec::new(); sizes.len()];
+    let mut missing = vec![0; sizes.len()];
+    for node in (0..sizes.len()).filter(|&node| empty[node]) {
+        for &other in neighbours[node].iter().filter(|&&other| !empty[other]) {
+            filling[other].push(node);
+            missing[node] += 1;
+        }
+    }
+    let mut keys: Vec<_> = neighbours
+        .iter()
+        .zip(&missing)
+        .map(|(neighbours, &missing)| (missing > 0, degree(neighbours), 0))
+        .collect();
+    let mut queue: BTreeSet<_> = keys.iter().copied().zip(0..sizes.len()).collect();
+    let mut order = Vec::with_capacity(sizes.len());
+    let mut later = vec![Vec::new(); sizes.len()];
+    while let Some((_, node)) = queue.pop_first() {
+        order.push(node);
+        for &waiting in &filling[node] {
+            missing[waiting] -= 1;
+        }
+        // All that wait for the node are among its neighbours.
+        let left = std::mem::take(&mut neighbours[node]);
+        for &at in &left {
+            queue.remove(&(keys[at], at));
+            neighbours[at].remove(&node);
+            neighbours[at].extend(left.iter().filter(|&&other| other != at));
+            keys[at] = (missing[at] > 0, degree(&neighbours[at]), order.len());
+            queue.insert((keys[at], at));
+        }
+        later[node] = left.into_iter().collect();
+    }
+    (order, later)
+}
