@@ -7,6 +7,7 @@ mod complex;
 mod elements;
 mod generated;
 mod jacobians;
+mod lanes;
 mod materials;
 mod models;
 mod objectivity;

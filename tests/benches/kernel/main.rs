@@ -5,6 +5,7 @@
 //! `cargo bench -p rncf-tests --bench kernel`
 
 mod beam;
+mod lanes;
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -36,6 +37,11 @@ fn main() {
         for (name, generic) in generic(dimension) {
             println!("| {word} | {name} | {generic:.0} | {:.1} |", generic / generated);
         }
+    }
+    println!("\n| spatial tether, elastic | one by one, ns | four lanes, ns | ratio |");
+    println!("|---|---|---|---|");
+    for (name, [one, four]) in lanes::rows() {
+        println!("| {name} | {one:.1} | {four:.1} | {:.1} |", one / four);
     }
     println!("\n| beam with a section | generated, ns | plain loops, ns | ratio |");
     println!("|---|---|---|---|");
