@@ -29,11 +29,11 @@ const WORDS: &[&str] = &[
     "weld", "spherical", "revolute", "universal", "cylindrical", "prismatic", "distance", "hold", "drive", "cross", "length",
     "linear", "law", "torsional", "torsional_law", "stiffness", "rate", "follower", "dot", "norm",
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "min", "max",
-    "atan2",
+    "atan2", "for", "share", "merge", "sum", "mean",
 ];
 
 /// Items that end with their braces; all others, and sections with a `=`, end with a semicolon.
-const BRACED: &[&str] = &["material", "section", "body", "rigid", "fixture", "run"];
+const BRACED: &[&str] = &["material", "section", "body", "rigid", "fixture", "run", "for"];
 
 fn document(path: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);

@@ -3,7 +3,7 @@
 use super::plane::{PLANES, normal};
 use super::{Check, say};
 use crate::errors::Area;
-use crate::model::{Body, BodyId, FrameId, INERTIAL, RepeatId, Space};
+use crate::model::{Body, BodyId, Fidelity, FrameId, INERTIAL, RepeatId, Space};
 use crate::parse::tree::{Item, ItemKind, Keyword, Statement};
 use crate::suggest;
 
@@ -58,11 +58,13 @@ impl<'a> Check<'a> {
         let line = self.line(item, statements, *complete, &mut known);
         let mesh = self.mesh(item, statements, *complete, known.space);
         let axes = self.section_axes(statements, known.space, line.as_ref());
-        if item.repeat.is_some() {
+        let (fidelity, mean_axes) = if item.repeat.is_some() {
             self.may_be_repeated(statements);
-        }
-        let fidelity = self.fidelity(statements);
-        let mean_axes = self.mean_axes(item, statements, known.frame, known.space);
+            (Some(Fidelity::Full), false)
+        } else {
+            let mean_axes = self.mean_axes(item, statements, known.frame, known.space);
+            (self.fidelity(statements), mean_axes)
+        };
         let initial = self.initial(item, statements, known.space);
         if mean_axes {
             // In a prescribed frame that is a mistake of its own.

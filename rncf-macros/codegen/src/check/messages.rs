@@ -122,8 +122,7 @@ pub const REMAINDER_OUTSIDE: &str = "`%` stands in the number of a repetition on
 pub const REDUCED_OUTSIDE: &str = "only an `output` can look at all repetitions";
 pub const NESTED_REDUCTION: &str = "a value over all repetitions does not stand in another one, or in a loop";
 pub const MOVING_REPETITION: &str = "here a repetition needs a constant number, e.g. `main[0].end`: over all of them only what a body shows in its own frame is known, such as `main[a].end.x`, `.velocity` or `.axial_force`";
-pub const SAME_END_REPEATED: &str =
-    "every repetition of this joint would hold the same end: write the index, e.g. `main[a].start`, or take it out of the loop";
+pub const SAME_END_REPEATED: &str = "every repetition of this joint would hold the same end: write the index, e.g. `main[a].start`, or take it out of the loop";
 pub const SAME_ENDS_REPEATED: &str =
     "every repetition of this would be about the same two ends: write the index, or take it out of the loop";
 pub const REPEATED_TO_FREE: &str = "in a loop joints hold ends of bodies in prescribed frames, or in the frame of the body itself: declare this one outside of the loop, for each repetition that needs it";
@@ -149,7 +148,7 @@ messages! {
     joint_not_repeated(word) = "a `{word}` is not repeated yet: in a loop there are `clamp`, `clamp_full`, `pin`, `hold`, `share` and `merge`";
     statement_not_repeated(word) = "a repeated body has no `{word}` yet: leave it out, or declare the bodies one by one";
     shared_modes(name) = "`{name}` is described by modes, or rigid, and has no nodes of its own to share: describe it by all of them, or use `weld` or `spherical`";
-    shared_and_held(line) = "this end is held by the joint in line {line}: a shared node is held by nothing else; let that joint hold one end and a joint of its own the other one, and leave out this";
+    shared_and_held(line) = "this end is held by the joint in line {line}: a node is shared or held; to tie both ends there, hold the other one in the same way and leave this out";
     shared_frames(first, second) = "the bodies are in the frames `{first}` and `{second}`: only nodes in the same frame are shared; use `spherical` or `weld` between them";
     shared_twice(other) = "`{other}` makes one node of these ends already";
     merged_elements(first, second) = "`{first}` and `{second}` have different elements, whose slopes are not alike: use `share`, or the same element";

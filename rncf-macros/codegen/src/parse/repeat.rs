@@ -65,13 +65,20 @@ fn range(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
         return Err(Mistake::new(start, say::RANGE));
     }
     if !is_zero || cursor.mark() != first + 1 {
-        let area = if cursor.mark() == first { start.into() } else { cursor.since(start) };
+        let area = if cursor.mark() == first {
+            start.into()
+        } else {
+            cursor.since(start)
+        };
         return Err(Mistake::new(area, say::RANGE_START));
     }
     cursor.next();
     cursor.next();
     if cursor.is_punct('=') {
         return Err(Mistake::new(cursor.here(), say::RANGE_END));
+    }
+    if is_over(cursor) || cursor.is_punct(',') {
+        return Err(Mistake::new(cursor.since(start), say::RANGE));
     }
     expr::nested(cursor, depth + 1)
 }
@@ -109,7 +116,8 @@ pub fn may_be_repeated(item: &mut Item, keyword: Span, errors: &mut Errors) {
     let word = item.keyword.word();
     let message = match item.keyword {
         Keyword::Body | Keyword::Fixture | Keyword::Joint | Keyword::Load => return,
-        Keyword::Constraint | Keyword::Spring | Keyword::Rigid | Keyword::Frame => say::not_repeated_yet(word),
+        Keyword::Constraint | Keyword::Spring => say::tie_not_repeated(word),
+        Keyword::Rigid | Keyword::Frame => say::not_repeated_yet(word),
         Keyword::Output => say::OUTPUT_IN_LOOP.into(),
         _ => say::outside_of_loops(word),
     };

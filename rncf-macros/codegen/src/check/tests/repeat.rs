@@ -95,19 +95,34 @@ fn items_of_loops_stand_once() {
         .map(|repeat| (repeat.index.as_str(), repeat.count.clone()))
         .collect();
     assert_eq!(loops, [("a", tethers.clone()), ("i", Expr::Number(3.0))]);
-    let bodies: Vec<_> = model.bodies.iter().map(|body| (body.name.as_str(), body.repeat)).collect();
+    let bodies: Vec<_> = model
+        .bodies
+        .iter()
+        .map(|body| (body.name.as_str(), body.repeat))
+        .collect();
     let (first, second) = (Some(RepeatId(0)), Some(RepeatId(1)));
     assert_eq!(
         bodies,
-        [("main", first), ("aux", first), ("chain", second), ("stay", second), ("tail", None)]
+        [
+            ("main", first),
+            ("aux", first),
+            ("chain", second),
+            ("stay", second),
+            ("tail", None)
+        ]
     );
     assert_eq!(model.bodies[0].doc, "One of the long wires.");
     let initial = model.bodies[1].initial.position.clone().expect("an initial shape");
-    assert!(initial[..2].iter().all(|component| {
-        crate::check::fold::has_index(component) && crate::check::fold::has_arclength(component)
-    }));
+    assert!(
+        initial[..2].iter().all(|component| {
+            crate::check::fold::has_index(component) && crate::check::fold::has_arclength(component)
+        })
+    );
     let remote = &model.fixtures[0];
-    assert_eq!((remote.repeat, remote.body, remote.at.place()), (first, BodyId(0), &Location::End));
+    assert_eq!(
+        (remote.repeat, remote.body, remote.at.place()),
+        (first, BodyId(0), &Location::End)
+    );
     assert_eq!(instance(&remote.at), Expr::Index);
 }
 
@@ -130,7 +145,11 @@ fn repeated_joints_have_no_rows() {
     assert_eq!(model.joints[0].frame, FrameId(2));
     let point = model.joints[1].point.clone().expect("a point");
     assert_eq!(crate::check::fold::at_index(&point[0], 2.0), Some(2.0));
-    let names: Vec<_> = model.constraints.iter().map(|constraint| constraint.name.as_str()).collect();
+    let names: Vec<_> = model
+        .constraints
+        .iter()
+        .map(|constraint| constraint.name.as_str())
+        .collect();
     assert_eq!(names, ["ball", "sun_x"]);
 }
 
@@ -158,7 +177,10 @@ fn shared_nodes_are_no_joints() {
     assert_eq!((instance(start), start.place()), (Expr::Index, &Location::End));
     assert_eq!((instance(end), end.place()), (next(tethers), &Location::End));
     let [(_, of_chain), (tail, own)] = &model.shares[4].ends;
-    assert_eq!((instance(of_chain), *tail, own), (Expr::Number(2.0), BodyId(4), &Location::Start));
+    assert_eq!(
+        (instance(of_chain), *tail, own),
+        (Expr::Number(2.0), BodyId(4), &Location::Start)
+    );
 }
 
 /// A prescribed number is that of one repetition everywhere.
@@ -226,10 +248,16 @@ fn reductions_take_the_loop_of_the_same_number() {
 /// A number of repetitions that no loop has is one of its own.
 #[test]
 fn a_reduction_may_count_on_its_own() {
-    let text = SAIL.replace("max(a in 0..tethers, main[a].start.axial_force)", "sum(a in 0..4, a * 1 N)");
+    let text = SAIL.replace(
+        "max(a in 0..tethers, main[a].start.axial_force)",
+        "sum(a in 0..4, a * 1 N)",
+    );
     let model = model(&text);
     assert_eq!(model.repeats.len(), 3);
-    assert_eq!((model.repeats[2].index.as_str(), &model.repeats[2].count), ("a", &Expr::Number(4.0)));
+    assert_eq!(
+        (model.repeats[2].index.as_str(), &model.repeats[2].count),
+        ("a", &Expr::Number(4.0))
+    );
 }
 
 /// Reading goes on in a loop whatever is wrong in its head or in one of its items.
@@ -281,7 +309,10 @@ fn ties_in_loops_are_left_to_the_run() {
     assert!(run(&text).1.is_empty());
     let single = text.replace("joint root[a] = clamp(main[a].start, sail);", "");
     let messages: Vec<_> = run(&single).1.into_iter().map(|mistake| mistake.message).collect();
-    assert!(messages.iter().any(|message| message.contains("nothing holds")), "{messages:?}");
+    assert!(
+        messages.iter().any(|message| message.contains("nothing holds")),
+        "{messages:?}"
+    );
 }
 
 /// Places on a repetition are those of its own line and initial shape.

@@ -112,7 +112,18 @@ fn half_of_a_sail() {
     for budget in 0..total {
         survives(cut(tokens.clone(), &mut budget.clone()));
     }
-    for by in ["", "7", ";", "a", "[ a ]", "main [ 0 ] . end", "for", "0 . . 3", "{ }", "%"] {
+    for by in [
+        "",
+        "7",
+        ";",
+        "a",
+        "[ a ]",
+        "main [ 0 ] . end",
+        "for",
+        "0 . . 3",
+        "{ }",
+        "%",
+    ] {
         let by: TokenStream = by.parse().unwrap();
         for at in 0..total {
             survives(exchanged(tokens.clone(), &mut at.clone(), &by));
