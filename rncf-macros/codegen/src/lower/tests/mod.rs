@@ -6,6 +6,7 @@ mod constraints;
 mod emitted;
 pub mod model;
 mod motions;
+mod repeated;
 
 use std::collections::HashMap;
 
