@@ -29,7 +29,7 @@ const WORDS: &[&str] = &[
     "weld", "spherical", "revolute", "universal", "cylindrical", "prismatic", "distance", "hold", "drive", "cross", "length",
     "linear", "law", "torsional", "torsional_law", "stiffness", "rate", "follower", "dot", "norm",
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "min", "max",
-    "atan2", "for", "share", "merge", "sum", "mean",
+    "atan2", "for", "share", "merge", "sum", "mean", "spinning", "slack", "true", "false",
 ];
 
 /// Items that end with their braces; all others, and sections with a `=`, end with a semicolon.
