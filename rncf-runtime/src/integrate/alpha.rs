@@ -18,7 +18,7 @@
 //! positions and velocities on the constraints and no velocity bias.
 
 use super::Statistics;
-use super::bordered::Bordered;
+use super::bordered::{Bordered, Measure};
 use super::charts::Charts;
 use super::compensated::{self, Low};
 use super::control::Controller;
@@ -212,11 +212,15 @@ impl Alpha {
         }
         let kappa = self.coefficients.kappa();
         if !self.jerk_known && !self.stabilised {
-            // The matrix is at `now` since the last accepted step.
+            // The border is at `now` since the last accepted step.
             self.charts.curvature(1.0 / (12.0 * kappa), &self.now, &mut self.work);
             let (other, out) = (&self.work, &mut self.constrained_jerk);
+            let measure = Measure {
+                factor: kappa * h.powi(3),
+                inverse_weights: &self.inverse_weights,
+            };
             self.bordered
-                .constrained_jerk(system, &self.now, other, out, statistics)?;
+                .constrained_jerk(system, &self.now, other, &measure, out, statistics)?;
             self.jerk_known = true;
         }
         let bias = if self.stabilised { 0.0 } else { kappa * h * h };
@@ -309,10 +313,17 @@ impl Alpha {
         self.left.low.copy_from_slice(&low.v);
         self.left.v.copy_from_slice(&state.v);
         if !self.stabilised && !state.lambda.is_empty() {
-            self.bordered.move_to(system, state);
+            self.bordered.approach(system, state);
+            let measure = Measure {
+                factor: h,
+                inverse_weights: &self.inverse_weights,
+            };
             let change = &mut self.work;
-            if let Err(singular) = self.bordered.velocity_change(system, state, change, statistics) {
-                self.bordered.move_to(system, &self.now);
+            let changed = self
+                .bordered
+                .velocity_change(system, state, Some(&measure), change, statistics);
+            if let Err(singular) = changed {
+                self.bordered.approach(system, &self.now);
                 self.left.h = None;
                 return Err(singular);
             }

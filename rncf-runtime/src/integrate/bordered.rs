@@ -6,17 +6,32 @@
 //! theory, and nothing here asks for an inverse of it.
 //!
 //! Mass and border move with the state. A factorization is kept while refinement with the true
-//! matrix converges fast.
+//! matrix converges fast. Where a change is far below the tolerance of a step, as with few constraints
+//! on a large system, its direction may be that of an earlier mass: neither mass nor solution is needed.
 
 use super::Statistics;
 use super::anderson::Acceleration;
-use crate::linalg::{Pattern, Saddle, Singular};
+use super::newton::norm as weighted_norm;
+use crate::linalg::{Dense, Pattern, Saddle, Singular};
 use crate::system::{ConstraintLevel, State, System};
 
 /// Refinement stops when a correction is this small relative to the solution.
 const REFINED: f64 = 1e-6;
 /// Most corrections: more of them cost as much as a new factorization.
 const CORRECTIONS: usize = 5;
+
+/// Most constraints whose responses are kept, and fewest unknowns for each of them: beyond that a
+/// solution costs no more than the responses.
+const FEW: usize = 8;
+const MANY: usize = 16;
+/// Weighted size up to which a change may have the direction of an earlier mass.
+const NEGLIGIBLE: f64 = 1e-3;
+
+/// How large a change counts as small: `factor` times it, in the norm of the weights.
+pub(super) struct Measure<'a> {
+    pub(super) factor: f64,
+    pub(super) inverse_weights: &'a [f64],
+}
 
 /// `[[M, C_x^T], [C_x, 0]]` at a time and position, and solutions with it.
 pub(super) struct Bordered {
@@ -25,7 +40,10 @@ pub(super) struct Bordered {
     constraint_pattern: Pattern,
     sizes: Vec<f64>,
     mass: Vec<f64>,
+    /// Whether the mass is that of the present state, not only the border.
+    mass_is_present: bool,
     jacobian: Vec<f64>,
+    responses: Responses,
     saddle: Saddle<f64>,
     state_of_factors: Factors,
     /// Right side as given, and what is left of it.
@@ -43,6 +61,16 @@ enum Weight {
     Mass,
     /// The diagonal matrix of `1 / size^2`.
     Sizes,
+}
+
+/// Changes of the unknowns of least mass with unit rates of single constraints, by the kept factorization.
+struct Responses {
+    are_known: bool,
+    /// n entries for every constraint; empty where there are too many.
+    columns: Vec<f64>,
+    /// Rates of the present constraints in them.
+    rates: Dense<f64>,
+    work: Vec<f64>,
 }
 
 /// What the kept factorization belongs to.
@@ -80,6 +108,13 @@ impl Bordered {
             sizes: system.sizes().to_vec(),
             jacobian: vec![0.0; constraint_pattern.entries()],
             mass: vec![0.0; pattern.entries()],
+            mass_is_present: false,
+            responses: Responses {
+                are_known: false,
+                columns: vec![0.0; if m <= FEW && MANY * m <= n { n * m } else { 0 }],
+                rates: Dense::new(m),
+                work: vec![0.0; m],
+            },
             state_of_factors: Factors::None,
             given: (vec![0.0; n], vec![0.0; m]),
             rest: (vec![0.0; n], vec![0.0; m]),
@@ -93,15 +128,26 @@ impl Bordered {
 
     /// Moves the matrix to the state's time and position.
     pub(super) fn move_to<S: System + ?Sized>(&mut self, system: &mut S, state: &State) {
-        if self.weight == Weight::Mass {
-            system.mass(state, &mut self.mass);
-        }
+        self.approach(system, state);
+        self.fetch_mass(system, state);
+    }
+
+    /// Moves the border to the state's time and position; the mass follows where it is needed.
+    pub(super) fn approach<S: System + ?Sized>(&mut self, system: &mut S, state: &State) {
+        self.mass_is_present = false;
         if self.constraint_pattern.columns() > 0 {
             system.constraint_jacobian(state, &mut self.jacobian);
         }
         if self.state_of_factors == Factors::Present {
             self.state_of_factors = Factors::Old;
         }
+    }
+
+    fn fetch_mass<S: System + ?Sized>(&mut self, system: &mut S, state: &State) {
+        if self.weight == Weight::Mass && !self.mass_is_present {
+            system.mass(state, &mut self.mass);
+        }
+        self.mass_is_present = true;
     }
 
     /// The smallest change `y` of the unknowns, in the norm of the weight, with `C_x y = -value`.
@@ -146,16 +192,19 @@ impl Bordered {
     }
 
     /// The constrained part `P (j - other)` of the jerk, from the third derivative of the constraints
-    /// at the state (THEORY 10), less that of `other`; the matrix must be there.
+    /// at the state (THEORY 10), less that of `other`; the border must be there. A change that is
+    /// negligible by `measure` is right but for its direction.
     pub(super) fn constrained_jerk<S: System + ?Sized>(
         &mut self,
         system: &mut S,
         state: &State,
         other: &[f64],
+        measure: &Measure,
         out: &mut [f64],
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
-        self.replace_constrained(system, ConstraintLevel::Jerk, state, Some(other), out, statistics)
+        let level = ConstraintLevel::Jerk;
+        self.replace_constrained(system, (level, Some(measure)), state, other, out, statistics)
     }
 
     /// The smallest change of `jerk`, in the norm of the mass, that satisfies the third derivative
@@ -168,31 +217,33 @@ impl Bordered {
         change: &mut [f64],
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
-        self.replace_constrained(system, ConstraintLevel::Jerk, state, Some(jerk), change, statistics)?;
+        self.replace_constrained(system, (ConstraintLevel::Jerk, None), state, jerk, change, statistics)?;
         add(jerk, change);
         Ok(())
     }
 
     /// The smallest change of the state's velocity, in the norm of the mass, with which it satisfies
-    /// the first time derivative of the constraints; the matrix must be there.
+    /// the first time derivative of the constraints; the border must be there. A change that is
+    /// negligible by `measure` is right but for its direction.
     pub(super) fn velocity_change<S: System + ?Sized>(
         &mut self,
         system: &mut S,
         state: &State,
+        measure: Option<&Measure>,
         change: &mut [f64],
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
         let level = ConstraintLevel::Velocity;
-        self.replace_constrained(system, level, state, Some(&state.v), change, statistics)
+        self.replace_constrained(system, (level, measure), state, &state.v, change, statistics)
     }
 
     /// Solves for `y` in `M y + C_x^T nu = 0`, `C_x (derivative + y) + value of the level = 0`.
     fn replace_constrained<S: System + ?Sized>(
         &mut self,
         system: &mut S,
-        level: ConstraintLevel,
+        (level, measure): (ConstraintLevel, Option<&Measure>),
         state: &State,
-        derivative: Option<&[f64]>,
+        derivative: &[f64],
         out: &mut [f64],
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
@@ -201,11 +252,59 @@ impl Bordered {
             return Ok(());
         }
         system.constraint(level, state, &mut self.given.1);
-        if let Some(derivative) = derivative {
-            self.constraint_pattern
-                .transpose_multiply_add(1.0, &self.jacobian, derivative, &mut self.given.1);
+        self.constraint_pattern
+            .transpose_multiply_add(1.0, &self.jacobian, derivative, &mut self.given.1);
+        if let Some(measure) = measure
+            && self.is_negligible(measure, out, statistics)
+        {
+            return Ok(());
         }
+        self.fetch_mass(system, state);
         self.least(out, statistics)
+    }
+
+    /// The change that takes the value in the right side of the constraints away, in the direction of the
+    /// kept factorization; false where it is too large for that, or nothing is kept.
+    fn is_negligible(&mut self, measure: &Measure, out: &mut [f64], statistics: &mut Statistics) -> bool {
+        let (n, m) = (out.len(), self.work.len());
+        if self.responses.columns.is_empty() || self.state_of_factors == Factors::None {
+            return false;
+        }
+        if !self.responses.are_known {
+            self.responses.are_known = true;
+            for (j, column) in self.responses.columns.chunks_exact_mut(n).enumerate() {
+                column.fill(0.0);
+                self.work.fill(0.0);
+                self.work[j] = 1.0;
+                self.saddle.solve(column, &mut self.work);
+            }
+            statistics.solves += m as u64;
+        }
+        let Responses {
+            columns, rates, work, ..
+        } = &mut self.responses;
+        rates.clear();
+        let pattern = &self.constraint_pattern;
+        for (j, column) in columns.chunks_exact(n).enumerate() {
+            for i in 0..m {
+                let places = pattern.starts()[i]..pattern.starts()[i + 1];
+                let terms = places.map(|place| self.jacobian[place] * column[pattern.indices()[place]]);
+                let (sum, sizes) = terms.fold((0.0, 0.0), |(sum, sizes), term| (sum + term, sizes + term.abs()));
+                rates.add(i, j, sum, sizes);
+            }
+        }
+        if rates.factor().is_err() {
+            return false;
+        }
+        work.copy_from_slice(&self.given.1);
+        rates.solve(work);
+        out.fill(0.0);
+        for (column, &factor) in columns.chunks_exact(n).zip(&*work) {
+            for (out, value) in out.iter_mut().zip(column) {
+                *out -= factor * value;
+            }
+        }
+        measure.factor * weighted_norm(out, measure.inverse_weights) <= NEGLIGIBLE
     }
 
     /// Solves with the right side `given`, by refinement with the kept factorization or anew.
@@ -220,6 +319,7 @@ impl Bordered {
         }
         if self.state_of_factors != Factors::Present {
             self.state_of_factors = Factors::None;
+            self.responses.are_known = false;
             statistics.factorizations += 1;
             self.saddle.factor_symmetric(&self.mass, &self.jacobian)?;
             self.state_of_factors = Factors::Present;

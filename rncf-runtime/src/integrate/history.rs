@@ -44,13 +44,23 @@ impl History {
     /// and remembers `last`. Stiff modes that the steps do not resolve alternate in sign; a parabola
     /// through them leads astray.
     pub(super) fn remember(&mut self, last: &State, now: &State, inverse_sizes: &[f64]) {
+        let factors: [[f64; 3]; 3] = std::array::from_fn(|degree| match degree <= self.known {
+            true => self.factors(degree, last.t, now.t),
+            false => [0.0; 3],
+        });
+        let mut misses = [0.0; 3];
+        let past = self.past[0].a.iter().zip(&self.past[1].a);
+        let present = last.a.iter().zip(&now.a).zip(inverse_sizes);
+        for (((zero, now), size), (one, two)) in present.zip(past) {
+            for (sum, [a, b, c]) in misses.iter_mut().zip(factors) {
+                let miss = (now - (a * zero + b * one + c * two)) * size;
+                *sum += miss * miss;
+            }
+        }
         let mut best = f64::INFINITY;
-        for degree in 0..=self.known {
-            let factors = self.factors(degree, last.t, now.t);
-            let miss = |i: usize| (now.a[i] - self.combined(factors, i, |point| &point.a, &last.a)) * inverse_sizes[i];
-            let misses = (0..now.a.len()).map(|i| miss(i).powi(2)).sum();
-            if misses < best {
-                best = misses;
+        for (degree, &miss) in misses.iter().enumerate().take(self.known + 1) {
+            if miss < best {
+                best = miss;
                 self.degree = degree;
             }
         }

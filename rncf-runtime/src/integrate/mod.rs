@@ -241,7 +241,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         self.bordered.move_to(self.system, &state);
         let mut change = vec![0.0; state.v.len()];
         self.bordered
-            .velocity_change(self.system, &state, &mut change, &mut self.statistics)
+            .velocity_change(self.system, &state, None, &mut change, &mut self.statistics)
             .map_err(|singular| self.singular(state.t, singular))?;
         add(&mut state.v, &change);
         self.segments.pass_kink();

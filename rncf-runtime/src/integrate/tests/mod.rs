@@ -4,6 +4,7 @@ mod adaptive;
 mod axis;
 mod heavy_top;
 mod lie;
+mod long;
 mod order;
 mod radau;
 mod radau_lie;
