@@ -94,6 +94,8 @@ impl MeshScene {
             constraints: linked(&*parts, &specs, absolute),
             forces: parts.forces(),
             marked_loads: Vec::new(),
+            densities: Vec::new(),
+            density_batches: Vec::new(),
             fixtures: Vec::new(),
             mean_axes: Vec::new(),
             borders: Vec::new(),
@@ -152,6 +154,8 @@ impl MeshScene {
             let fixture = Fixture::new(spec, point, &self.bodies[spec_body].spec);
             self.fixtures.push(fixture);
         }
+        self.place_densities()?;
+        self.check_fields()?;
         self.check_fixed()
     }
 
@@ -185,6 +189,7 @@ impl MeshScene {
             body.mass = vec![0.0; body.spec.nodal.len().pow(2)];
             self.parts.mass(index, &mut body.mass);
         }
+        self.tabulate_densities();
         self.borders = (0..self.bodies.len()).map(|body| self.border_of(body)).collect();
         self.set_undeformed();
         self.find_mean_axes();
@@ -236,6 +241,7 @@ impl MeshScene {
                 }
             }
         }
+        entries.extend(self.density_entries());
         entries
     }
 

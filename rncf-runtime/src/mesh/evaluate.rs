@@ -113,6 +113,7 @@ impl MeshScene {
 
     /// `M a + f` of all components at the loaded state; loads are multiplied by `load_scale`.
     pub(super) fn full_force(&mut self, t: f64, load_scale: f64) {
+        self.set_fields(t, load_scale);
         let gravity = self.gravity(t).map(|g| load_scale * g);
         let Buffers {
             q,
@@ -158,6 +159,7 @@ impl MeshScene {
         self.add_carried_forces(gravity);
         self.add_fixture_forces(gravity);
         self.add_marker_forces(t, load_scale);
+        self.add_density_forces(t, load_scale);
     }
 
     /// Whether a load acts through a marker, since a free frame feels it.
@@ -217,6 +219,7 @@ impl MeshScene {
 
     /// Derivatives of [`MeshScene::full_force`] at the loaded state, on the pattern.
     pub(super) fn full_tangent(&mut self, t: f64, load_scale: f64, stiffness: &mut [f64], damping: &mut [f64]) {
+        self.set_fields(t, load_scale);
         stiffness.fill(0.0);
         damping.fill(0.0);
         let Buffers {

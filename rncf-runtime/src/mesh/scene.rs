@@ -3,6 +3,7 @@
 use super::assembly::{Connectivity, Scatter};
 use super::carried::Border;
 use super::conditions::Condition;
+use super::density::{Batches, Density};
 use super::evaluate::weighted;
 use super::fixtures::Fixture;
 use super::frame::FrameMotion;
@@ -118,6 +119,8 @@ pub(super) struct Buffers {
     pub results: Vec<f64>,
     /// Gravity of the loads that are applied, m/s^2, inertial axes; for section forces.
     pub gravity: Vector,
+    /// How the fields on every free frame change with each of its unknowns, inertial axes.
+    pub field_changes: Vec<Vec<Vector>>,
 }
 
 impl Buffers {
@@ -132,6 +135,7 @@ impl Buffers {
             frames,
             results: Vec::new(),
             gravity: [0.0; 3],
+            field_changes: Vec::new(),
         }
     }
 }
@@ -170,6 +174,8 @@ pub struct MeshScene {
     pub(super) constraints: Vec<Linked>,
     pub(super) forces: Vec<ForceSpec>,
     pub(super) marked_loads: Vec<MarkedLoad>,
+    pub(super) densities: Vec<Density>,
+    pub(super) density_batches: Vec<Batches>,
     pub(super) fixtures: Vec<Fixture>,
     pub(super) mean_axes: Vec<MeanAxes>,
     /// For every body the places beside its free frame.

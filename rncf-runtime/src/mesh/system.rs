@@ -66,6 +66,7 @@ impl System for MeshScene {
         out.stiffness.resize(self.pattern.entries(), 0.0);
         out.damping.resize(self.pattern.entries(), 0.0);
         self.full_tangent(state.t, 1.0, &mut out.stiffness, &mut out.damping);
+        self.add_density_tangents(state.t, 1.0, out);
         if !self.free.is_empty() {
             self.add_borders(state.t, out);
         }

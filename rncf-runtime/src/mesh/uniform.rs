@@ -121,6 +121,7 @@ impl MeshScene {
         out.stiffness.resize(self.pattern.entries(), 0.0);
         out.damping.resize(self.pattern.entries(), 0.0);
         self.full_tangent(at.t, at.load(), &mut out.stiffness, &mut out.damping);
+        self.add_density_tangents(at.t, at.load(), out);
         if !self.free.is_empty() {
             let gravity = scale(at.load(), self.gravity(at.t));
             self.add_carried_tangents(gravity, out);
