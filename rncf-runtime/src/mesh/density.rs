@@ -213,7 +213,10 @@ impl MeshScene {
     fn tabulate_density(&self, density: &mut Density) {
         let frame = self.frame_unknowns(density.spec.body);
         let (components, outer) = (&density.components, &density.outer);
-        let (own, find) = (|component| self.layout.unknown(component), |i, j| self.pattern.find(i, j));
+        let (own, find) = (
+            |component| self.layout.unknown(component),
+            |i, j| self.pattern.find(i, j),
+        );
         let upper = components.iter().flat_map(|&component| {
             let driving = outer[..density.driving].iter();
             driving.map(move |&outer| {
@@ -391,8 +394,13 @@ impl MeshScene {
     }
 
     fn density_force(&self, batch: &Batch, lanes: &Lanes, size: usize, force: &mut [[f64; LANES]]) {
-        self.parts
-            .density_force4(batch.lanes[0].0, &lanes.elements, &lanes.values, &lanes.q[..size], force);
+        self.parts.density_force4(
+            batch.lanes[0].0,
+            &lanes.elements,
+            &lanes.values,
+            &lanes.q[..size],
+            force,
+        );
     }
 
     /// Adds the derivatives of [`MeshScene::add_density_forces`] at the loaded state.
@@ -421,10 +429,7 @@ impl MeshScene {
             for (batch, result) in of.batches.iter().zip(results.chunks_exact(width)) {
                 for lane in 0..batch.count {
                     let all = result.iter().skip(lane).step_by(LANES);
-                    local
-                        .iter_mut()
-                        .zip(all)
-                        .for_each(|(to, from)| *to = load_scale * from);
+                    local.iter_mut().zip(all).for_each(|(to, from)| *to = load_scale * from);
                     let (density, element) = batch.lanes[lane];
                     self.add_element(density, element, &mut local, &mut totals[density], out);
                 }
@@ -464,7 +469,8 @@ impl MeshScene {
             let sums = total.by_values[place * k..(place + 1) * k].iter_mut();
             sums.zip(own).for_each(|(sum, value)| *sum += value);
         }
-        body.scatter.each(element, by_q, |entry, value| out.stiffness(entry, -value));
+        body.scatter
+            .each(element, by_q, |entry, value| out.stiffness(entry, -value));
     }
 
     /// Adds what a density does between its body, its frame, and what its values depend on.
@@ -474,9 +480,7 @@ impl MeshScene {
         let by_unknowns = self.driven(index, t);
         let driven = |row: &[f64], column: usize| -> f64 {
             let values = row.iter().enumerate();
-            values
-                .map(|(value, by)| by * by_unknowns[value * width + column])
-                .sum()
+            values.map(|(value, by)| by * by_unknowns[value * width + column]).sum()
         };
         for (place, entry) in density.upper.iter().enumerate() {
             if let Some((factor, entry)) = entry {
@@ -504,7 +508,11 @@ impl MeshScene {
             }
             let by_values = weighted(&total.frame_by_values, k);
             for (column, &unknown) in density.outer.iter().enumerate() {
-                let mut value = if column < width { driven(&by_values, column) } else { 0.0 };
+                let mut value = if column < width {
+                    driven(&by_values, column)
+                } else {
+                    0.0
+                };
                 if let Some(other) = unknown.checked_sub(first).and_then(|place| directions.get(place)) {
                     // The force turns with the frame: d(A F) = A (dpi x F).
                     value += dot(shift, cross(other.turn, total.rows[0]));
@@ -610,9 +618,8 @@ impl Axes {
         }
         for block in matrix.chunks_exact_mut(self.d * width) {
             for column in 0..width {
-                let mut vector: [f64; 3] = std::array::from_fn(|i| {
-                    if i < self.d { block[i * width + column] } else { 0.0 }
-                });
+                let mut vector: [f64; 3] =
+                    std::array::from_fn(|i| if i < self.d { block[i * width + column] } else { 0.0 });
                 self.vector(&mut vector[..self.d], false);
                 (0..self.d).for_each(|i| block[i * width + column] = vector[i]);
             }

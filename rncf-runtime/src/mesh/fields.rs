@@ -70,7 +70,9 @@ impl MeshScene {
         let mut changes = vec![[0.0; 3]; frame.count()];
         let first = self.layout.vector_components() + frame.first;
         for (index, load) in self.loads.iter().enumerate() {
-            let LoadKind::Field { markers } = load.kind else { continue };
+            let LoadKind::Field { markers } = load.kind else {
+                continue;
+            };
             if load.frame != frame.spec.frame {
                 continue;
             }
@@ -126,7 +128,9 @@ impl MeshScene {
     /// Whether a density depends on frames that move otherwise than its body's.
     pub(super) fn is_marked_elsewhere(&self) -> bool {
         let frames = self.marked_frames().into_iter();
-        frames.into_iter().any(|frames| frames.iter().any(|&frame| frame != frames[0]))
+        frames
+            .into_iter()
+            .any(|frames| frames.iter().any(|&frame| frame != frames[0]))
     }
 
     /// For each of [`MeshScene::marked_values`] whether it depends on time itself.
