@@ -814,6 +814,23 @@ pub mod andrews_squeezer_equations {
             outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {}
+        fn elastic_force(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            force: &mut [f64],
+        ) {}
+        fn elastic_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {}
         fn force(
             &self,
             body: usize,
@@ -824,7 +841,9 @@ pub mod andrews_squeezer_equations {
             v: &[f64],
             a: &[f64],
             force: &mut [f64],
-        ) {}
+        ) {
+            self.elastic_force(body, element, q, v, force);
+        }
         fn tangent(
             &self,
             body: usize,
@@ -835,7 +854,9 @@ pub mod andrews_squeezer_equations {
             v: &[f64],
             stiffness: &mut [f64],
             damping: &mut [f64],
-        ) {}
+        ) {
+            self.elastic_tangent(body, element, q, v, stiffness, damping);
+        }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
             let mut energy = 0.0;
             energy

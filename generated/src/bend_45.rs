@@ -2086,6 +2086,37 @@ pub mod bend45_equations {
         fn mass(&self, body: usize, mass: &mut [f64]) {
             beam_spatial_curved_mass(&self.row_bend, ::rncf::mesh::array_mut(mass));
         }
+        fn elastic_force(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            force: &mut [f64],
+        ) {
+            beam_spatial_curved_elastic_force(
+                &self.row_bend,
+                &self.reference_bend[element],
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array_mut(force),
+            );
+        }
+        fn elastic_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            beam_spatial_curved_elastic_tangent(
+                &self.row_bend,
+                &self.reference_bend[element],
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array_mut(stiffness),
+            );
+        }
         fn force(
             &self,
             body: usize,
@@ -2097,14 +2128,9 @@ pub mod bend45_equations {
             a: &[f64],
             force: &mut [f64],
         ) {
+            self.elastic_force(body, element, q, v, force);
             let [q, v, a]: [&[f64; 30]; 3] = [q, v, a].map(::rncf::mesh::array);
             let force = ::rncf::mesh::array_mut(force);
-            beam_spatial_curved_elastic_force(
-                &self.row_bend,
-                &self.reference_bend[element],
-                q,
-                force,
-            );
             beam_spatial_curved_absolute_inertia_force(&self.row_bend, frame, a, force);
         }
         fn tangent(
@@ -2118,14 +2144,7 @@ pub mod bend45_equations {
             stiffness: &mut [f64],
             damping: &mut [f64],
         ) {
-            let [q, v]: [&[f64; 30]; 2] = [q, v].map(::rncf::mesh::array);
-            let stiffness = ::rncf::mesh::array_mut(stiffness);
-            beam_spatial_curved_elastic_tangent(
-                &self.row_bend,
-                &self.reference_bend[element],
-                q,
-                stiffness,
-            );
+            self.elastic_tangent(body, element, q, v, stiffness, damping);
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
             let mut energy = 0.0;

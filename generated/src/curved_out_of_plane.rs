@@ -3547,6 +3547,37 @@ pub mod curved_out_of_plane_equations {
         fn mass(&self, body: usize, mass: &mut [f64]) {
             beam_spatial_curved_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
         }
+        fn elastic_force(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            force: &mut [f64],
+        ) {
+            beam_spatial_curved_elastic_force(
+                &self.row_beam,
+                &self.reference_beam[element],
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array_mut(force),
+            );
+        }
+        fn elastic_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            beam_spatial_curved_elastic_tangent(
+                &self.row_beam,
+                &self.reference_beam[element],
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array_mut(stiffness),
+            );
+        }
         fn force(
             &self,
             body: usize,
@@ -3558,14 +3589,9 @@ pub mod curved_out_of_plane_equations {
             a: &[f64],
             force: &mut [f64],
         ) {
+            self.elastic_force(body, element, q, v, force);
             let [q, v, a]: [&[f64; 30]; 3] = [q, v, a].map(::rncf::mesh::array);
             let force = ::rncf::mesh::array_mut(force);
-            beam_spatial_curved_elastic_force(
-                &self.row_beam,
-                &self.reference_beam[element],
-                q,
-                force,
-            );
             if absolute {
                 beam_spatial_curved_absolute_inertia_force(
                     &self.row_beam,
@@ -3588,21 +3614,13 @@ pub mod curved_out_of_plane_equations {
             stiffness: &mut [f64],
             damping: &mut [f64],
         ) {
-            let [q, v]: [&[f64; 30]; 2] = [q, v].map(::rncf::mesh::array);
-            let stiffness = ::rncf::mesh::array_mut(stiffness);
-            let damping_matrix = ::rncf::mesh::array_mut(damping);
-            beam_spatial_curved_elastic_tangent(
-                &self.row_beam,
-                &self.reference_beam[element],
-                q,
-                stiffness,
-            );
+            self.elastic_tangent(body, element, q, v, stiffness, damping);
             if !absolute {
                 beam_spatial_curved_inertia_tangent(
                     &self.row_beam,
                     frame,
-                    stiffness,
-                    damping_matrix,
+                    ::rncf::mesh::array_mut(stiffness),
+                    ::rncf::mesh::array_mut(damping),
                 );
             }
         }

@@ -515,6 +515,23 @@ pub mod four_bar_equations {
             outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {}
+        fn elastic_force(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            force: &mut [f64],
+        ) {}
+        fn elastic_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {}
         fn force(
             &self,
             body: usize,
@@ -525,7 +542,9 @@ pub mod four_bar_equations {
             v: &[f64],
             a: &[f64],
             force: &mut [f64],
-        ) {}
+        ) {
+            self.elastic_force(body, element, q, v, force);
+        }
         fn tangent(
             &self,
             body: usize,
@@ -536,7 +555,9 @@ pub mod four_bar_equations {
             v: &[f64],
             stiffness: &mut [f64],
             damping: &mut [f64],
-        ) {}
+        ) {
+            self.elastic_tangent(body, element, q, v, stiffness, damping);
+        }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
             let mut energy = 0.0;
             energy

@@ -4794,6 +4794,38 @@ pub mod motor_equations {
         fn mass(&self, body: usize, mass: &mut [f64]) {
             beam_spatial_damped_mass(&self.row_shaft, ::rncf::mesh::array_mut(mass));
         }
+        fn elastic_force(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            force: &mut [f64],
+        ) {
+            beam_spatial_damped_elastic_force(
+                &self.row_shaft,
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array(v),
+                ::rncf::mesh::array_mut(force),
+            );
+        }
+        fn elastic_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            beam_spatial_damped_elastic_tangent(
+                &self.row_shaft,
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array(v),
+                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::mesh::array_mut(damping),
+            );
+        }
         fn force(
             &self,
             body: usize,
@@ -4805,9 +4837,9 @@ pub mod motor_equations {
             a: &[f64],
             force: &mut [f64],
         ) {
+            self.elastic_force(body, element, q, v, force);
             let [q, v, a]: [&[f64; 30]; 3] = [q, v, a].map(::rncf::mesh::array);
             let force = ::rncf::mesh::array_mut(force);
-            beam_spatial_damped_elastic_force(&self.row_shaft, q, v, force);
             if absolute {
                 beam_spatial_damped_absolute_inertia_force(
                     &self.row_shaft,
@@ -4837,22 +4869,13 @@ pub mod motor_equations {
             stiffness: &mut [f64],
             damping: &mut [f64],
         ) {
-            let [q, v]: [&[f64; 30]; 2] = [q, v].map(::rncf::mesh::array);
-            let stiffness = ::rncf::mesh::array_mut(stiffness);
-            let damping_matrix = ::rncf::mesh::array_mut(damping);
-            beam_spatial_damped_elastic_tangent(
-                &self.row_shaft,
-                q,
-                v,
-                stiffness,
-                damping_matrix,
-            );
+            self.elastic_tangent(body, element, q, v, stiffness, damping);
             if !absolute {
                 beam_spatial_damped_inertia_tangent(
                     &self.row_shaft,
                     frame,
-                    stiffness,
-                    damping_matrix,
+                    ::rncf::mesh::array_mut(stiffness),
+                    ::rncf::mesh::array_mut(damping),
                 );
             }
         }

@@ -2894,6 +2894,57 @@ pub mod right_angle_frame_equations {
                 }
             }
         }
+        fn elastic_force(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            force: &mut [f64],
+        ) {
+            match body {
+                0 => {
+                    beam_spatial_elastic_force(
+                        &self.row_first,
+                        ::rncf::mesh::array(q),
+                        ::rncf::mesh::array_mut(force),
+                    );
+                }
+                _ => {
+                    beam_spatial_elastic_force(
+                        &self.row_second,
+                        ::rncf::mesh::array(q),
+                        ::rncf::mesh::array_mut(force),
+                    );
+                }
+            }
+        }
+        fn elastic_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            match body {
+                0 => {
+                    beam_spatial_elastic_tangent(
+                        &self.row_first,
+                        ::rncf::mesh::array(q),
+                        ::rncf::mesh::array_mut(stiffness),
+                    );
+                }
+                _ => {
+                    beam_spatial_elastic_tangent(
+                        &self.row_second,
+                        ::rncf::mesh::array(q),
+                        ::rncf::mesh::array_mut(stiffness),
+                    );
+                }
+            }
+        }
         fn force(
             &self,
             body: usize,
@@ -2905,11 +2956,11 @@ pub mod right_angle_frame_equations {
             a: &[f64],
             force: &mut [f64],
         ) {
+            self.elastic_force(body, element, q, v, force);
             match body {
                 0 => {
                     let [q, v, a]: [&[f64; 30]; 3] = [q, v, a].map(::rncf::mesh::array);
                     let force = ::rncf::mesh::array_mut(force);
-                    beam_spatial_elastic_force(&self.row_first, q, force);
                     beam_spatial_absolute_inertia_force(
                         &self.row_first,
                         frame,
@@ -2920,7 +2971,6 @@ pub mod right_angle_frame_equations {
                 _ => {
                     let [q, v, a]: [&[f64; 30]; 3] = [q, v, a].map(::rncf::mesh::array);
                     let force = ::rncf::mesh::array_mut(force);
-                    beam_spatial_elastic_force(&self.row_second, q, force);
                     beam_spatial_absolute_inertia_force(
                         &self.row_second,
                         frame,
@@ -2941,17 +2991,10 @@ pub mod right_angle_frame_equations {
             stiffness: &mut [f64],
             damping: &mut [f64],
         ) {
+            self.elastic_tangent(body, element, q, v, stiffness, damping);
             match body {
-                0 => {
-                    let [q, v]: [&[f64; 30]; 2] = [q, v].map(::rncf::mesh::array);
-                    let stiffness = ::rncf::mesh::array_mut(stiffness);
-                    beam_spatial_elastic_tangent(&self.row_first, q, stiffness);
-                }
-                _ => {
-                    let [q, v]: [&[f64; 30]; 2] = [q, v].map(::rncf::mesh::array);
-                    let stiffness = ::rncf::mesh::array_mut(stiffness);
-                    beam_spatial_elastic_tangent(&self.row_second, q, stiffness);
-                }
+                0 => {}
+                _ => {}
             }
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {

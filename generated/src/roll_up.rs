@@ -1192,6 +1192,35 @@ pub mod roll_up_equations {
         fn mass(&self, body: usize, mass: &mut [f64]) {
             beam_planar_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
         }
+        fn elastic_force(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            force: &mut [f64],
+        ) {
+            beam_planar_elastic_force(
+                &self.row_beam,
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array_mut(force),
+            );
+        }
+        fn elastic_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            beam_planar_elastic_tangent(
+                &self.row_beam,
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array_mut(stiffness),
+            );
+        }
         fn force(
             &self,
             body: usize,
@@ -1203,9 +1232,9 @@ pub mod roll_up_equations {
             a: &[f64],
             force: &mut [f64],
         ) {
+            self.elastic_force(body, element, q, v, force);
             let [q, v, a]: [&[f64; 14]; 3] = [q, v, a].map(::rncf::mesh::array);
             let force = ::rncf::mesh::array_mut(force);
-            beam_planar_elastic_force(&self.row_beam, q, force);
             beam_planar_absolute_inertia_force(&self.row_beam, frame, a, force);
         }
         fn tangent(
@@ -1219,9 +1248,7 @@ pub mod roll_up_equations {
             stiffness: &mut [f64],
             damping: &mut [f64],
         ) {
-            let [q, v]: [&[f64; 14]; 2] = [q, v].map(::rncf::mesh::array);
-            let stiffness = ::rncf::mesh::array_mut(stiffness);
-            beam_planar_elastic_tangent(&self.row_beam, q, stiffness);
+            self.elastic_tangent(body, element, q, v, stiffness, damping);
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
             let mut energy = 0.0;

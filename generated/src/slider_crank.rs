@@ -4605,6 +4605,38 @@ pub mod slider_crank_equations {
                 ::rncf::mesh::array_mut(mass),
             );
         }
+        fn elastic_force(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            force: &mut [f64],
+        ) {
+            cable_spatial_exact_damped_elastic_force(
+                &self.row_beam,
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array(v),
+                ::rncf::mesh::array_mut(force),
+            );
+        }
+        fn elastic_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            cable_spatial_exact_damped_elastic_tangent(
+                &self.row_beam,
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array(v),
+                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::mesh::array_mut(damping),
+            );
+        }
         fn force(
             &self,
             body: usize,
@@ -4616,9 +4648,9 @@ pub mod slider_crank_equations {
             a: &[f64],
             force: &mut [f64],
         ) {
+            self.elastic_force(body, element, q, v, force);
             let [q, v, a]: [&[f64; 12]; 3] = [q, v, a].map(::rncf::mesh::array);
             let force = ::rncf::mesh::array_mut(force);
-            cable_spatial_exact_damped_elastic_force(&self.row_beam, q, v, force);
             if absolute {
                 cable_spatial_exact_damped_absolute_inertia_force(
                     &self.row_beam,
@@ -4648,22 +4680,13 @@ pub mod slider_crank_equations {
             stiffness: &mut [f64],
             damping: &mut [f64],
         ) {
-            let [q, v]: [&[f64; 12]; 2] = [q, v].map(::rncf::mesh::array);
-            let stiffness = ::rncf::mesh::array_mut(stiffness);
-            let damping_matrix = ::rncf::mesh::array_mut(damping);
-            cable_spatial_exact_damped_elastic_tangent(
-                &self.row_beam,
-                q,
-                v,
-                stiffness,
-                damping_matrix,
-            );
+            self.elastic_tangent(body, element, q, v, stiffness, damping);
             if !absolute {
                 cable_spatial_exact_damped_inertia_tangent(
                     &self.row_beam,
                     frame,
-                    stiffness,
-                    damping_matrix,
+                    ::rncf::mesh::array_mut(stiffness),
+                    ::rncf::mesh::array_mut(damping),
                 );
             }
         }

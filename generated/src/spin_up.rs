@@ -161,17 +161,33 @@ pub mod spin_up_equations {
     ///
     /// Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
-    pub struct CablePlanar {
+    pub struct CablePlanar<T = f64> {
         /// Length, m.
-        pub length: f64,
+        pub length: T,
         /// young * area, N.
-        pub EA: f64,
+        pub EA: T,
         /// young * second_moment, N m^2.
-        pub EI: f64,
+        pub EI: T,
         /// density * area, kg/m.
-        pub rhoA: f64,
+        pub rhoA: T,
         /// Damping of the strain measures, s.
-        pub damping: f64,
+        pub damping: T,
+    }
+    impl CablePlanar {
+        /// The constants of four elements side by side.
+        #[inline(always)]
+        pub fn side_by_side<L: ::rncf::lanes::Lanes>(
+            rows: [&Self; 4],
+            lanes: L,
+        ) -> CablePlanar<L::Real> {
+            CablePlanar {
+                length: lanes.load(rows.map(|row| row.length)),
+                EA: lanes.load(rows.map(|row| row.EA)),
+                EI: lanes.load(rows.map(|row| row.EI)),
+                rhoA: lanes.load(rows.map(|row| row.rhoA)),
+                damping: lanes.load(rows.map(|row| row.damping)),
+            }
+        }
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
@@ -180,14 +196,15 @@ pub mod spin_up_equations {
     /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
     /// Operations: 81 additions, 103 multiplications, 1 divisions.
-    pub fn cable_planar_elastic_force(
-        row: &CablePlanar,
-        q: &[f64; 8],
-        force: &mut [f64; 8],
+    #[inline(always)]
+    pub fn cable_planar_elastic_force<T: ::rncf::lanes::Real>(
+        row: &CablePlanar<T>,
+        q: &[T; 8],
+        force: &mut [T::Cell; 8],
     ) {
         let CablePlanar { length, EA, EI, .. } = *row;
         let [r0_x, r0_y, s0_x, s0_y, r1_x, r1_y, s1_x, s1_y] = *q;
-        let inverse_length = 1.0 / length;
+        let inverse_length = length.recip();
         let d_x = inverse_length * (r1_x - r0_x);
         let d_y = inverse_length * (r1_y - r0_y);
         let dot_s0_s0 = s0_x * s0_x + s0_y * s0_y;
@@ -276,6 +293,21 @@ pub mod spin_up_equations {
         force[6] += t66;
         force[7] += t67;
     }
+    /// [`cable_planar_elastic_force`] of four elements side by side.
+    pub struct CablePlanarElasticForce<'a> {
+        pub rows: [&'a CablePlanar; 4],
+        pub q: &'a [[f64; 4]; 8],
+        pub force: &'a mut [[f64; 4]; 8],
+    }
+    impl ::rncf::lanes::Kernel for CablePlanarElasticForce<'_> {
+        #[inline(always)]
+        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+            let Self { rows, q, force } = self;
+            let row = CablePlanar::side_by_side(rows, lanes);
+            let q = lanes.load_all(q);
+            cable_planar_elastic_force(&row, &q, force);
+        }
+    }
     /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
     ///
     /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
@@ -283,14 +315,15 @@ pub mod spin_up_equations {
     /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
     /// Operations: 277 additions, 276 multiplications, 1 divisions.
-    pub fn cable_planar_elastic_tangent(
-        row: &CablePlanar,
-        q: &[f64; 8],
-        stiffness: &mut [f64; 64],
+    #[inline(always)]
+    pub fn cable_planar_elastic_tangent<T: ::rncf::lanes::Real>(
+        row: &CablePlanar<T>,
+        q: &[T; 8],
+        stiffness: &mut [T::Cell; 64],
     ) {
         let CablePlanar { length, EA, EI, .. } = *row;
         let [r0_x, r0_y, s0_x, s0_y, r1_x, r1_y, s1_x, s1_y] = *q;
-        let inverse_length = 1.0 / length;
+        let inverse_length = length.recip();
         let d_x = inverse_length * (r1_x - r0_x);
         let d_y = inverse_length * (r1_y - r0_y);
         let dot_s0_s0 = s0_x * s0_x + s0_y * s0_y;
@@ -541,6 +574,21 @@ pub mod spin_up_equations {
         stiffness[61] += t186;
         stiffness[62] += t166;
         stiffness[63] += t167 + t172;
+    }
+    /// [`cable_planar_elastic_tangent`] of four elements side by side.
+    pub struct CablePlanarElasticTangent<'a> {
+        pub rows: [&'a CablePlanar; 4],
+        pub q: &'a [[f64; 4]; 8],
+        pub stiffness: &'a mut [[f64; 4]; 64],
+    }
+    impl ::rncf::lanes::Kernel for CablePlanarElasticTangent<'_> {
+        #[inline(always)]
+        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+            let Self { rows, q, stiffness } = self;
+            let row = CablePlanar::side_by_side(rows, lanes);
+            let q = lanes.load_all(q);
+            cable_planar_elastic_tangent(&row, &q, stiffness);
+        }
     }
     /// Adds the strain energy U of one element (J).
     ///
@@ -1600,6 +1648,75 @@ pub mod spin_up_equations {
         fn mass(&self, body: usize, mass: &mut [f64]) {
             cable_planar_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
         }
+        fn elastic_force(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            force: &mut [f64],
+        ) {
+            cable_planar_elastic_force(
+                &self.row_beam,
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array_mut(force),
+            );
+        }
+        fn elastic_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            cable_planar_elastic_tangent(
+                &self.row_beam,
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array_mut(stiffness),
+            );
+        }
+        fn elastic_force4(
+            &self,
+            elements: &[(usize, usize); 4],
+            q: &[[f64; 4]],
+            v: &[[f64; 4]],
+            force: &mut [[f64; 4]],
+        ) {
+            let four = CablePlanarElasticForce {
+                rows: [&self.row_beam; 4],
+                q: ::rncf::mesh::array(q),
+                force: ::rncf::mesh::array_mut(force),
+            };
+            if !::rncf::lanes::run(four) {
+                ::rncf::mesh::elastic_force_one_by_one(self, elements, q, v, force);
+            }
+        }
+        fn elastic_tangent4(
+            &self,
+            elements: &[(usize, usize); 4],
+            q: &[[f64; 4]],
+            v: &[[f64; 4]],
+            stiffness: &mut [[f64; 4]],
+            damping: &mut [[f64; 4]],
+        ) {
+            let four = CablePlanarElasticTangent {
+                rows: [&self.row_beam; 4],
+                q: ::rncf::mesh::array(q),
+                stiffness: ::rncf::mesh::array_mut(stiffness),
+            };
+            if !::rncf::lanes::run(four) {
+                ::rncf::mesh::elastic_tangent_one_by_one(
+                    self,
+                    elements,
+                    q,
+                    v,
+                    stiffness,
+                    damping,
+                );
+            }
+        }
         fn force(
             &self,
             body: usize,
@@ -1611,9 +1728,9 @@ pub mod spin_up_equations {
             a: &[f64],
             force: &mut [f64],
         ) {
+            self.elastic_force(body, element, q, v, force);
             let [q, v, a]: [&[f64; 8]; 3] = [q, v, a].map(::rncf::mesh::array);
             let force = ::rncf::mesh::array_mut(force);
-            cable_planar_elastic_force(&self.row_beam, q, force);
             if absolute {
                 cable_planar_absolute_inertia_force(&self.row_beam, frame, a, force);
             } else {
@@ -1631,16 +1748,13 @@ pub mod spin_up_equations {
             stiffness: &mut [f64],
             damping: &mut [f64],
         ) {
-            let [q, v]: [&[f64; 8]; 2] = [q, v].map(::rncf::mesh::array);
-            let stiffness = ::rncf::mesh::array_mut(stiffness);
-            let damping_matrix = ::rncf::mesh::array_mut(damping);
-            cable_planar_elastic_tangent(&self.row_beam, q, stiffness);
+            self.elastic_tangent(body, element, q, v, stiffness, damping);
             if !absolute {
                 cable_planar_inertia_tangent(
                     &self.row_beam,
                     frame,
-                    stiffness,
-                    damping_matrix,
+                    ::rncf::mesh::array_mut(stiffness),
+                    ::rncf::mesh::array_mut(damping),
                 );
             }
         }

@@ -168,17 +168,33 @@ pub mod spin_up_spatial_equations {
     ///
     /// Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
-    pub struct CableSpatial {
+    pub struct CableSpatial<T = f64> {
         /// Length, m.
-        pub length: f64,
+        pub length: T,
         /// young * area, N.
-        pub EA: f64,
+        pub EA: T,
         /// young * second_moment, N m^2.
-        pub EI: f64,
+        pub EI: T,
         /// density * area, kg/m.
-        pub rhoA: f64,
+        pub rhoA: T,
         /// Damping of the strain measures, s.
-        pub damping: f64,
+        pub damping: T,
+    }
+    impl CableSpatial {
+        /// The constants of four elements side by side.
+        #[inline(always)]
+        pub fn side_by_side<L: ::rncf::lanes::Lanes>(
+            rows: [&Self; 4],
+            lanes: L,
+        ) -> CableSpatial<L::Real> {
+            CableSpatial {
+                length: lanes.load(rows.map(|row| row.length)),
+                EA: lanes.load(rows.map(|row| row.EA)),
+                EI: lanes.load(rows.map(|row| row.EI)),
+                rhoA: lanes.load(rows.map(|row| row.rhoA)),
+                damping: lanes.load(rows.map(|row| row.damping)),
+            }
+        }
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
@@ -187,14 +203,15 @@ pub mod spin_up_spatial_equations {
     /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
     /// Operations: 98 additions, 118 multiplications, 1 divisions.
-    pub fn cable_spatial_elastic_force(
-        row: &CableSpatial,
-        q: &[f64; 12],
-        force: &mut [f64; 12],
+    #[inline(always)]
+    pub fn cable_spatial_elastic_force<T: ::rncf::lanes::Real>(
+        row: &CableSpatial<T>,
+        q: &[T; 12],
+        force: &mut [T::Cell; 12],
     ) {
         let CableSpatial { length, EA, EI, .. } = *row;
         let [r0_x, r0_y, r0_z, s0_x, s0_y, s0_z, r1_x, r1_y, r1_z, s1_x, s1_y, s1_z] = *q;
-        let inverse_length = 1.0 / length;
+        let inverse_length = length.recip();
         let d_x = inverse_length * (r1_x - r0_x);
         let d_y = inverse_length * (r1_y - r0_y);
         let d_z = inverse_length * (r1_z - r0_z);
@@ -289,6 +306,21 @@ pub mod spin_up_spatial_equations {
             += s0_z * stress_dot_s0_s1 + d_z * stress_dot_d_s1
                 + stress_dot_s1_s1 * (s1_z * 2.0);
     }
+    /// [`cable_spatial_elastic_force`] of four elements side by side.
+    pub struct CableSpatialElasticForce<'a> {
+        pub rows: [&'a CableSpatial; 4],
+        pub q: &'a [[f64; 4]; 12],
+        pub force: &'a mut [[f64; 4]; 12],
+    }
+    impl ::rncf::lanes::Kernel for CableSpatialElasticForce<'_> {
+        #[inline(always)]
+        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+            let Self { rows, q, force } = self;
+            let row = CableSpatial::side_by_side(rows, lanes);
+            let q = lanes.load_all(q);
+            cable_spatial_elastic_force(&row, &q, force);
+        }
+    }
     /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
     ///
     /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
@@ -296,14 +328,15 @@ pub mod spin_up_spatial_equations {
     /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
     /// Operations: 410 additions, 370 multiplications, 1 divisions.
-    pub fn cable_spatial_elastic_tangent(
-        row: &CableSpatial,
-        q: &[f64; 12],
-        stiffness: &mut [f64; 144],
+    #[inline(always)]
+    pub fn cable_spatial_elastic_tangent<T: ::rncf::lanes::Real>(
+        row: &CableSpatial<T>,
+        q: &[T; 12],
+        stiffness: &mut [T::Cell; 144],
     ) {
         let CableSpatial { length, EA, EI, .. } = *row;
         let [r0_x, r0_y, r0_z, s0_x, s0_y, s0_z, r1_x, r1_y, r1_z, s1_x, s1_y, s1_z] = *q;
-        let inverse_length = 1.0 / length;
+        let inverse_length = length.recip();
         let d_x = inverse_length * (r1_x - r0_x);
         let d_y = inverse_length * (r1_y - r0_y);
         let d_z = inverse_length * (r1_z - r0_z);
@@ -640,6 +673,21 @@ pub mod spin_up_spatial_equations {
         stiffness[141] += t154;
         stiffness[142] += t155;
         stiffness[143] += s0_z * t129 + d_z * t139 + t84 * t141 + t161;
+    }
+    /// [`cable_spatial_elastic_tangent`] of four elements side by side.
+    pub struct CableSpatialElasticTangent<'a> {
+        pub rows: [&'a CableSpatial; 4],
+        pub q: &'a [[f64; 4]; 12],
+        pub stiffness: &'a mut [[f64; 4]; 144],
+    }
+    impl ::rncf::lanes::Kernel for CableSpatialElasticTangent<'_> {
+        #[inline(always)]
+        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+            let Self { rows, q, stiffness } = self;
+            let row = CableSpatial::side_by_side(rows, lanes);
+            let q = lanes.load_all(q);
+            cable_spatial_elastic_tangent(&row, &q, stiffness);
+        }
     }
     /// Adds the strain energy U of one element (J).
     ///
@@ -2129,6 +2177,75 @@ pub mod spin_up_spatial_equations {
         fn mass(&self, body: usize, mass: &mut [f64]) {
             cable_spatial_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
         }
+        fn elastic_force(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            force: &mut [f64],
+        ) {
+            cable_spatial_elastic_force(
+                &self.row_beam,
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array_mut(force),
+            );
+        }
+        fn elastic_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            q: &[f64],
+            v: &[f64],
+            stiffness: &mut [f64],
+            damping: &mut [f64],
+        ) {
+            cable_spatial_elastic_tangent(
+                &self.row_beam,
+                ::rncf::mesh::array(q),
+                ::rncf::mesh::array_mut(stiffness),
+            );
+        }
+        fn elastic_force4(
+            &self,
+            elements: &[(usize, usize); 4],
+            q: &[[f64; 4]],
+            v: &[[f64; 4]],
+            force: &mut [[f64; 4]],
+        ) {
+            let four = CableSpatialElasticForce {
+                rows: [&self.row_beam; 4],
+                q: ::rncf::mesh::array(q),
+                force: ::rncf::mesh::array_mut(force),
+            };
+            if !::rncf::lanes::run(four) {
+                ::rncf::mesh::elastic_force_one_by_one(self, elements, q, v, force);
+            }
+        }
+        fn elastic_tangent4(
+            &self,
+            elements: &[(usize, usize); 4],
+            q: &[[f64; 4]],
+            v: &[[f64; 4]],
+            stiffness: &mut [[f64; 4]],
+            damping: &mut [[f64; 4]],
+        ) {
+            let four = CableSpatialElasticTangent {
+                rows: [&self.row_beam; 4],
+                q: ::rncf::mesh::array(q),
+                stiffness: ::rncf::mesh::array_mut(stiffness),
+            };
+            if !::rncf::lanes::run(four) {
+                ::rncf::mesh::elastic_tangent_one_by_one(
+                    self,
+                    elements,
+                    q,
+                    v,
+                    stiffness,
+                    damping,
+                );
+            }
+        }
         fn force(
             &self,
             body: usize,
@@ -2140,9 +2257,9 @@ pub mod spin_up_spatial_equations {
             a: &[f64],
             force: &mut [f64],
         ) {
+            self.elastic_force(body, element, q, v, force);
             let [q, v, a]: [&[f64; 12]; 3] = [q, v, a].map(::rncf::mesh::array);
             let force = ::rncf::mesh::array_mut(force);
-            cable_spatial_elastic_force(&self.row_beam, q, force);
             if absolute {
                 cable_spatial_absolute_inertia_force(&self.row_beam, frame, a, force);
             } else {
@@ -2160,16 +2277,13 @@ pub mod spin_up_spatial_equations {
             stiffness: &mut [f64],
             damping: &mut [f64],
         ) {
-            let [q, v]: [&[f64; 12]; 2] = [q, v].map(::rncf::mesh::array);
-            let stiffness = ::rncf::mesh::array_mut(stiffness);
-            let damping_matrix = ::rncf::mesh::array_mut(damping);
-            cable_spatial_elastic_tangent(&self.row_beam, q, stiffness);
+            self.elastic_tangent(body, element, q, v, stiffness, damping);
             if !absolute {
                 cable_spatial_inertia_tangent(
                     &self.row_beam,
                     frame,
-                    stiffness,
-                    damping_matrix,
+                    ::rncf::mesh::array_mut(stiffness),
+                    ::rncf::mesh::array_mut(damping),
                 );
             }
         }

@@ -7,6 +7,7 @@
 pub mod equilibrium;
 pub mod error;
 pub mod integrate;
+pub mod lanes;
 pub mod linalg;
 pub mod mesh;
 pub mod model;

@@ -115,7 +115,7 @@ fn is_inertia([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
 ///
 /// # Panics
 /// If the length differs: a defect of generated code.
-pub fn array<const N: usize>(slice: &[f64]) -> &[f64; N] {
+pub fn array<T, const N: usize>(slice: &[T]) -> &[T; N] {
     slice
         .try_into()
         .expect("generated code passes slices of the element's size")
@@ -125,7 +125,7 @@ pub fn array<const N: usize>(slice: &[f64]) -> &[f64; N] {
 ///
 /// # Panics
 /// If the length differs: a defect of generated code.
-pub fn array_mut<const N: usize>(slice: &mut [f64]) -> &mut [f64; N] {
+pub fn array_mut<T, const N: usize>(slice: &mut [T]) -> &mut [T; N] {
     slice
         .try_into()
         .expect("generated code passes slices of the element's size")

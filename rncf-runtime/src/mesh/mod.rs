@@ -24,6 +24,7 @@ mod mean_axes;
 mod modal;
 mod moments;
 mod neutral;
+mod one_by_one;
 mod outputs;
 mod parts;
 mod points;
@@ -49,6 +50,7 @@ pub use layout::{Layout, VectorKind};
 pub use line::Line;
 pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
 pub use modal::build;
+pub use one_by_one::{elastic_force_one_by_one, elastic_tangent_one_by_one};
 pub use parts::{
     BodySpec, Carried, CarriedTangent, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec,
     NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed,

@@ -5,6 +5,7 @@ use super::frame::{FrameAction, FrameMotion};
 use super::free::{FreeSpec, RigidSpec};
 use super::line::Line;
 use super::markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec};
+use super::one_by_one::{elastic_force_one_by_one, elastic_tangent_one_by_one};
 use super::repeated::{DensitySpec, LANES, ShareSpec, StartSpec};
 use super::section_spec::{SectionQuantity, SectionSpec};
 use crate::error::ModelError;
@@ -494,21 +495,7 @@ pub trait Parts: Send + Sync + 'static {
         v: &[[f64; LANES]],
         force: &mut [[f64; LANES]],
     ) {
-        let mut own = [0.0; MAX_SIZE];
-        for (lane, &(body, element)) in elements.iter().enumerate() {
-            let [q_lane, v_lane] = [q, v].map(|all| lane_of(all, lane));
-            own[..q.len()].fill(0.0);
-            self.elastic_force(
-                body,
-                element,
-                &q_lane[..q.len()],
-                &v_lane[..q.len()],
-                &mut own[..q.len()],
-            );
-            for (sum, value) in force.iter_mut().zip(&own) {
-                sum[lane] += value;
-            }
-        }
+        elastic_force_one_by_one(self, elements, q, v, force);
     }
     /// Adds their derivatives with respect to q and q' (n x n, rows first); `damping` is not touched where nothing
     /// damps.
@@ -520,19 +507,7 @@ pub trait Parts: Send + Sync + 'static {
         stiffness: &mut [[f64; LANES]],
         damping: &mut [[f64; LANES]],
     ) {
-        let size = q.len() * q.len();
-        let mut own = [0.0; 2 * MAX_SIZE * MAX_SIZE];
-        for (lane, &(body, element)) in elements.iter().enumerate() {
-            let [q_lane, v_lane] = [q, v].map(|all| lane_of(all, lane));
-            own[..2 * size].fill(0.0);
-            let (k, c) = own[..2 * size].split_at_mut(size);
-            self.elastic_tangent(body, element, &q_lane[..q.len()], &v_lane[..q.len()], k, c);
-            for (sums, values) in [(&mut *stiffness, k), (&mut *damping, c)] {
-                for (sum, value) in sums.iter_mut().zip(values) {
-                    sum[lane] += *value;
-                }
-            }
-        }
+        elastic_tangent_one_by_one(self, elements, q, v, stiffness, damping);
     }
 
     /// Whether a load's components depend on time.
@@ -742,13 +717,4 @@ pub trait Parts: Send + Sync + 'static {
     fn marker_energy(&self, _force: usize, _t: f64, _z: &[Vector]) -> f64 {
         0.0
     }
-}
-
-/// One lane of an element's components.
-fn lane_of(all: &[[f64; LANES]], lane: usize) -> [f64; MAX_SIZE] {
-    let mut own = [0.0; MAX_SIZE];
-    for (value, lanes) in own.iter_mut().zip(all) {
-        *value = lanes[lane];
-    }
-    own
 }

@@ -1,6 +1,7 @@
 //! All kernels of a model, derived once.
 
-use super::kernel::{documentation, function};
+use super::elements::{rows_side_by_side, side_by_side};
+use super::kernel::{documentation, fits_lanes, function, function_of_lanes};
 use super::moving::document_rows;
 use crate::elements::{Interpolant, Library};
 use crate::lower::carried::{self, CarriedKernels, FixtureKernels};
@@ -35,6 +36,18 @@ pub struct VariantKernels {
     pub moving: bool,
     /// What a free frame feels of an element, where a body of this variant lives in one.
     pub carried: Option<CarriedKernels>,
+}
+
+impl VariantKernels {
+    /// Whether four of its elements can be evaluated side by side.
+    pub fn side_by_side(&self) -> bool {
+        fit_lanes(&self.variant, &self.elastic)
+    }
+}
+
+/// Whether the elastic kernels of an element are straight-line code of what numbers of lanes can do.
+fn fit_lanes(variant: &Variant, elastic: &ElasticKernels) -> bool {
+    elastic.fields.is_none() && variant.material.is_none() && [&elastic.force, &elastic.tangent].into_iter().all(fits_lanes)
 }
 
 /// Everything that is derived for a model.
@@ -162,8 +175,8 @@ impl Equations {
     /// All functions and constants as text.
     pub fn functions(&self) -> String {
         let mut text = String::new();
-        let mut add = |kernel: &Kernel| text += &function(kernel);
         for variant in &self.variants {
+            let mut add = |kernel: &Kernel| text += &function(kernel);
             if let Some(fields) = &variant.elastic.fields {
                 let kernels = fields
                     .rules
@@ -171,13 +184,16 @@ impl Equations {
                     .flat_map(|rule| rule.particles.iter().chain(&rule.kernels));
                 kernels.for_each(&mut add);
             }
-            for kernel in [
-                &variant.elastic.force,
-                &variant.elastic.tangent,
-                &variant.elastic.energy,
-            ] {
-                add(kernel);
+            for kernel in [&variant.elastic.force, &variant.elastic.tangent] {
+                if variant.side_by_side() {
+                    text += &function_of_lanes(kernel);
+                    text += &side_by_side(kernel);
+                } else {
+                    text += &function(kernel);
+                }
             }
+            let mut add = |kernel: &Kernel| text += &function(kernel);
+            add(&variant.elastic.energy);
             if let Some((kernel, _)) = &variant.elastic.reference {
                 add(kernel);
             }
@@ -195,7 +211,7 @@ impl Equations {
             variant.shapes.iter().flat_map(|(_, orders)| orders).for_each(&mut add);
             add(&variant.field_forces);
         }
-        self.rest().into_iter().for_each(&mut add);
+        self.rest().into_iter().for_each(|kernel| text += &function(kernel));
         let rows: String = self.variants.iter().map(|variant| variant.row.clone()).collect();
         let tables = self.variants.iter().filter_map(|variant| {
             let fields = variant.elastic.fields.as_ref()?;
@@ -312,20 +328,32 @@ fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Librar
             element.default_points
         ));
     }
+    let lanes = fit_lanes(variant, elastic);
+    let (generics, number) = if lanes { ("<T = f64>", "T") } else { ("", "f64") };
     let mut text = documentation(doc.iter().map(String::as_str));
     text += &format!(
-        "#[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct {} {{\n/// Length, m.\npub length: f64,\n",
+        "#[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct {}{generics} {{\n/// Length, m.\npub length: {number},\n",
         crate::lower::camel_case(name)
     );
-    for coefficient in variant.coefficients(library) {
+    let coefficients = variant.coefficients(library);
+    for coefficient in &coefficients {
         let factors = coefficient.factors.join(" * ");
-        text += &format!("/// {factors}, {}.\npub {}: f64,\n", coefficient.unit, coefficient.name);
+        text += &format!(
+            "/// {factors}, {}.\npub {}: {number},\n",
+            coefficient.unit, coefficient.name
+        );
     }
-    text += "/// Damping of the strain measures, s.\npub damping: f64,\n";
+    text += &format!("/// Damping of the strain measures, s.\npub damping: {number},\n");
     match &variant.material {
-        Some(material) => text + &super::points::material_fields(name, material),
-        None => text + "}\n",
+        Some(material) => return text + &super::points::material_fields(name, material),
+        None => text += "}\n",
     }
+    if lanes {
+        let coefficients = coefficients.iter().map(|coefficient| coefficient.name);
+        let fields: Vec<&str> = ["length"].into_iter().chain(coefficients).chain(["damping"]).collect();
+        text += &rows_side_by_side(&crate::lower::camel_case(name), &fields);
+    }
+    text
 }
 
 /// Energy is conserved where no frame that matters moves in a prescribed way, no load, constraint or

@@ -34,6 +34,8 @@ pub struct Writer<'g> {
     taken: HashSet<String>,
     /// Names that no variable gets, which do not count in the numbering of variables.
     forbidden: HashSet<String>,
+    /// Whether values may be numbers of lanes: literals then stand to the right of an operator.
+    lanes: bool,
 }
 
 impl<'g> Writer<'g> {
@@ -58,7 +60,13 @@ impl<'g> Writer<'g> {
             texts: HashMap::new(),
             taken,
             forbidden: HashSet::new(),
+            lanes: false,
         }
+    }
+
+    /// Writes for numbers of lanes.
+    pub fn for_lanes(&mut self) {
+        self.lanes = true;
     }
 
     /// Forbids a name, e.g. of an argument: a motion may be called anything.
@@ -148,7 +156,41 @@ impl<'g> Writer<'g> {
         }
     }
 
+    /// An operation on a literal, which stands to the right; the result has the same bits.
+    fn on_literal(&self, node: Node) -> Option<Text> {
+        let is_literal = |id: Id| self.graph.value(id).is_some();
+        match node {
+            Node::Add(a, b) if is_literal(a) => Some(self.infix(b, "+", a, Binding::Sum)),
+            Node::Multiply(a, b) if is_literal(a) => Some(self.infix(b, "*", a, Binding::Product)),
+            Node::Subtract(a, b) if is_literal(a) => {
+                let (left, m) = self.operand(b, Binding::Product);
+                let (right, n) = self.operand(a, Binding::Product);
+                Some(Text {
+                    text: format!("-{left} + {right}"),
+                    binding: Binding::Sum,
+                    operations: m + n + 1,
+                })
+            }
+            Node::Divide(a, b) if is_literal(a) => {
+                let (divisor, operations) = self.operand(b, Binding::Atom);
+                let text = match self.graph.value(a) {
+                    Some(1.0) => format!("{divisor}.recip()"),
+                    _ => format!("{divisor}.dividing({})", self.texts[&a].text),
+                };
+                Some(Text {
+                    text,
+                    binding: Binding::Atom,
+                    operations: operations + 1,
+                })
+            }
+            _ => None,
+        }
+    }
+
     fn build(&self, id: Id) -> Text {
+        if let Some(text) = self.lanes.then(|| self.on_literal(self.graph.node(id))).flatten() {
+            return text;
+        }
         let atom = |text: String| Text {
             text,
             binding: Binding::Atom,

@@ -7,7 +7,8 @@ use super::expression::Writer;
 use super::number::number;
 use crate::lower::Kernel;
 use crate::lower::kernel::{PointLoop, Stage};
-use crate::symbolic::Id;
+use crate::model::Function;
+use crate::symbolic::{Id, Node};
 
 /// The function's text, documentation with operation counts included.
 pub fn function(kernel: &Kernel) -> String {
@@ -16,10 +17,56 @@ pub fn function(kernel: &Kernel) -> String {
         let _ = writeln!(text, "///\n/// Operations: {}.", kernel.cost());
     }
     let _ = writeln!(text, "pub fn {}({}) {{", kernel.name, kernel.arguments.join(", "));
-    for statement in body(kernel) {
+    finished(text, kernel, false)
+}
+
+/// The function's text, generic over its numbers: one element, or four side by side.
+pub fn function_of_lanes(kernel: &Kernel) -> String {
+    let mut text = documentation(kernel.doc.iter().map(String::as_str));
+    let _ = writeln!(text, "///\n/// Operations: {}.\n#[inline(always)]", kernel.cost());
+    let arguments: Vec<String> = kernel.arguments.iter().map(|argument| argument_of_lanes(argument)).collect();
+    let _ = writeln!(
+        text,
+        "pub fn {}<T: ::rncf::lanes::Real>({}) {{",
+        kernel.name,
+        arguments.join(", ")
+    );
+    finished(text, kernel, true)
+}
+
+fn finished(mut text: String, kernel: &Kernel, lanes: bool) -> String {
+    for statement in body(kernel, lanes) {
         let _ = writeln!(text, "    {statement}");
     }
     text + "}\n"
+}
+
+/// An argument with `T` for its numbers, and what these are added to for its results.
+fn argument_of_lanes(argument: &str) -> String {
+    match argument.strip_prefix("row: ") {
+        Some(row) => format!("row: {row}<T>"),
+        None => argument.replace("&mut [f64;", "&mut [T::Cell;").replace("[f64;", "[T;"),
+    }
+}
+
+/// Whether a function can be written for numbers of lanes: straight-line code of what these can do.
+pub fn fits_lanes(kernel: &Kernel) -> bool {
+    let graph = &kernel.graph;
+    let outputs: Vec<Id> = kernel.outputs.iter().map(|&(_, id)| id).collect();
+    let is_literal = |id: Id| graph.value(id).is_some();
+    kernel.points.is_none()
+        && !kernel.assign
+        && outputs.iter().all(|&id| !is_literal(id) || graph.is_zero(id))
+        && graph.reachable(&outputs).into_iter().all(|id| match graph.node(id) {
+            Node::Call(function, of) => function == Function::Sqrt && !is_literal(of),
+            Node::Call2(..) | Node::Select(..) => false,
+            Node::Negate(of) => !is_literal(of),
+            Node::Power(of, _) => !is_literal(of),
+            Node::Add(a, b) | Node::Subtract(a, b) | Node::Multiply(a, b) | Node::Divide(a, b) => {
+                !(is_literal(a) && is_literal(b))
+            }
+            Node::Number(_) | Node::Symbol(_) => true,
+        })
 }
 
 /// Paragraphs as documentation lines.
@@ -31,7 +78,7 @@ pub fn documentation<'a>(paragraphs: impl Iterator<Item = &'a str>) -> String {
 }
 
 /// Statements of the function.
-fn body(kernel: &Kernel) -> Vec<String> {
+fn body(kernel: &Kernel, lanes: bool) -> Vec<String> {
     let graph = &kernel.graph;
     let schedule = kernel.schedule();
     let at = |stage: Stage| Kernel::at_stage(&schedule, stage);
@@ -43,6 +90,9 @@ fn body(kernel: &Kernel) -> Vec<String> {
         .flat_map(|points| points.sums.iter().map(|&(_, summand)| summand));
     let roots = kernel.outputs.iter().map(|&(_, id)| id).chain(summands);
     let mut writer = Writer::new(graph, &all, roots);
+    if lanes {
+        writer.for_lanes();
+    }
     for word in [
         "q",
         "v",

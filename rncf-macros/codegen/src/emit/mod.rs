@@ -2,6 +2,7 @@
 //! the end.
 
 pub mod declaration;
+mod elements;
 pub mod equations;
 pub mod expression;
 pub mod kernel;
