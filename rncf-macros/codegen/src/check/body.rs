@@ -3,7 +3,7 @@
 use super::plane::{PLANES, normal};
 use super::{Check, say};
 use crate::errors::Area;
-use crate::model::{Body, BodyId, FrameId, INERTIAL, Space};
+use crate::model::{Body, BodyId, FrameId, INERTIAL, RepeatId, Space};
 use crate::parse::tree::{Item, ItemKind, Keyword, Statement};
 use crate::suggest;
 
@@ -11,6 +11,8 @@ use crate::suggest;
 #[derive(Clone, Copy, Debug)]
 pub struct Known {
     pub id: BodyId,
+    /// The loop that it stands in.
+    pub repeat: Option<RepeatId>,
     pub space: Option<Space>,
     pub frame: Option<FrameId>,
     /// Length of the axis where it is constant, m.
@@ -22,13 +24,14 @@ pub struct Known {
 impl<'a> Check<'a> {
     pub(super) fn bodies(&mut self) {
         for (at, item) in self.items(Keyword::Body).into_iter().enumerate() {
-            self.body(BodyId(at), item);
+            self.in_loop(item, |check| check.body(BodyId(at), item));
         }
     }
 
     fn body(&mut self, id: BodyId, item: &'a Item) {
         let mut known = Known {
             id,
+            repeat: item.repeat.map(RepeatId),
             space: None,
             frame: None,
             length: None,
@@ -55,6 +58,9 @@ impl<'a> Check<'a> {
         let line = self.line(item, statements, *complete, &mut known);
         let mesh = self.mesh(item, statements, *complete, known.space);
         let axes = self.section_axes(statements, known.space, line.as_ref());
+        if item.repeat.is_some() {
+            self.may_be_repeated(statements);
+        }
         let fidelity = self.fidelity(statements);
         let mean_axes = self.mean_axes(item, statements, known.frame, known.space);
         let initial = self.initial(item, statements, known.space);
@@ -67,7 +73,7 @@ impl<'a> Check<'a> {
             (known.frame, known.space, line, mesh, axes, fidelity, initial)
         {
             self.model.bodies.push(Body {
-                repeat: None,
+                repeat: known.repeat,
                 name: item.name.text.clone(),
                 doc: item.doc.clone(),
                 frame,

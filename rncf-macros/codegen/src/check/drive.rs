@@ -103,7 +103,7 @@ impl<'a> Check<'a> {
     pub(super) fn built_joint(&mut self, name: &Name) -> Option<Built> {
         self.item(name, Keyword::Joint)?;
         let known = self.joints.get(name.text.as_str())?;
-        if known.built.is_none() && known.kind.is_some() {
+        if known.built.is_none() && (known.kind.is_some() || known.is_share) {
             self.errors.at(name.span, say::no_coordinates(&name.text));
         }
         self.joints.get(name.text.as_str())?.built.clone()

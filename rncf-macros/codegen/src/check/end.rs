@@ -3,10 +3,11 @@
 use super::joint::Known;
 use super::place::{Hold, Place, Spot};
 use super::plane::{AXES, normal, plane};
+use super::repeat::has_index;
 use super::{Check, Shape, say};
 use crate::errors::Area;
 use crate::joints::{self, Builder, Party};
-use crate::model::{self, BodyId, Expr as Value, FrameId, Joint, JointId, JointKind, Location};
+use crate::model::{self, BodyId, Expr as Value, FrameId, Joint, JointId, JointKind, Location, RepeatId};
 use crate::parse::tree::{Call, ExprKind, Item};
 use crate::suggest;
 
@@ -32,6 +33,11 @@ impl Held {
             JointKind::Hold { of: SectionY, .. } => &[SectionY],
             JointKind::Hold { of: SectionZ, .. } => &[SectionZ],
         }
+    }
+
+    /// Line of the joint, where it holds this end.
+    pub fn line_at(&self, body: BodyId, at: &Location) -> Option<usize> {
+        (self.body == body && self.at == *at).then_some(self.line)
     }
 
     /// Whether both hold the same vector of the same end; two components of one are two things.
@@ -73,7 +79,7 @@ impl<'a> Check<'a> {
             "revolute" if is_planar => JointKind::Pin,
             _ => return None,
         };
-        let is_end = !matches!(place.at, Location::At(_)) || ENDS.iter().any(|(end, _)| *end == word);
+        let is_end = !matches!(place.at.place(), Location::At(_)) || ENDS.iter().any(|(end, _)| *end == word);
         (is_linear && is_end).then_some(kind)
     }
 
@@ -94,8 +100,12 @@ impl<'a> Check<'a> {
             body, at, has_section, ..
         } = place.clone();
         (known.kind, known.body, known.frame) = (Some(kind), Some(body), Some(frame));
-        if let Location::At(_) = at {
+        if let Location::At(_) = at.place() {
             self.errors.at(area[0], say::JOINT_INSIDE);
+            return None;
+        }
+        if item.repeat.is_some() && !has_index(&at) {
+            self.errors.at(area[0], say::SAME_END_REPEATED);
             return None;
         }
         let own = Held {
@@ -113,12 +123,13 @@ impl<'a> Check<'a> {
         if let Some(normal) = body.space.and_then(normal) {
             self.keeps_plane(frame, normal, area[1]);
         }
-        if self.is_free(frame) {
+        // Repeated ones have no place in absolute coordinates yet: `build` says so.
+        if self.is_free(frame) && item.repeat.is_none() {
             self.stand_in(item, kind, &place, frame, point.clone())?;
         }
         known.id = JointId(self.model.joints.len());
         self.model.joints.push(Joint {
-            repeat: None,
+            repeat: item.repeat.map(RepeatId),
             name: item.name.text.clone(),
             doc: item.doc.clone(),
             kind,

@@ -123,6 +123,15 @@ impl<'a> Check<'a> {
                 self.scalar(expr, quantity)
             }
             ExprKind::Power(base, exponent) => self.power(base, exponent, scope),
+            ExprKind::Reduced(reduced) => self.reduced(expr, reduced, scope),
+            ExprKind::Remainder(..) => {
+                self.errors.at(expr.area, say::REMAINDER_OUTSIDE);
+                None
+            }
+            ExprKind::Indexed { base, index } => {
+                self.lone_indexed(base, index);
+                None
+            }
             ExprKind::If(inner) => self.conditional(inner, scope),
             ExprKind::Vector { .. } => {
                 self.errors.at(expr.area, say::VECTOR_IN_EXPRESSION);
@@ -135,6 +144,9 @@ impl<'a> Check<'a> {
         let text = name.text.as_str();
         if let Some(local) = self.locals.get(text) {
             return Some(local.clone());
+        }
+        if let Some(index) = self.index(name, scope) {
+            return index;
         }
         if text == "pi" {
             let nature = Nature {
@@ -157,7 +169,7 @@ impl<'a> Check<'a> {
             return None;
         }
         let Some(item) = self.names.get(text).copied() else {
-            if self.is_news(text) {
+            if !self.has_lost_index() && self.is_news(text) {
                 let message = self.unknown_value(text);
                 self.errors.at(name.span, message);
             }
@@ -190,6 +202,9 @@ impl<'a> Check<'a> {
     fn unknown_value(&self, text: &str) -> String {
         if let Some(plain) = ascii::suggestion(text) {
             return say::not_ascii(text, &plain);
+        }
+        if let Some(message) = self.index_elsewhere(text) {
+            return message;
         }
         if text == "E" && self.locals.contains_key("E.xx") {
             return say::WHOLE_STRAIN.into();
@@ -279,7 +294,9 @@ impl<'a> Check<'a> {
             return self.function(call, function, arity, scope);
         }
         let Some(item) = self.names.get(name).copied() else {
-            if self.is_news(name) {
+            if matches!(name, "sum" | "mean") {
+                self.errors.at(call.area, say::reduction_without_loop(name));
+            } else if self.is_news(name) {
                 let known = FUNCTIONS
                     .iter()
                     .map(|(word, ..)| *word)

@@ -31,6 +31,18 @@ impl<'a> Check<'a> {
         found.map_or(Some(Fidelity::Full), |(fidelity, _)| fidelity)
     }
 
+    /// Refuses what repeated bodies cannot be yet.
+    pub(super) fn may_be_repeated(&mut self, statements: &[Statement]) {
+        for statement in statements {
+            let (area, word) = match statement {
+                Statement::Fidelity { word, .. } => (Area::from(word.span), word.text.as_str()),
+                Statement::MeanAxes { area } => (*area, "mean_axes"),
+                _ => continue,
+            };
+            self.errors.at(area, say::statement_not_repeated(word));
+        }
+    }
+
     /// Whether there is `mean_axes;`: the frame must be free, alike in dimension, and no body itself, and the body
     /// described by all its nodal vectors.
     pub(super) fn mean_axes(

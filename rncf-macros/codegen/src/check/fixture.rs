@@ -7,7 +7,7 @@ use super::quantity::Wanted;
 use super::rigid::zeros;
 use super::{Check, fold, say};
 use crate::joints::algebra;
-use crate::model::{Expr as Value, Fixture, FrameId, Motions, RigidPart};
+use crate::model::{Expr as Value, Fixture, FrameId, Motions, RepeatId, RigidPart};
 use crate::parse::tree::{Expr, ExprKind, Fields, Item, ItemKind, Keyword, Name};
 use crate::suggest;
 
@@ -40,9 +40,12 @@ impl<'a> Check<'a> {
                 continue;
             };
             match root(place) {
+                Some(name) if self.is_frame(&name.text) && item.repeat.is_some() => {
+                    self.errors.at(place.area, say::FIXTURE_NOT_REPEATED);
+                }
                 Some(name) if self.is_frame(&name.text) => self.on_frame(item, place, fields),
                 Some(name) if !self.names.contains_key(name.text.as_str()) => self.unknown_carrier(name),
-                _ => self.on_body(item, place, fields),
+                _ => self.in_loop(item, |check| check.on_body(item, place, fields)),
             }
         }
     }
@@ -164,7 +167,7 @@ impl<'a> Check<'a> {
         };
         if let Some(constants) = constants {
             self.model.fixtures.push(Fixture {
-                repeat: None,
+                repeat: item.repeat.map(RepeatId),
                 name: item.name.text.clone(),
                 doc: item.doc.clone(),
                 body: at.body.id,
@@ -274,7 +277,7 @@ fn second_moments(inertia: &[Value; 6], is_planar: bool) -> [Value; 6] {
 /// The name that a place begins with.
 fn root(place: &Expr) -> Option<&Name> {
     match &place.kind {
-        ExprKind::Name(name) => Some(name),
+        ExprKind::Name(name) | ExprKind::Indexed { base: name, .. } => Some(name),
         ExprKind::Member { base, .. } => root(base),
         _ => None,
     }

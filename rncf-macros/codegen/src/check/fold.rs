@@ -7,12 +7,26 @@ pub fn constant(expr: &Expr) -> Option<f64> {
     value(expr, &|_| None)
 }
 
-/// Value at a time with the parameters' defaults; nothing is observed.
+/// Value of an expression of numbers and the index of a loop.
+pub fn at_index(expr: &Expr, index: f64) -> Option<f64> {
+    value(expr, &|leaf| matches!(leaf, Expr::Index).then_some(index))
+}
+
+/// Value at a time with the parameters' defaults, in the first repetition; nothing is observed.
 pub fn with_defaults(model: &Model, expr: &Expr, t: f64) -> Option<f64> {
+    of_repetition(model, expr, t, 0.0)
+}
+
+/// Value at a time with the parameters' defaults, in a repetition; nothing is observed.
+pub fn of_repetition(model: &Model, expr: &Expr, t: f64, index: f64) -> Option<f64> {
     value(expr, &|leaf| match leaf {
         Expr::Param(id) => model.params.get(id.0).map(|param| param.default),
         Expr::Time => Some(t),
-        Expr::Motion(id, at) => with_defaults(model, &model.motions[id.0].value, with_defaults(model, at, t)?),
+        Expr::Index => Some(index),
+        Expr::Motion(id, at) => {
+            let at = of_repetition(model, at, t, index)?;
+            with_defaults(model, &model.motions[id.0].value, at)
+        }
         _ => None,
     })
 }
@@ -100,6 +114,11 @@ pub fn is_free_of_time(expr: &Expr) -> bool {
 /// Whether the arclength of an axis stands in the expression.
 pub fn has_arclength(expr: &Expr) -> bool {
     contains(expr, &|expr| matches!(expr, Expr::Arclength))
+}
+
+/// Whether the index of a loop stands in the expression.
+pub fn has_index(expr: &Expr) -> bool {
+    contains(expr, &|expr| matches!(expr, Expr::Index))
 }
 
 /// Whether a component of the strain stands in the expression.

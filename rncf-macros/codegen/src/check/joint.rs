@@ -5,6 +5,7 @@ use super::expr::Scope;
 use super::place::{Hold, Spot};
 use super::plane::{AXES, is_parallel};
 use super::quantity::Wanted;
+use super::share::SHARES;
 use super::{Arguments, Check, Shape, body, fold, say};
 use crate::errors::Area;
 use crate::joints::{self, Axis, Builder, KINDS, Kind, Party, Rows, unit};
@@ -22,6 +23,9 @@ pub struct Known {
     pub frame: Option<FrameId>,
     /// Of one with multipliers.
     pub built: Option<Built>,
+    pub is_repeated: bool,
+    /// Whether it is a shared node, and no condition.
+    pub is_share: bool,
 }
 
 /// A joint with multipliers.
@@ -60,20 +64,25 @@ impl<'a> Check<'a> {
             self.tied = None;
         }
         let items = self.items(Keyword::Joint);
-        let is_drive = |item: &&Item| matches!(&item.kind, ItemKind::Joint(call) if call.name.text == "drive");
-        // Drives of coordinates stand behind the joints that have them.
-        let (drives, joints): (Vec<&Item>, Vec<&Item>) = items.into_iter().partition(is_drive);
-        for item in joints.into_iter().chain(drives) {
+        let last = |item: &&Item| match &item.kind {
+            ItemKind::Joint(call) => call.name.text == "drive" || is_share(&call.name.text),
+            _ => false,
+        };
+        // Drives of coordinates stand behind the joints that have them, shared nodes behind what holds ends.
+        let (last, joints): (Vec<&Item>, Vec<&Item>) = items.into_iter().partition(last);
+        for item in joints.into_iter().chain(last) {
             let mut known = Known {
                 id: JointId(self.model.joints.len()),
                 kind: None,
                 body: None,
                 frame: None,
                 built: None,
+                is_repeated: item.repeat.is_some(),
+                is_share: false,
             };
             let before = self.errors.len();
             if let ItemKind::Joint(call) = &item.kind {
-                self.joint(item, call, &mut known, &mut held);
+                self.in_loop(item, |check| check.joint(item, call, &mut known, &mut held));
             }
             if let Some(body) = known.body {
                 self.note_held(body.id);
@@ -93,7 +102,13 @@ impl<'a> Check<'a> {
 
     /// Reports bodies in prescribed frames that nothing holds.
     pub(super) fn floating(&mut self) {
-        let Some(tied) = self.tied.clone() else { return };
+        let Some(mut tied) = self.tied.clone() else { return };
+        // What is held holds all that shares nodes with it.
+        let shared = || self.model.shares.iter().map(|share| share.ends.each_ref().map(|(body, _)| *body));
+        let reached = |tied: &[BodyId]| shared().find(|ends| tied.contains(&ends[0]) != tied.contains(&ends[1]));
+        while let Some(ends) = reached(&tied) {
+            tied.extend(ends);
+        }
         for (at, item) in self.items(Keyword::Body).into_iter().enumerate() {
             let is_carried = self
                 .bodies
@@ -110,9 +125,16 @@ impl<'a> Check<'a> {
         }
     }
 
-    fn joint(&mut self, item: &Item, call: &'a Call, known: &mut Known, held: &mut Vec<Held>) {
+    fn joint(&mut self, item: &'a Item, call: &'a Call, known: &mut Known, held: &mut Vec<Held>) {
         let word = call.name.text.as_str();
+        let is_end = word == "hold" || is_share(word) || ENDS.iter().any(|(end, _)| *end == word);
+        let is_known = word == "drive" || KINDS.iter().any(|kind| kind.name == word);
+        if item.repeat.is_some() && is_known && !is_end {
+            self.errors.at(call.name.span, say::joint_not_repeated(word));
+            return;
+        }
         match word {
+            _ if is_share(word) => self.share(item, call, known, held).unwrap_or_default(),
             "hold" => self.hold(item, call, known, held).unwrap_or_default(),
             "drive" => self.drive(item, call, known).unwrap_or_default(),
             _ => {
@@ -124,6 +146,7 @@ impl<'a> Check<'a> {
                     _ => {
                         let words = ENDS.iter().map(|(end, _)| *end);
                         let words = words.chain(KINDS.iter().map(|kind| kind.name)).chain(["hold", "drive"]);
+                        let words = words.chain(SHARES.iter().map(|(share, _)| *share));
                         self.errors.at(call.name.span, suggest::unknown("joint", word, words));
                         return;
                     }
@@ -240,6 +263,10 @@ impl<'a> Check<'a> {
         known: &mut Known,
     ) -> Option<()> {
         let (area, word) = (word.span.into(), word.text.as_str());
+        if item.repeat.is_some() {
+            self.errors.at(holds[1].area, say::REPEATED_TO_FREE);
+            return None;
+        }
         self.are_two(&holds)?;
         let plane = self.common_plane([&holds[0], &holds[1]])?;
         let parties = [holds[0].party(), holds[1].party()];
@@ -397,6 +424,10 @@ impl<'a> Check<'a> {
         }
         Some(given)
     }
+}
+
+fn is_share(word: &str) -> bool {
+    SHARES.iter().any(|(share, _)| *share == word)
 }
 
 /// Named arguments of a kind.

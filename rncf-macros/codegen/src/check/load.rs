@@ -30,8 +30,10 @@ pub(super) const MOMENT: Wanted = Wanted {
 impl<'a> Check<'a> {
     pub(super) fn loads(&mut self) {
         for item in self.items(Keyword::Load) {
-            if let ItemKind::Load(call) = &item.kind {
-                self.load(item, call);
+            if let ItemKind::Load(call) = &item.kind
+                && self.may_repeat_load(item)
+            {
+                self.in_loop(item, |check| check.load(item, call));
             }
         }
     }

@@ -28,9 +28,11 @@ mod place;
 mod plane;
 mod push;
 mod quantity;
+mod repeat;
 mod resultant;
 mod rigid;
 mod section;
+mod share;
 mod spring;
 mod start;
 mod thing;
@@ -80,6 +82,7 @@ pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Mode
     let mut check = Check::new(tree, library, errors);
     check.names();
     check.params();
+    check.repeats();
     check.motions();
     check.frames();
     check.materials();
@@ -121,6 +124,8 @@ struct Check<'a> {
     tied: Option<Vec<BodyId>>,
     /// Names of a law, such as `length` and `rate`.
     locals: HashMap<&'static str, Typed>,
+    /// The loop or reduction that is being checked.
+    turn: Option<repeat::Turn<'a>>,
     /// Unknown names that have been reported.
     unknown: HashSet<String>,
     /// Frames that have been reported for leaving the plane with this normal.
@@ -163,6 +168,7 @@ impl<'a> Check<'a> {
             constraints: HashMap::new(),
             tied: Some(Vec::new()),
             locals: HashMap::new(),
+            turn: None,
             unknown: HashSet::new(),
             out_of_plane: HashSet::new(),
             stack: Vec::new(),
@@ -296,7 +302,7 @@ impl<'a> Check<'a> {
         (self.errors.len() == before).then_some(found)
     }
 
-    /// Value at t = 0 with the defaults of the parameters.
+    /// Value at t = 0 with the defaults of the parameters; of a repeated item that of the first repetition.
     fn default(&self, value: &crate::model::Expr) -> f64 {
         fold::with_defaults(&self.model, value, 0.0).unwrap_or(f64::NAN)
     }

@@ -28,7 +28,7 @@ fn chain(expr: &Expr) -> (&Expr, Vec<&Name>) {
     let mut fields = Vec::new();
     let mut at = expr;
     while let ExprKind::Member { base, field, .. } = &at.kind {
-        let is_place = matches!(base.kind, ExprKind::Name(_));
+        let is_place = matches!(base.kind, ExprKind::Name(_) | ExprKind::Indexed { .. });
         if is_place {
             break;
         }
@@ -65,7 +65,7 @@ impl<'a> Check<'a> {
         let ExprKind::Member { base, field, .. } = &first.kind else {
             return false;
         };
-        let ExprKind::Name(name) = &base.kind else {
+        let (ExprKind::Name(name) | ExprKind::Indexed { base: name, .. }) = &base.kind else {
             return false;
         };
         let words = fields
@@ -116,7 +116,7 @@ impl<'a> Check<'a> {
             self.errors.at(expr.area, say::NOTHING_OBSERVED);
             return None;
         };
-        let ExprKind::Name(name) = &base.kind else {
+        let (ExprKind::Name(name) | ExprKind::Indexed { base: name, .. }) = &base.kind else {
             self.errors.at(expr.area, say::NOTHING_OBSERVED);
             return None;
         };
@@ -211,6 +211,14 @@ impl<'a> Check<'a> {
 
     pub(super) fn reaction(&mut self, name: &Name, fields: &[&'a Name]) -> Option<Seen> {
         let known = self.joints.get(name.text.as_str())?.clone();
+        if known.is_repeated {
+            self.repeated_reaction(name);
+            return None;
+        }
+        if known.is_share {
+            self.errors.at(name.span, say::reaction_of_share(&name.text));
+            return None;
+        }
         let (first, rest) = fields.split_first()?;
         let is_moment = match first.text.as_str() {
             "force" => false,

@@ -89,6 +89,11 @@ impl<'a> Check<'a> {
         self.whole(expr, say::NOT_A_COUNT, say::quantity_as_count)
     }
 
+    /// The number of repetitions of a loop or reduction.
+    pub(super) fn repetitions(&mut self, expr: &'a Expr) -> Option<Value> {
+        self.whole(expr, say::NOT_REPETITIONS, say::quantity_as_repetitions)
+    }
+
     /// The number of modes of a body.
     pub(super) fn modes(&mut self, expr: &'a Expr) -> Option<Value> {
         self.whole(expr, say::NOT_MODES, say::quantity_as_modes)
@@ -103,6 +108,7 @@ impl<'a> Check<'a> {
                 let name = self.model.params[id.0].name.clone();
                 self.errors.at(expr.area, quantity(&name));
             }
+            value if fold::has_index(value) => self.errors.at(expr.area, say::INDEX_AS_COUNT),
             value => match fold::constant(value) {
                 Some(value) if is_count(&typed, value) => return Some(Value::Number(value)),
                 _ => self.errors.at(expr.area, not_a_count),

@@ -3,6 +3,7 @@
 use super::expr::Scope;
 use super::plane::normal;
 use super::quantity::Wanted;
+use super::repeat::place_of;
 use super::{Check, body, fold, say};
 use crate::errors::Area;
 use crate::joints::{Party, algebra};
@@ -217,18 +218,17 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// `beam.start`, `beam.end` or `beam.at(4 m)`.
+    /// `beam.start`, `beam.end` or `beam.at(4 m)`, or of one repetition, `main[a].end`.
     pub(super) fn place(&mut self, expr: &'a Expr) -> Option<Place> {
         let ExprKind::Member { base, field, arguments } = &expr.kind else {
             self.errors.at(expr.area, say::PLACE_EXPECTED);
             return None;
         };
-        let ExprKind::Name(name) = &base.kind else {
+        if !matches!(base.kind, ExprKind::Name(_) | ExprKind::Indexed { .. }) {
             self.errors.at(expr.area, say::PLACE_EXPECTED);
             return None;
-        };
-        let item = self.item(name, Keyword::Body)?;
-        let body = *self.bodies.get(item.name.text.as_str())?;
+        }
+        let (body, instance) = self.named_body(base)?;
         let at = match (field.text.as_str(), arguments) {
             ("start", None) => Location::Start,
             ("end", None) => Location::End,
@@ -262,7 +262,7 @@ impl<'a> Check<'a> {
         let has_section = self.has_section(body.id);
         Some(Place {
             body,
-            at,
+            at: place_of(instance, at),
             has_section: has_section == Some(true),
             is_line: has_section == Some(false),
         })

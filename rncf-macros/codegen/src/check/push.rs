@@ -24,6 +24,8 @@ pub fn observes(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Number { .. } | ExprKind::Name(_) => false,
         ExprKind::Member { .. } => true,
+        ExprKind::Indexed { .. } | ExprKind::Remainder(..) => false,
+        ExprKind::Reduced(reduced) => observes(&reduced.value),
         ExprKind::Call(call) => call.arguments.iter().any(|argument| observes(&argument.value)),
         ExprKind::Negate(inner) => observes(inner),
         ExprKind::Binary(_, left, right) | ExprKind::Power(left, right) => observes(left) || observes(right),
@@ -239,7 +241,7 @@ fn on_section(moment: &algebra::Vector, axes: [MarkerId; 2]) -> Vec<(MarkerId, a
 /// The name that an expression of members begins with.
 fn root(expr: &Expr) -> Option<&str> {
     match &expr.kind {
-        ExprKind::Name(name) => Some(&name.text),
+        ExprKind::Name(name) | ExprKind::Indexed { base: name, .. } => Some(&name.text),
         ExprKind::Member { base, .. } => root(base),
         _ => None,
     }

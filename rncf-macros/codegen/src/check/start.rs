@@ -1,6 +1,6 @@
 //! The system at t = 0 with the defaults of the parameters: poses, places, markers.
 
-use crate::check::fold::with_defaults;
+use crate::check::fold::of_repetition;
 use crate::lower::initial::along_axis;
 use crate::model::{BodyId, Expr, FrameId, INERTIAL, Line, Location, Marker, MarkerId, Model, Space};
 
@@ -109,15 +109,29 @@ fn rotation(axis: Vector, angle: f64) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]))
 }
 
-/// Values at t = 0.
+/// Values at t = 0, of repeated items in one repetition.
 pub struct Start<'m> {
     pub model: &'m Model,
+    index: f64,
 }
 
-impl Start<'_> {
+impl<'m> Start<'m> {
+    /// In the first repetition.
+    pub fn new(model: &'m Model) -> Self {
+        Self { model, index: 0.0 }
+    }
+
+    /// In the repetition that a place is on.
+    fn on(&self, at: &Location) -> Self {
+        Self {
+            model: self.model,
+            index: at.instance().map_or(self.index, |instance| self.value(instance)),
+        }
+    }
+
     /// Value of an expression that observes nothing.
     pub fn value(&self, expr: &Expr) -> f64 {
-        with_defaults(self.model, expr, 0.0).unwrap_or(f64::NAN)
+        of_repetition(self.model, expr, 0.0, self.index).unwrap_or(f64::NAN)
     }
 
     pub fn vector(&self, exprs: &[Expr; 3]) -> Vector {
@@ -150,6 +164,9 @@ impl Start<'_> {
 
     /// Place and unit tangent of the undeformed body in its frame.
     pub fn place(&self, body: BodyId, at: &Location) -> (Vector, Vector) {
+        if let Location::Of { place, .. } = at {
+            return self.on(at).place(body, place);
+        }
         let x = self.arclength(body, at);
         match &self.model.bodies[body.0].line {
             Line::Straight { from, to } => {
@@ -182,10 +199,13 @@ impl Start<'_> {
     /// Place and slope of the body in its frame at t = 0; the slope of an initial shape is no unit
     /// vector.
     pub fn initial_place(&self, body: BodyId, at: &Location) -> (Vector, Vector) {
+        if let Location::Of { place, .. } = at {
+            return self.on(at).initial_place(body, place);
+        }
         let Some(position) = &self.model.bodies[body.0].initial.position else {
             return self.place(body, at);
         };
-        let [place, slope] = along_axis(self.model, position, self.arclength(body, at));
+        let [place, slope] = along_axis(self.model, position, self.arclength(body, at), self.index);
         (place, slope)
     }
 
@@ -236,6 +256,9 @@ impl Start<'_> {
 
     /// The same at t = 0: with an initial shape they turn with the tangent by the smallest rotation.
     pub fn initial_section(&self, body: BodyId, at: &Location) -> [Vector; 2] {
+        if let Location::Of { place, .. } = at {
+            return self.on(at).initial_section(body, place);
+        }
         let axes = self.section(body, at);
         let (_, tangent) = self.place(body, at);
         let (_, slope) = self.initial_place(body, at);

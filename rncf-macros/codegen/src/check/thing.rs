@@ -53,10 +53,12 @@ impl<'a> Check<'a> {
         self.nested(expr, |check| match &expr.kind {
             ExprKind::Name(name) => check.named_thing(name),
             ExprKind::Member { base, field, arguments } => {
-                if let ExprKind::Name(name) = &base.kind
+                if let ExprKind::Name(name) | ExprKind::Indexed { base: name, .. } = &base.kind
                     && check.keyword_of(name) == Some(Keyword::Body)
                 {
-                    return check.place(expr).map(|place| Thing::Place(Spot::Flexible(place), None));
+                    let place = check.place(expr)?;
+                    check.is_single(expr, &place.at)?;
+                    return Some(Thing::Place(Spot::Flexible(place), None));
                 }
                 let thing = check.thing(base, scope)?;
                 check.part(thing, expr, field, arguments.as_deref(), scope)

@@ -1,5 +1,6 @@
 //! Whether every free frame is determined: one without mass of its own follows from exactly as many
-//! conditions as it has motions (THEORY 2 and 6), else the equations of motion are singular.
+//! conditions as it has motions (THEORY 2 and 6), else the equations of motion are singular. How often a joint
+//! in a loop ties it is known at run time only: such a frame is left to it.
 //!
 //! The conditions are differentiated with respect to the motions of the frame alone, its bodies
 //! staying where they are, at t = 0 with the parameters' defaults.
@@ -70,6 +71,9 @@ pub fn check(model: &Model, library: &Library, frame: FrameId) -> Result<(), Unt
     let frame = Frame::new(model, library, frame, free);
     if frame.bodies().next().is_none() && free.parts.is_empty() {
         return Err(Untied::Empty);
+    }
+    if frame.is_tied_in_loops() {
+        return Ok(());
     }
     let (mass, scales) = frame.mass();
     let carries_mass = mass.iter().flatten().any(|entry| *entry != 0.0);
@@ -153,7 +157,7 @@ struct Frame<'m> {
 
 impl<'m> Frame<'m> {
     fn new(model: &'m Model, library: &'m Library, id: FrameId, free: &'m Free) -> Self {
-        let start = Start { model };
+        let start = Start::new(model);
         let pose = start.pose(id);
         let modes = modes(&free.motions);
         Self {
@@ -172,6 +176,12 @@ impl<'m> Frame<'m> {
         bodies
             .filter(move |(_, body)| body.frame == id)
             .map(|(at, body)| (body, BodyId(at)))
+    }
+
+    /// Whether joints in loops tie the frame.
+    fn is_tied_in_loops(&self) -> bool {
+        let joints = &self.start.model.joints;
+        joints.iter().any(|joint| joint.frame == self.id && joint.repeat.is_some())
     }
 
     /// Whether a body has sections, so that it can be held, and has inertia, against turning about its axis.

@@ -37,10 +37,10 @@ pub fn initial_kernel(model: &Model, body: &Body) -> Option<Kernel> {
 }
 
 /// A vector at the arclength `x` and its derivative, with the parameters' defaults.
-pub fn along_axis(model: &Model, exprs: &[Expr; 3], x: f64) -> [[f64; 3]; 2] {
+pub fn along_axis(model: &Model, exprs: &[Expr; 3], x: f64, index: f64) -> [[f64; 3]; 2] {
     let mut time = Time::new(model);
     let [values, slopes] = derived(&mut time, exprs);
-    let mut inputs = HashMap::from([(time.t, 0.0), (time.x, x)]);
+    let mut inputs = HashMap::from([(time.t, 0.0), (time.x, x), (time.index, index)]);
     for (at, param) in model.params.iter().enumerate() {
         inputs.insert(time.param(at), param.default);
     }

@@ -109,6 +109,11 @@ impl Cursor {
         matches!(self.peek_second(), Some(TokenTree::Punct(punct)) if punct.as_char() == c)
     }
 
+    /// Whether the token after the next is this word.
+    pub fn is_second_word(&self, word: &str) -> bool {
+        matches!(self.peek_second(), Some(TokenTree::Ident(ident)) if ident == word)
+    }
+
     /// Whether the token after the next is punctuation, or there is none.
     pub fn is_second_punct_or_end(&self) -> bool {
         matches!(self.peek_second(), Some(TokenTree::Punct(_)) | None)

@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, Literal, TokenTree};
 use super::cursor::{Cursor, Parsed};
 use super::messages as say;
 use super::tree::{Argument, Call, Expr, ExprKind, If, Keyword, Name, UnitText};
-use super::unit;
+use super::{repeat, unit};
 use crate::errors::{Area, Mistake};
 use crate::model::{Binary, Comparison};
 use crate::units;
@@ -47,7 +47,7 @@ pub fn is_unit_next(cursor: &Cursor) -> bool {
     !STOP.contains(&word.as_str()) && Keyword::of(&word).is_none() && !cursor.is_second_punct('=')
 }
 
-fn node(kind: ExprKind, area: Area, height: usize) -> Parsed<Expr> {
+pub(super) fn node(kind: ExprKind, area: Area, height: usize) -> Parsed<Expr> {
     if height > MAX_HEIGHT {
         return Err(Mistake::new(area, say::TOO_DEEP));
     }
@@ -120,7 +120,7 @@ pub fn expression(cursor: &mut Cursor) -> Parsed<Expr> {
     nested(cursor, 0)
 }
 
-fn nested(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
+pub(super) fn nested(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
     if depth > MAX_HEIGHT {
         return Err(Mistake::new(cursor.here(), say::TOO_DEEP));
     }
@@ -151,6 +151,12 @@ fn product(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
         let operator = match () {
             () if cursor.eat_punct('*') => Binary::Multiply,
             () if cursor.eat_punct('/') => Binary::Divide,
+            () if cursor.eat_punct('%') => {
+                let right = signed(cursor, depth)?;
+                let (area, height) = (left.area.to(right.area), 1 + left.height.max(right.height));
+                left = node(ExprKind::Remainder(Box::new(left), Box::new(right)), area, height)?;
+                continue;
+            }
             () => return Ok(left),
         };
         if operator == Binary::Multiply && cursor.is_punct('*') {
@@ -235,6 +241,12 @@ fn primary(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
         return Err(cursor.expected("a value"));
     }
     let name = cursor.expect_name("a value")?;
+    if let Some(expr) = repeat::indexed(cursor, &name, depth)? {
+        return Ok(expr);
+    }
+    if let Some(expr) = repeat::reduced(cursor, &name, depth)? {
+        return Ok(expr);
+    }
     if cursor.group(Delimiter::Parenthesis).is_some() {
         let call = call(cursor, name, depth)?;
         let height = 1 + call
@@ -249,7 +261,7 @@ fn primary(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
 }
 
 /// An expression that fills a group.
-fn whole(cursor: &mut Cursor, depth: usize, what: &str) -> Parsed<Expr> {
+pub(super) fn whole(cursor: &mut Cursor, depth: usize, what: &str) -> Parsed<Expr> {
     if cursor.is_empty() {
         return Err(cursor.expected(what));
     }

@@ -8,14 +8,21 @@ use super::tree::{Field, Fields, Item, ItemKind, Keyword, Name, Statement, Tree}
 use super::{ascii, expr};
 use crate::errors::{Area, Errors, Mistake};
 
-/// All items of a model.
-pub fn items(cursor: &mut Cursor, tree: &mut Tree, errors: &mut Errors) {
+/// All items of a model, or of a loop.
+pub fn items(cursor: &mut Cursor, tree: &mut Tree, repeat: Option<usize>, errors: &mut Errors) {
     while !cursor.is_empty() {
         let doc = documentation(cursor, errors);
         if cursor.is_empty() {
             return;
         }
+        if cursor.is_word("for") {
+            super::repeat::repeated(cursor, tree, repeat, errors);
+            continue;
+        }
         if cursor.is_word("run") {
+            if repeat.is_some() {
+                errors.at(cursor.here(), say::outside_of_loops("run"));
+            }
             run(cursor, tree, errors);
             continue;
         }
@@ -27,9 +34,17 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, errors: &mut Errors) {
             continue;
         };
         cursor.next();
+        let at = cursor.before();
         let word = cursor.word().map(ToString::to_string);
         match item_name(cursor, keyword) {
-            Ok(name) => tree.items.push(item(cursor, doc, keyword, name, errors)),
+            Ok(name) => {
+                super::repeat::own_index(cursor, &name, repeat.map(|at| &tree.loops[at]), errors);
+                let mut item = item(cursor, doc, keyword, name, errors);
+                if repeat.is_some() {
+                    super::repeat::may_be_repeated(&mut item, at, errors);
+                }
+                tree.items.push(Item { repeat, ..item });
+            }
             Err(mistake) => {
                 errors.push(mistake);
                 tree.lost.extend(word);
@@ -41,7 +56,7 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, errors: &mut Errors) {
 
 /// What stands where an item should: a word that is nearly one, or something else.
 fn unknown_item(cursor: &Cursor) -> Mistake {
-    let valid = Keyword::ALL.map(Keyword::word).into_iter().chain(["run"]);
+    let valid = Keyword::ALL.map(Keyword::word).into_iter().chain(["run", "for"]);
     match cursor.word() {
         Some(word) => Mistake::new(word.span(), say::unknown("item", &word.to_string(), valid)),
         None => cursor.expected("an item such as `param` or `body`"),
@@ -90,6 +105,7 @@ fn item(cursor: &mut Cursor, doc: String, keyword: Keyword, name: Name, errors: 
         doc,
         keyword,
         name,
+        repeat: None,
         kind,
     }
 }
@@ -397,11 +413,11 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
 }
 
 /// Skips to the next item: behind a `;` or `{..}`, or before a keyword with a name.
-fn recover(cursor: &mut Cursor) {
+pub(super) fn recover(cursor: &mut Cursor) {
     recover_before(cursor, |cursor| {
         cursor
             .word()
-            .is_some_and(|word| word == "run" || Keyword::of(&word.to_string()).is_some())
+            .is_some_and(|word| word == "run" || word == "for" || Keyword::of(&word.to_string()).is_some())
             && (cursor.is_two_words() || cursor.is_word("run"))
     });
 }

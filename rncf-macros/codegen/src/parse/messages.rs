@@ -13,7 +13,19 @@ pub const MOTION_ARGUMENT: &str = "a motion is a function of time: write `(t)`";
 pub const INNER_DOC: &str = "documentation stands before what it describes: write `///`";
 pub const ATTRIBUTE: &str = "attributes have no meaning here; only documentation comments `///` do";
 
+pub const NESTED_LOOP: &str = "loops do not stand in each other yet: count through both with one index";
+pub const RANGE: &str = "a loop needs its range: write `0..` and the number of repetitions, e.g. `0..n`";
+pub const RANGE_START: &str = "repetitions are numbered from 0: write `0..` and their number, e.g. `0..n`";
+pub const RANGE_END: &str = "`0..n` counts from 0 to n - 1: leave out `=`";
+pub const OUTPUT_IN_LOOP: &str = "an `output` stands outside of loops and looks at one repetition, e.g. `main[0].end.x`, or at all, e.g. `max(a in 0..n, main[a].end.x)`";
+
 messages! {
+    outside_of_loops(word) = "a `{word}` stands outside of loops: it is the same for all repetitions";
+    not_repeated_yet(word) = "a `{word}` is not repeated yet: declare it outside of the loop, for each repetition that needs it, e.g. with `main[0].end`";
+    lacks_index(name, index) = "`{name}` stands in a loop: write `{name}[{index}]`";
+    index_without_loop(name) = "`{name}` stands in no loop: leave out the brackets, or put it into one, `for a in 0..n {{ .. }}`";
+    other_index(name, index) = "the index of this loop is `{index}`: write `{name}[{index}]`";
+    not_a_reduction(name) = "`{name}` does not go over repetitions: `max`, `min`, `sum` and `mean` do";
     expected(what, found) = "expected {what}, found {found}";
     missing_semicolon(found) = "missing `;` after this (next comes {found})";
     missing_name(keyword) = "`{keyword}` needs a name: `{keyword} name ..`";

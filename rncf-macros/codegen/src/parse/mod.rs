@@ -4,7 +4,9 @@
 //! ```text
 //! declaration = { doc } [ visibility ] "model" NAME "{" { item } "}"
 //! item        = { doc } ( param | const | material | section | motion | frame | rigid | body
-//!                       | fixture | joint | constraint | spring | load | output | run )
+//!                       | fixture | joint | constraint | spring | load | output | run | for )
+//! for         = "for" INDEX "in" range "{" { item } "}"   // body, fixture, joint, load; each NAME is NAME "[" INDEX "]"
+//! range       = "0" ".." expr                   // a count
 //! param       = "param" NAME [ ":" "count" ] "=" right ";"
 //! const       = "const" NAME "=" right ";"
 //! material    = "material" NAME fields          // density young poisson damping yield energy
@@ -32,6 +34,7 @@
 //! fixture     = "fixture" NAME "on" PLACE fields
 //!                   // FRAME[.at(vector)]: mass inertia; BODY.end|..: mass offset gyration
 //! joint       = "joint" NAME "=" call ";"       // clamp|clamp_full|pin(BODY.end, FRAME [, at = vector])
+//!                   // share|merge(BODY.end, BODY.end)
 //!                   // KIND(PLACE, PLACE [, axis = .., cross = .., length = expr]), hold(BODY.end.z),
 //!                   // drive(JOINT.angle|JOINT.slide|FRAME.angle, expr)
 //! constraint  = "constraint" NAME "=" expr ";"  // scalar or vector, = 0
@@ -46,12 +49,13 @@
 //!
 //! right       = [ "-" ] NUMBER unit | expr      // a whole right side may be literal plus any unit
 //! expr        = product { ( "+" | "-" ) product }
-//! product     = signed { ( "*" | "/" ) signed }
+//! product     = signed { ( "*" | "/" | "%" ) signed }     // "%" in the number of a repetition
 //! signed      = "-" signed | power
 //! power       = member [ "^" signed ]           // binds tightest, from the right
 //! member      = primary { "." NAME [ "(" arguments ")" ] }
 //! primary     = NUMBER [ SYMBOL | "[" unit "]" ] // in an expression: one symbol, or brackets
-//!             | NAME | call | "(" expr ")" | vector | if
+//!             | NAME | NAME "[" expr "]" | call | reduced | "(" expr ")" | vector | if
+//! reduced     = ( "max" | "min" | "sum" | "mean" ) "(" INDEX "in" range "," expr ")"
 //! if          = "if" expr ( "<" | "<=" | ">" | ">=" ) expr "{" expr "}" "else" ( "{" expr "}" | if )
 //! vector      = "[" expr "," expr "," expr "]" [ unit ]
 //! call        = NAME "(" arguments ")"
@@ -72,6 +76,7 @@ mod cursor;
 mod expr;
 mod item;
 mod messages;
+mod repeat;
 mod source;
 pub mod tree;
 mod unit;
@@ -100,7 +105,7 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Tree> {
     };
     match body(&mut cursor, &tree.name) {
         Ok(group) => {
-            item::items(&mut Cursor::of(&group), &mut tree, errors);
+            item::items(&mut Cursor::of(&group), &mut tree, None, errors);
             tree.source = source::declaration(&tree, &group);
         }
         Err(mistake) => errors.push(mistake),
@@ -121,12 +126,13 @@ fn head(cursor: &mut Cursor, errors: &mut Errors) -> Parsed<Tree> {
     }
     let name = cursor.expect_name("the name of the model")?;
     item::check_name(&name)?;
-    let (items, runs, lost) = (Vec::new(), Vec::new(), Vec::new());
+    let (items, loops, runs, lost) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     Ok(Tree {
         doc,
         visibility,
         name,
         items,
+        loops,
         lost,
         runs,
         source: String::new(),

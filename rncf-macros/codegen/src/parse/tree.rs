@@ -22,8 +22,10 @@ pub struct Tree {
     pub visibility: TokenStream,
     /// Name of the model.
     pub name: Name,
-    /// Items with a name.
+    /// Items with a name, those of loops included.
     pub items: Vec<Item>,
+    /// Loops in order.
+    pub loops: Vec<Loop>,
     /// Names of items that could not be read; reported, so that their uses are no mistakes.
     pub lost: Vec<String>,
     /// `run` blocks.
@@ -117,6 +119,15 @@ impl Keyword {
     }
 }
 
+/// `for index in 0..count { .. }`
+#[derive(Clone, Debug)]
+pub struct Loop {
+    /// Name of the index; `None`: unreadable, reported.
+    pub index: Option<Name>,
+    /// How often; `None`: unreadable, reported.
+    pub count: Option<Expr>,
+}
+
 /// A named item.
 #[derive(Clone, Debug)]
 pub struct Item {
@@ -126,6 +137,8 @@ pub struct Item {
     pub keyword: Keyword,
     /// Its name.
     pub name: Name,
+    /// The loop that it stands in (index into [`Tree::loops`]).
+    pub repeat: Option<usize>,
     /// Its content.
     pub kind: ItemKind,
 }
@@ -352,6 +365,17 @@ pub enum ExprKind {
     Negate(Box<Expr>),
     /// `a + b`, `a - b`, `a * b`, `a / b`
     Binary(crate::model::Binary, Box<Expr>, Box<Expr>),
+    /// `a % b`
+    Remainder(Box<Expr>, Box<Expr>),
+    /// `name[index]`
+    Indexed {
+        /// Name of what is repeated.
+        base: Name,
+        /// Number of the repetition.
+        index: Box<Expr>,
+    },
+    /// `max(index in 0..count, value)`
+    Reduced(Box<Reduced>),
     /// `a ^ b`
     Power(Box<Expr>, Box<Expr>),
     /// `if left < right { a } else { b }`
@@ -363,6 +387,19 @@ pub enum ExprKind {
         /// Unit of all literal components.
         unit: Option<UnitText>,
     },
+}
+
+/// `max(index in 0..count, value)`, or `min`, `sum`, `mean`
+#[derive(Clone, Debug)]
+pub struct Reduced {
+    /// What is told.
+    pub reduction: crate::model::Reduction,
+    /// Name of the index.
+    pub index: Name,
+    /// How many values.
+    pub count: Expr,
+    /// The value of each.
+    pub value: Expr,
 }
 
 /// `if left < right { then } else { otherwise }`

@@ -180,7 +180,7 @@ fn planar_bodies_bend_about_the_z_axis() {
         1e-14,
     );
     assert!(!model.bodies[1].properties.contains_key("torsion_constant"));
-    let start = Start { model: &model };
+    let start = Start::new(&model);
     let [y, z] = start.initial_section(BodyId(1), &Location::End);
     vector_near(y, [0.0, 0.0, -1.0]);
     vector_near(z, [0.0, 1.0, 0.0]);
@@ -209,7 +209,7 @@ fn the_name_of_the_strain_stays_free() {
 #[test]
 fn straight_sections_twist() {
     let model = model(SECTIONS);
-    let start = Start { model: &model };
+    let start = Start::new(&model);
     let half = (0.5_f64).sqrt();
     for (x, y) in [
         (0.0, [0.0, 0.0, 1.0]),
@@ -235,7 +235,7 @@ fn sections_turn_along_arcs() {
     };
     assert_eq!(normal, &[0.0, 1.0, 1.0].map(Expr::Number));
     let body = BodyId(1);
-    let start = Start { model: &model };
+    let start = Start::new(&model);
     // The normal is made normal to the direction: the arc turns about z, and y is z x tangent all along.
     let (place, tangent) = start.place(body, &Location::End);
     vector_near(place, [-1.0, 2.0, 0.0]);
@@ -267,7 +267,7 @@ fn sections_turn_along_arcs() {
         marker: MarkerId(model.markers.len() - 1),
     });
     let first = model.markers.len() - 4;
-    let start = Start { model: &model };
+    let start = Start::new(&model);
     vector_near(start.marker(MarkerId(first)), y);
     vector_near(start.marker(MarkerId(first + 1)), z);
     vector_near(start.marker(MarkerId(first + 3)), [0.0, -0.6, 0.8]);
@@ -278,7 +278,7 @@ fn sections_turn_along_arcs() {
 fn sections_follow_initial_shapes() {
     let text = SECTIONS.replace("twist 90 deg;", "initial position [0, 0, x];");
     let model = model(&text);
-    let start = Start { model: &model };
+    let start = Start::new(&model);
     let [y, z] = start.initial_section(BodyId(0), &Location::End);
     vector_near(y, [-1.0, 0.0, 0.0]);
     vector_near(z, [0.0, -1.0, 0.0]);

@@ -33,7 +33,7 @@ fn arcs_turn_about_the_normal() {
     for (angle, sign) in [("90 deg", 1.0), ("-90 deg", -1.0)] {
         let mut model = arc(angle);
         let body = BodyId(0);
-        let start = Start { model: &model };
+        let start = Start::new(&model);
         let (place, tangent) = start.place(body, &Location::Start);
         near(place, [0.0, 1.0, 0.0]);
         near(tangent, [1.0, 0.0, 0.0]);
@@ -57,7 +57,7 @@ fn arcs_turn_about_the_normal() {
             frame,
             marker: MarkerId(0),
         });
-        let start = Start { model: &model };
+        let start = Start::new(&model);
         near(start.marker(MarkerId(0)), [1.0 - (1.0 + sign * 2.0), 2.0, 0.0]);
         near(start.marker(MarkerId(1)), [-sign, 0.0, 0.0]);
         near(start.marker(MarkerId(2)), start.marker(MarkerId(0)));
