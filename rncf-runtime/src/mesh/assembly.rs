@@ -82,19 +82,14 @@ impl Scatter {
         }
     }
 
-    /// Calls with place and value of each entry of the matrix of one element.
-    pub fn each(&self, element: usize, local: &[f64], mut call: impl FnMut(usize, f64)) {
+    /// Adds the matrix of one element.
+    pub fn add(&self, element: usize, local: &[f64], values: &mut [f64]) {
         let entries = &self.entries[element * self.size..(element + 1) * self.size];
         for (&(place, weight), &value) in entries.iter().zip(local) {
             if place != NOWHERE {
-                call(place as usize, weight * value);
+                values[place as usize] += weight * value;
             }
         }
-    }
-
-    /// Adds the matrix of one element.
-    pub fn add(&self, element: usize, local: &[f64], values: &mut [f64]) {
-        self.each(element, local, |place, value| values[place] += value);
     }
 }
 

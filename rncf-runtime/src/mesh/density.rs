@@ -14,6 +14,9 @@ use crate::vector::{Vector, add, cross, dot};
 /// Rows of force and moment, frame axes.
 const ROWS: usize = 6;
 
+/// Marks an entry that belongs to no unknown.
+const NOWHERE: u32 = u32::MAX;
+
 /// A load per length with its places on the pattern.
 pub(super) struct Density {
     pub spec: DensitySpec,
@@ -21,6 +24,8 @@ pub(super) struct Density {
     components: Vec<usize>,
     /// Places among them, one element after the other.
     places: Vec<usize>,
+    /// Entries and factors of the elements' matrices, rows first.
+    own: Vec<(u32, f64)>,
     /// Unknowns that its values depend on, then those of the body's free frame that are not among them.
     outer: Vec<usize>,
     /// Number of unknowns that its values depend on.
@@ -104,6 +109,7 @@ impl MeshScene {
             self.densities.push(Density {
                 places: places.collect(),
                 components,
+                own: Vec::new(),
                 outer: Vec::new(),
                 driving: 0,
                 upper: Vec::new(),
@@ -217,6 +223,17 @@ impl MeshScene {
             |component| self.layout.unknown(component),
             |i, j| self.pattern.find(i, j),
         );
+        let elements = &self.bodies[density.spec.body].connectivity;
+        let both = |row: usize, column: usize| {
+            let ((i, a), (j, b)) = (own(row)?, own(column)?);
+            Some((find(i, j)? as u32, a * b))
+        };
+        let entries = (0..elements.count()).flat_map(|element| {
+            let components = elements.element(element);
+            let row = move |row: usize| components.iter().map(move |&column| (row, column));
+            components.iter().flat_map(move |&component| row(component))
+        });
+        let entries = entries.map(|(row, column)| both(row, column).unwrap_or((NOWHERE, 0.0)));
         let upper = components.iter().flat_map(|&component| {
             let driving = outer[..density.driving].iter();
             driving.map(move |&outer| {
@@ -234,7 +251,8 @@ impl MeshScene {
             .clone()
             .flat_map(|row| outer.iter().map(move |&outer| find(row, outer)));
         let (upper, lower, square) = (upper.collect(), lower.collect(), square.collect());
-        (density.upper, density.lower, density.square) = (upper, lower, square);
+        let entries = entries.collect();
+        (density.own, density.upper, density.lower, density.square) = (entries, upper, lower, square);
     }
 
     /// Values and velocities of the markers of a density at the loaded state.
@@ -469,8 +487,12 @@ impl MeshScene {
             let sums = total.by_values[place * k..(place + 1) * k].iter_mut();
             sums.zip(own).for_each(|(sum, value)| *sum += value);
         }
-        body.scatter
-            .each(element, by_q, |entry, value| out.stiffness(entry, -value));
+        let entries = &density.own[element * n * n..(element + 1) * n * n];
+        for (&(entry, factor), value) in entries.iter().zip(by_q) {
+            if entry != NOWHERE {
+                out.stiffness(entry as usize, -factor * *value);
+            }
+        }
     }
 
     /// Adds what a density does between its body, its frame, and what its values depend on.

@@ -4,6 +4,7 @@
 mod body;
 mod bushing;
 mod constraint;
+mod density;
 mod drive;
 mod eigen;
 mod end;
@@ -124,6 +125,8 @@ struct Check<'a> {
     tied: Option<Vec<BodyId>>,
     /// Names of a law, such as `length` and `rate`.
     locals: HashMap<&'static str, Typed>,
+    /// Vectors of the particle that a density is checked for.
+    particle: HashMap<&'static str, vector::Vectorial>,
     /// The loop or reduction that is being checked.
     turn: Option<repeat::Turn<'a>>,
     /// Unknown names that have been reported.
@@ -168,6 +171,7 @@ impl<'a> Check<'a> {
             constraints: HashMap::new(),
             tied: Some(Vec::new()),
             locals: HashMap::new(),
+            particle: HashMap::new(),
             turn: None,
             unknown: HashSet::new(),
             out_of_plane: HashSet::new(),
