@@ -23,7 +23,7 @@ fn a_run_that_breaks_its_material_warns_once() {
     let [blade, rope] = &result.envelopes.bodies[..] else {
         panic!("two bodies")
     };
-    assert_eq!((blade.body.name, rope.body.name), ("blade", "rope"));
+    assert_eq!((&*blade.body.name, &*rope.body.name), ("blade", "rope"));
     let root = 0.5 * DENSITY * model.omega.powi(2) * LENGTH * LENGTH;
     for body in [blade, rope] {
         let (force, stress) = (body.axial_force.unwrap(), body.stress.unwrap());

@@ -11,7 +11,9 @@ use super::markers::When;
 use super::mean_axes::MeanAxes;
 use super::moments::turned_by_moments;
 use super::parts::{BodySpec, Fidelity, JointSpec, LoadKind, Parts};
+use super::repeated::check_instances;
 use super::scene::{Buffers, MeshBody, MeshScene, PlaceVector, Row};
+use super::shared::Shared;
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints};
@@ -29,6 +31,7 @@ impl MeshScene {
     pub fn new(mut parts: Box<dyn Parts>, formulation: Formulation, joints: Joints) -> Result<Self, ModelError> {
         parts.check()?;
         let specs = parts.bodies();
+        check_instances(&*parts, &specs)?;
         let Frames {
             free,
             free_of,
@@ -45,6 +48,7 @@ impl MeshScene {
             check_joint(&*parts, joint, body, &declared_free)?;
             // In absolute coordinates constraints on markers stand for a joint to the body's own free frame.
             if declared_free[body.frame] && absolute(body) {
+                check_absolute(&*parts, joint, body)?;
                 continue;
             }
             let (first, data) = (firsts[joint.body], joint_data(joint, body, &motions));
@@ -57,7 +61,9 @@ impl MeshScene {
             conditions.push(condition(index, joint, body, first, data, absolute(body), joints));
         }
         let border = free.iter().map(FreeFrame::count).sum();
-        let layout = numbering(&specs, &conditions, border);
+        let shared = Shared::new(&*parts, &specs, &firsts)?;
+        shared.check_held(&conditions, &joint_specs, &specs, &firsts)?;
+        let layout = numbering(&specs, &conditions, &shared, border);
         let bodies = specs.iter().zip(&firsts).map(|(spec, &first)| MeshBody {
             first_vector: first,
             frame: if absolute(spec) { 0 } else { spec.frame },
@@ -105,6 +111,7 @@ impl MeshScene {
             layout,
         };
         scene.check_initial()?;
+        scene.check_shared(&shared)?;
         scene.place()?;
         scene.tabulate();
         scene.load_rest();
@@ -376,14 +383,14 @@ fn spread_mass(mass: &[f64], spec: &BodySpec) -> Vec<f64> {
     local
 }
 
-/// Numbers the unknowns that the joints leave, and those of free frames.
-fn numbering(specs: &[BodySpec], conditions: &[Condition], border: usize) -> Layout {
+/// Numbers the unknowns that the joints and common nodes leave, and those of free frames.
+fn numbering(specs: &[BodySpec], conditions: &[Condition], shared: &Shared, border: usize) -> Layout {
     let dimensions = specs
         .iter()
         .flat_map(|spec| std::iter::repeat_n(spec.dimension(), spec.vectors()));
     let dimensions: Vec<usize> = dimensions.collect();
     let kinds = vector_kinds(dimensions.len(), conditions);
-    Layout::new(&dimensions, kinds, border)
+    Layout::shared(&dimensions, kinds, shared.leaders.clone(), border)
 }
 
 /// A joint may tie a body to its own free frame; everything else between free frames is a constraint.
@@ -393,6 +400,19 @@ fn check_joint(parts: &dyn Parts, joint: &JointSpec, body: &BodySpec, free: &[bo
     }
     Err(ModelError::new(format!(
         "joint `{}` ties body `{}` to frame `{}`, and one of them moves freely: give it as a constraint",
+        joint.name,
+        body.label(),
+        parts.frame_name(joint.frame)
+    )))
+}
+
+/// Joints that a loop repeats have no constraint on markers beside them.
+fn check_absolute(parts: &dyn Parts, joint: &JointSpec, body: &BodySpec) -> Result<(), ModelError> {
+    if body.instance.is_none() {
+        return Ok(());
+    }
+    Err(ModelError::new(format!(
+        "joint `{}` ties the repeated body `{}` to frame `{}`, which moves freely: absolute coordinates have no such joints, use the referenced formulation",
         joint.name,
         body.name,
         parts.frame_name(joint.frame)
@@ -404,13 +424,13 @@ fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
     if !(length.is_finite() && length > 0.0) {
         return Err(ModelError::new(format!(
             "body `{}` has the length {length} m: give its line two ends",
-            spec.name
+            spec.label()
         )));
     }
     if spec.count == 0 {
         return Err(ModelError::new(format!(
             "body `{}` has no elements: its mesh needs at least one",
-            spec.name
+            spec.label()
         )));
     }
     spec.check_directions()

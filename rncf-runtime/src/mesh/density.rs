@@ -656,3 +656,27 @@ impl Axes {
             .for_each(|vector| self.vector(vector, false));
     }
 }
+
+/// Declaration and number of the repetition of what has this number, where declarations are repeated so many times.
+pub fn declared(counts: &[usize], number: usize) -> (usize, usize) {
+    let mut rest = number;
+    for (declaration, &count) in counts.iter().enumerate() {
+        match rest.checked_sub(count) {
+            Some(beyond) => rest = beyond,
+            None => return (declaration, rest),
+        }
+    }
+    (counts.len(), rest)
+}
+
+/// One of four elements' numbers.
+pub fn lane<const N: usize>(all: &[[f64; LANES]], lane: usize) -> [f64; N] {
+    std::array::from_fn(|place| all[place][lane])
+}
+
+/// Adds the numbers of one of four elements.
+pub fn add_lane(all: &mut [[f64; LANES]], lane: usize, own: &[f64]) {
+    for (sum, value) in all.iter_mut().zip(own) {
+        sum[lane] += value;
+    }
+}

@@ -333,7 +333,7 @@ fn check_plane_of(body: &BodySpec, name: &str, motions: Motions) -> Result<(), M
     }
     Err(ModelError::new(format!(
         "body `{}` is planar, but frame `{name}` does not keep its plane: free the frame in that plane only, or mesh the body in space",
-        body.name
+        body.label()
     )))
 }
 

@@ -2,7 +2,7 @@
 
 use super::conditions::{directions, joint_data};
 use super::frame::FrameMotion;
-use super::parts::{BodySpec, Interpolant, JointData, JointKind, JointSpec};
+use super::parts::{BodySpec, Interpolant, JointData, JointKind};
 use super::scene::MeshScene;
 use crate::error::ModelError;
 use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
@@ -44,7 +44,7 @@ impl MeshScene {
     /// Vectors of a body and their rates at t = 0 at the fraction `u` of its axis, frame axes. Sections
     /// turn with the tangent by the smallest rotation from its undeformed direction, and move without
     /// shear and without turning about the tangent.
-    fn initial_vectors(&self, body: usize, u: f64) -> [Vectors; 2] {
+    pub(super) fn initial_vectors(&self, body: usize, u: f64) -> [Vectors; 2] {
         let spec = &self.bodies[body].spec;
         let (point, tangent) = spec.line.at(u);
         let [position, velocity] = self.parts.initial(body, spec.line.length() * u);
@@ -74,10 +74,11 @@ impl MeshScene {
             }
         }
         let frames = self.motions(0.0);
-        self.joints.iter().try_for_each(|joint| self.check_held(joint, &frames))
+        (0..self.joints.len()).try_for_each(|joint| self.check_held(joint, &frames))
     }
 
-    fn check_held(&self, joint: &JointSpec, frames: &[FrameMotion]) -> Result<(), ModelError> {
+    fn check_held(&self, index: usize, frames: &[FrameMotion]) -> Result<(), ModelError> {
+        let joint = &self.joints[index];
         let spec = &self.bodies[joint.body].spec;
         let u = if joint.at_end { 1.0 } else { 0.0 };
         let [position, velocity] = self.parts.initial(joint.body, spec.line.length() * u);
@@ -103,7 +104,8 @@ impl MeshScene {
         let end = if joint.at_end { "end" } else { "start" };
         Err(ModelError::new(format!(
             "the initial shape of body `{}` contradicts joint `{}`: {what}; let the shape at the {end} be what the joint holds there",
-            spec.name, joint.name
+            spec.label(),
+            self.joint_label(index)
         )))
     }
 }
@@ -134,7 +136,7 @@ fn check_node(spec: &BodySpec, x: f64, initial: [Option<[Vector; 2]>; 2]) -> Res
     let what = if is_finite { "has no direction" } else { "is not finite" };
     Err(ModelError::new(format!(
         "the initial shape of body `{}` {what} at x = {x} m: give a smooth shape whose derivative by x is finite and not zero",
-        spec.name
+        spec.label()
     )))
 }
 

@@ -23,6 +23,10 @@ pub struct Layout {
     offsets: Vec<usize>,
     /// For every component: the unknown it depends on and the factor.
     map: Vec<Option<(usize, f64)>>,
+    /// For every vector the one whose value is that of all vectors of its node: itself, where it is not shared.
+    leaders: Vec<usize>,
+    /// Vector and component of every unknown of vectors.
+    origins: Vec<(usize, usize)>,
     unknowns: usize,
 }
 
@@ -30,25 +34,43 @@ impl Layout {
     /// Numbers vectors of the given dimensions in order, then `border` more components that are
     /// unknowns themselves: those of free frames.
     pub fn new(dimensions: &[usize], kinds: Vec<VectorKind>, border: usize) -> Self {
+        let alone = (0..kinds.len()).collect();
+        Self::shared(dimensions, kinds, alone, border)
+    }
+
+    /// The same where vectors are one: those with one leader (an index of a vector that leads itself) have the
+    /// unknowns of the first of them. Vectors that are one must be [`VectorKind::Free`] and of one dimension.
+    pub fn shared(dimensions: &[usize], kinds: Vec<VectorKind>, leaders: Vec<usize>, border: usize) -> Self {
         let mut offsets = vec![0];
-        let mut map = Vec::new();
+        let mut map: Vec<Option<(usize, f64)>> = Vec::new();
+        let mut origins = Vec::new();
         let mut unknowns = 0;
-        for (&dimension, kind) in dimensions.iter().zip(&kinds) {
+        // The first vector of those with a leader.
+        let mut numbered: Vec<Option<usize>> = vec![None; kinds.len()];
+        for (vector, (&dimension, kind)) in dimensions.iter().zip(&kinds).enumerate() {
+            if let Some(first) = numbered[leaders[vector]] {
+                let first: usize = offsets[first];
+                map.extend_from_within(first..first + dimension);
+                offsets.push(map.len());
+                continue;
+            }
+            numbered[leaders[vector]] = Some(vector);
             for component in 0..dimension {
-                map.push(match kind {
+                let entry = match kind {
                     VectorKind::Free => Some((unknowns + component, 1.0)),
                     VectorKind::Directed(direction) => Some((unknowns, direction[component])),
                     VectorKind::Held(held) if held[component] => None,
                     VectorKind::Held(held) => Some((unknowns + free_components(held, component), 1.0)),
                     VectorKind::Prescribed => None,
-                });
+                };
+                if let Some((unknown, _)) = entry
+                    && unknown == origins.len()
+                {
+                    origins.push((vector, component));
+                }
+                map.push(entry);
             }
-            unknowns += match kind {
-                VectorKind::Free => dimension,
-                VectorKind::Directed(_) => 1,
-                VectorKind::Held(held) => free_components(held, dimension),
-                VectorKind::Prescribed => 0,
-            };
+            unknowns = origins.len();
             offsets.push(map.len());
         }
         map.extend((unknowns..unknowns + border).map(|unknown| Some((unknown, 1.0))));
@@ -56,6 +78,8 @@ impl Layout {
             kinds,
             offsets,
             map,
+            leaders,
+            origins,
             unknowns: unknowns + border,
         }
     }
@@ -104,7 +128,7 @@ impl Layout {
         }
     }
 
-    /// `x = E^T full`: forces on unknowns, and the unknowns of vectors that satisfy the conditions.
+    /// `x = E^T full`: forces on unknowns.
     pub fn project(&self, full: &[f64], x: &mut [f64]) {
         x.fill(0.0);
         for (value, entry) in full.iter().zip(&self.map) {
@@ -114,17 +138,26 @@ impl Layout {
         }
     }
 
-    /// The vector and component of every unknown that belongs to one; component 0 stands for the norm of a directed one.
-    pub fn origins(&self) -> Vec<(usize, usize)> {
-        let mut origins = vec![(0, 0); self.unknowns - self.border()];
-        for vector in (0..self.kinds.len()).rev() {
-            for component in (self.offsets[vector]..self.offsets[vector + 1]).rev() {
-                if let Some((unknown, _)) = self.map[component] {
-                    origins[unknown] = (vector, component - self.offsets[vector]);
+    /// The unknowns of vectors (their components alone) that satisfy the conditions; of those that are one the
+    /// leader's value is taken. Unknowns of free frames are zero.
+    pub fn unknowns_of(&self, full: &[f64], x: &mut [f64]) {
+        x.fill(0.0);
+        for (vector, &leader) in self.leaders.iter().enumerate() {
+            if leader != vector {
+                continue;
+            }
+            for component in self.offsets[vector]..self.offsets[vector + 1] {
+                if let Some((unknown, factor)) = self.map[component] {
+                    x[unknown] += factor * full[component];
                 }
             }
         }
-        origins
+    }
+
+    /// The vector and component of every unknown that belongs to one; component 0 stands for the norm of a directed
+    /// one, and the first vector for those that are one.
+    pub fn origins(&self) -> &[(usize, usize)] {
+        &self.origins
     }
 }
 

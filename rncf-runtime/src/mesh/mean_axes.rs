@@ -107,7 +107,7 @@ pub(super) fn check(spec: &BodySpec, frame: &str, unknowns: usize) -> Result<(),
     if spec.dimension() == 3 && !spec.has_section() && matches!(spec.line, Line::Straight { .. }) {
         return Err(ModelError::new(format!(
             "body `{}` is straight: its mean axes do not tie the turning of frame `{frame}` about its line: use joints to the frame, or a curved line",
-            spec.name
+            spec.label()
         )));
     }
     let needed = if spec.dimension() == 2 { 3 } else { 6 };
@@ -116,7 +116,7 @@ pub(super) fn check(spec: &BodySpec, frame: &str, unknowns: usize) -> Result<(),
     }
     Err(ModelError::new(format!(
         "body `{}` ties frame `{frame}` to its mean axes, which needs {needed} free motions, and the frame has {unknowns}: free it along and about all axes",
-        spec.name
+        spec.label()
     )))
 }
 

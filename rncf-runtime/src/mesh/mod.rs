@@ -33,6 +33,7 @@ mod sampling;
 mod scene;
 mod section;
 mod section_spec;
+mod shared;
 mod states;
 mod steady;
 mod stress;
@@ -44,6 +45,7 @@ mod view;
 mod whirl;
 
 pub use checks::{array, array_mut, check_params, inertia, non_negative, poisson, positive};
+pub use density::{add_lane, declared, lane};
 pub use frame::{FrameAction, FrameMotion};
 pub use free::{FreeSpec, Motions, RigidSpec};
 pub use layout::{Layout, VectorKind};
@@ -56,7 +58,7 @@ pub use parts::{
     NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed,
 };
 pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
-pub use repeated::{DensitySpec, LANES, ShareSpec, StartSpec, instance};
+pub use repeated::{DensitySpec, LANES, Reduction, ShareSpec, StartSpec, firsts, instance, reduce, repetitions};
 pub use sampling::SectionBody;
 pub use scene::MeshScene;
 pub use section::SectionState;

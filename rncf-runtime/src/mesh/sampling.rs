@@ -9,10 +9,10 @@ use super::section::{Reader, SectionState};
 const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
 
 /// A flexible body of a scene, as far as its section states need it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SectionBody {
-    /// Name in the declaration.
-    pub name: &'static str,
+    /// Name in the declaration, with the number of the repetition where it is repeated.
+    pub name: String,
     /// Length of the stress-free axis, m.
     pub length: f64,
     /// Number of its section states.
@@ -44,7 +44,7 @@ impl MeshScene {
         let describe = |body: usize| {
             let (spec, section) = (&self.bodies[body].spec, self.parts.section(body));
             SectionBody {
-                name: spec.name,
+                name: spec.label(),
                 length: spec.line.length(),
                 states: PLACES.len() * spec.count,
                 has_section: spec.has_section(),

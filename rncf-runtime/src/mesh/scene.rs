@@ -14,6 +14,7 @@ use super::markers::ForceSpec;
 use super::mean_axes::MeanAxes;
 use super::modal::ModalBody;
 use super::parts::{BodySpec, Interpolant, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, PointQuantity};
+use super::repeated::label;
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::Formulation;
@@ -222,6 +223,11 @@ impl MeshScene {
         shape
     }
 
+    /// Name of a joint for messages.
+    pub(super) fn joint_label(&self, joint: usize) -> String {
+        label(self.joints.iter().map(|joint| joint.name), joint)
+    }
+
     /// Place of the first row of the constraints on markers.
     pub(super) fn first_linked(&self) -> usize {
         let linked = |row: &Row| matches!(row, Row::Linked { .. });
@@ -333,7 +339,7 @@ fn place_on(parts: &dyn Parts, spec: &BodySpec, body: usize, at: Place, user: &s
         Place::At(x) => {
             return Err(ModelError::new(format!(
                 "{user} is at {x} m of body `{}`, which is {length} m long: choose a place between 0 and its length",
-                spec.name
+                spec.label()
             )));
         }
     };

@@ -451,7 +451,7 @@ impl MeshScene {
         }
         Err(ModelError::new(format!(
             "an output reads the stress of body `{}`, whose section does not say where its outermost fibres are: give `extent_y` and in space `extent_z`",
-            self.bodies[body].spec.name
+            self.bodies[body].spec.label()
         )))
     }
 

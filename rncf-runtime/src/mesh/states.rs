@@ -120,8 +120,8 @@ impl MeshScene {
             }
         });
         let mut state = State::of(self, t);
-        self.layout.project(&full_q, &mut state.x);
-        self.layout.project(&full_v, &mut state.v);
+        self.layout.unknowns_of(&full_q, &mut state.x);
+        self.layout.unknowns_of(&full_v, &mut state.v);
         let border = self.layout.unknowns() - self.layout.border();
         for frame in &self.free {
             let own = border + frame.first..border + frame.first + frame.count();

@@ -246,7 +246,8 @@ impl MeshScene {
             let name = self.parts.frame_name(spec.frame);
             return Some(format!(
                 "load `{}` keeps its direction while body `{}` turns with frame `{name}`: {remedy}",
-                load.name, spec.name
+                load.name,
+                spec.label()
             ));
         }
         let mut pulled = self.free.iter().filter(|_| load.kind == LoadKind::Gravity);
@@ -267,7 +268,8 @@ impl MeshScene {
         if joint.kind != JointKind::Pin && held.iter().any(|&direction| turns(other, own, direction)) {
             return Some(format!(
                 "joint `{}` holds the direction of body `{}` in a frame that does not turn with it",
-                joint.name, body.name
+                self.joint_label(condition.joint),
+                body.label()
             ));
         }
         let point = other.point_to_inertial(data.point);
@@ -275,7 +277,8 @@ impl MeshScene {
         if norm(subtract(held, moved)) > NEGLIGIBLE * norm(held).max(norm(moved)) {
             return Some(format!(
                 "joint `{}` holds body `{}` at a point that moves in its frame",
-                joint.name, body.name
+                self.joint_label(condition.joint),
+                body.label()
             ));
         }
         None

@@ -163,7 +163,7 @@ impl System for MeshScene {
             VectorKind::Directed(_) => "norm",
             _ => AXES[body.spec.axes[component]],
         };
-        let (name, nodal) = (body.spec.name, &body.spec.nodal[local]);
+        let (name, nodal) = (body.spec.label(), &body.spec.nodal[local]);
         let place = if nodal.xi == 0.0 {
             format!("node {node}")
         } else {
@@ -175,7 +175,8 @@ impl System for MeshScene {
     fn describe_constraint(&self, index: usize) -> String {
         match self.constraint_rows[index] {
             Row::Condition { condition, row } => {
-                let joint = &self.joints[self.conditions[condition].joint];
+                let index = self.conditions[condition].joint;
+                let joint = &self.joints[index];
                 let spec = &self.bodies[joint.body].spec;
                 let dimension = spec.dimension();
                 let what = match joint.kind {
@@ -192,11 +193,11 @@ impl System for MeshScene {
                     _ if row < 2 * dimension - 1 => "direction of the section y axis",
                     _ => "direction of the section z axis",
                 };
-                format!("joint `{}`, {what}", joint.name)
+                format!("joint `{}`, {what}", self.joint_label(index))
             }
             Row::MeanAxes { axes } => {
                 let body = &self.bodies[self.mean_axes[axes].body];
-                format!("body `{}`, mean axes", body.spec.name)
+                format!("body `{}`, mean axes", body.spec.label())
             }
             Row::Linked { linked, row } => {
                 let spec = &self.constraints[linked].spec;

@@ -51,7 +51,7 @@ impl BodySpec {
 
     /// Refuses an axis or a section without direction, by the body's name.
     pub(super) fn check_directions(&self) -> Result<(), ModelError> {
-        let name = self.name;
+        let name = self.label();
         if !self.line.has_plane() {
             return Err(ModelError::new(format!(
                 "body `{name}`: the direction and the normal of its arc span no plane: give both a length, and let the normal point out of the arc's plane"

@@ -67,7 +67,7 @@ pub(super) fn side_by_side(kernel: &Kernel) -> String {
 
 impl Parts<'_> {
     /// Constants of a body's elements, where `instance` is in scope if it is repeated.
-    fn row(&self, body: &Body) -> String {
+    pub(super) fn row(&self, body: &Body) -> String {
         match body.repeat {
             Some(_) => format!("self.row_{}[instance]", body.name),
             None => format!("self.row_{}", body.name),
@@ -84,8 +84,8 @@ impl Parts<'_> {
     }
 
     /// Makes of a global number of a body its declaration, and the number of the repetition.
-    fn kind(&self) -> &'static str {
-        if self.model.bodies.iter().any(|body| body.repeat.is_some()) {
+    pub(super) fn kind(&self) -> &'static str {
+        if self.has_loops() {
             "let (body, instance) = self.kind(body);\n"
         } else {
             ""

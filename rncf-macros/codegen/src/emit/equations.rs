@@ -6,6 +6,7 @@ use super::moving::document_rows;
 use crate::elements::{Interpolant, Library};
 use crate::lower::carried::{self, CarriedKernels, FixtureKernels};
 use crate::lower::constraints::{ConstraintKernels, constraint_kernels};
+use crate::lower::density::{DensityKernels, FieldKernels, density_kernels, field_kernels};
 use crate::lower::elastic::Form;
 use crate::lower::field_forces::field_forces_kernel;
 use crate::lower::forces::{ForceKernels, force_kernels};
@@ -13,6 +14,7 @@ use crate::lower::free::free_kernel;
 use crate::lower::inertia::{InertiaKernels, inertia_kernels};
 use crate::lower::initial::initial_kernel;
 use crate::lower::joints::{JointKernels, joint_kernels};
+pub use crate::lower::loads::Reduced;
 use crate::lower::{ElasticKernels, Kernel, Variant, elastic_kernels, loads, motions};
 use crate::model::{Body, BodyId, Expr, Fidelity, FrameId, INERTIAL, Joint, LoadKind, Model, Observable};
 
@@ -47,7 +49,9 @@ impl VariantKernels {
 
 /// Whether the elastic kernels of an element are straight-line code of what numbers of lanes can do.
 fn fit_lanes(variant: &Variant, elastic: &ElasticKernels) -> bool {
-    elastic.fields.is_none() && variant.material.is_none() && [&elastic.force, &elastic.tangent].into_iter().all(fits_lanes)
+    elastic.fields.is_none()
+        && variant.material.is_none()
+        && [&elastic.force, &elastic.tangent].into_iter().all(fits_lanes)
 }
 
 /// Everything that is derived for a model.
@@ -74,16 +78,22 @@ pub struct Equations {
     pub constraints: Vec<ConstraintKernels>,
     /// Forces on markers.
     pub forces: Vec<ForceKernels>,
-    /// Loads.
-    pub loads: Vec<Kernel>,
+    /// Loads but fields, with their indices.
+    pub loads: Vec<(usize, Kernel)>,
+    /// Loads per length.
+    pub densities: Vec<DensityKernels>,
+    /// Gravity fields.
+    pub fields: Vec<FieldKernels>,
     /// Moment on a slope, or in a plane on a section's axis, by dimension, where needed.
     pub moments: Vec<(usize, [Kernel; 2])>,
     /// Moment on a section's axes in space, where needed.
     pub section_moments: Option<[Kernel; 2]>,
     /// Kinks and their number.
     pub kinks: (Kernel, usize),
-    /// Outputs and what they observe.
+    /// Outputs and what they observe, reductions last.
     pub outputs: (Kernel, Vec<Observable>),
+    /// Those reductions.
+    pub reduced: Vec<Reduced>,
     /// Defaults of a run.
     pub run: Kernel,
     /// Whether energy is conserved.
@@ -141,6 +151,7 @@ impl Equations {
         let parts = free.clone().any(|(_, _, free)| !free.parts.is_empty());
         let bodies = model.bodies.iter().enumerate();
         let initial = bodies.filter_map(|(index, body)| Some((index, initial_kernel(model, body)?)));
+        let outputs = loads::outputs_kernel(model);
         let mut constraints = constraint_kernels(model);
         constraints.iter_mut().for_each(|kernels| document_rows(kernels, model));
         Self {
@@ -162,11 +173,14 @@ impl Equations {
                 .collect(),
             constraints,
             forces: force_kernels(model),
-            loads: model.loads.iter().map(|load| loads::load_kernel(model, load)).collect(),
+            loads: loads::load_kernels(model),
+            densities: density_kernels(model, library),
+            fields: field_kernels(model),
             moments,
             section_moments,
             kinks: motions::kinks_kernel(model),
-            outputs: loads::outputs_kernel(model),
+            reduced: loads::reductions(model, &outputs.1),
+            outputs,
             run: loads::run_kernel(model),
             variants,
         }
@@ -212,6 +226,7 @@ impl Equations {
             add(&variant.field_forces);
         }
         self.rest().into_iter().for_each(|kernel| text += &function(kernel));
+        text += &self.density_functions();
         let rows: String = self.variants.iter().map(|variant| variant.row.clone()).collect();
         let tables = self.variants.iter().filter_map(|variant| {
             let fields = variant.elastic.fields.as_ref()?;
@@ -237,7 +252,7 @@ impl Equations {
         }
         let starts = self.frames.iter().chain(&self.free).chain(&self.initial);
         kernels.extend(starts.map(|(_, kernel)| kernel));
-        kernels.extend(&self.loads);
+        kernels.extend(self.loads.iter().map(|(_, kernel)| kernel));
         for (referenced, absolute) in &self.joints {
             for joint in referenced.iter().chain(absolute) {
                 kernels.extend(&joint.levels);
@@ -255,6 +270,7 @@ impl Equations {
         }
         kernels.extend(self.moments.iter().flat_map(|(_, kernels)| kernels));
         kernels.extend(self.section_moments.iter().flatten());
+        kernels.extend(self.reduced.iter().map(|reduced| &reduced.kernel));
         kernels.extend([&self.kinks.0, &self.outputs.0, &self.run]);
         kernels
     }
@@ -389,6 +405,7 @@ fn conservative(model: &Model, variants: &[VariantKernels], variant_of: &[usize]
     let damps =
         |(body, &variant): (&Body, &usize)| body.fidelity != Fidelity::Rigid && variants[variant].variant.damped;
     loads
+        && model.densities.is_empty()
         && forces
         && !rheonomic
         && !model.bodies.iter().zip(variant_of).any(damps)

@@ -2,6 +2,7 @@
 //! the end.
 
 pub mod declaration;
+mod density;
 mod elements;
 pub mod equations;
 pub mod expression;
@@ -10,6 +11,7 @@ mod moving;
 pub mod number;
 pub mod parts;
 pub mod points;
+mod repeated;
 mod section;
 
 use crate::elements::Library;

@@ -43,14 +43,6 @@ fn pattern(of: &[usize]) -> String {
     of.iter().map(usize::to_string).collect::<Vec<_>>().join(" | ")
 }
 
-/// A method that returns a list.
-fn list(name: &str, kind: &str, entries: &[String]) -> String {
-    format!(
-        "fn {name}(&self) -> ::std::vec::Vec<::rncf::mesh::{kind}> {{\nlet model = &self.model;\n::std::vec::Vec::from([\n{}])\n}}\n",
-        entries.iter().map(|entry| format!("{entry},\n")).collect::<String>()
-    )
-}
-
 /// Arms that call one kernel each, and a last one that does nothing.
 fn arms<'k>(kernels: impl Iterator<Item = (&'k [usize], &'k Kernel)>, arguments: &str) -> String {
     let arm = |(of, kernel): (&[usize], &Kernel)| format!("{} => {}({arguments}),\n", pattern(of), kernel.name);
@@ -60,7 +52,7 @@ fn arms<'k>(kernels: impl Iterator<Item = (&'k [usize], &'k Kernel)>, arguments:
 impl Parts<'_> {
     /// Checks of rigid parts that depend on parameters; constants are checked already.
     pub fn check(&self) -> String {
-        let mut checks = String::new();
+        let mut checks = self.loop_checks();
         for frame in &self.model.frames {
             let Some(free) = &frame.free else { continue };
             for (place, part) in free.parts.iter().enumerate() {
@@ -92,7 +84,8 @@ impl Parts<'_> {
         }
         for fixture in &self.model.fixtures {
             let owner = format!("fixture `{}`", fixture.name);
-            checks += &self.number_check("non_negative", &owner, "mass", &fixture.constants[0], "kg");
+            let check = self.number_check("non_negative", &owner, "mass", &fixture.constants[0], "kg");
+            checks += &self.in_loop(fixture.repeat.filter(|_| !check.is_empty()), &check);
         }
         if checks.is_empty() {
             return checks;
@@ -142,7 +135,8 @@ impl Parts<'_> {
         }
         let mut arms = String::new();
         for (index, kernel) in &self.equations.initial {
-            let initial = &self.model.bodies[*index].initial;
+            let body = &self.model.bodies[*index];
+            let initial = &body.initial;
             let given = |is_given: bool, name: &str| {
                 if is_given {
                     format!("Some({name})")
@@ -152,14 +146,16 @@ impl Parts<'_> {
             };
             let _ = writeln!(
                 arms,
-                "{index} => {{\n{}(&self.model, x, &mut position, &mut velocity);\n[{}, {}]\n}}",
+                "{index} => {{\n{}(&self.model, x, {}&mut position, &mut velocity);\n[{}, {}]\n}}",
                 kernel.name,
+                if body.repeat.is_some() { "instance as f64, " } else { "" },
                 given(initial.position.is_some(), "position"),
                 given(initial.velocity.is_some(), "velocity"),
             );
         }
+        let kind = self.kind();
         format!(
-            "fn initial(&self, body: usize, x: f64) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {{\nlet mut position = [[0.0; 3]; 2];\nlet mut velocity = [[0.0; 3]; 2];\nmatch body {{\n{arms}_ => [None, None],\n}}\n}}\n"
+            "fn initial(&self, body: usize, x: f64) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {{\n{kind}let mut position = [[0.0; 3]; 2];\nlet mut velocity = [[0.0; 3]; 2];\nmatch body {{\n{arms}_ => [None, None],\n}}\n}}\n"
         )
     }
 
@@ -173,19 +169,27 @@ impl Parts<'_> {
             Marker::Direction { frame, along } => {
                 format!("Direction {{ frame: {}, along: {} }}", frame.0, self.vector(along))
             }
-            Marker::BodyPoint { body, at } => format!("BodyPoint {{ body: {}, at: {} }}", body.0, self.place(at)),
-            Marker::BodySlope { body, at } => format!("BodySlope {{ body: {}, at: {} }}", body.0, self.place(at)),
+            Marker::BodyPoint { body, at } => format!(
+                "BodyPoint {{ body: {}, at: {} }}",
+                self.body_at(*body, at),
+                self.place(at)
+            ),
+            Marker::BodySlope { body, at } => format!(
+                "BodySlope {{ body: {}, at: {} }}",
+                self.body_at(*body, at),
+                self.place(at)
+            ),
             Marker::BodySection { body, at, axis } => {
                 format!(
                     "BodySection {{ body: {}, at: {}, axis: {axis} }}",
-                    body.0,
+                    self.body_at(*body, at),
                     self.place(at)
                 )
             }
             Marker::InSection { body, at, marker } => {
                 format!(
                     "InSection {{ body: {}, at: {}, marker: {} }}",
-                    body.0,
+                    self.body_at(*body, at),
                     self.place(at),
                     marker.0
                 )
@@ -203,8 +207,8 @@ impl Parts<'_> {
             .model
             .markers
             .iter()
-            .map(|entry| format!("::rncf::mesh::MarkerSpec::{}", marker(entry)));
-        list("markers", "MarkerSpec", &entries.collect::<Vec<_>>())
+            .map(|entry| (None, format!("::rncf::mesh::MarkerSpec::{}", marker(entry))));
+        self.list("markers", "MarkerSpec", &entries.collect::<Vec<_>>())
     }
 
     /// Constraints and their functions.
@@ -217,14 +221,15 @@ impl Parts<'_> {
             let markers: Vec<usize> = constraint.markers.iter().map(|marker| marker.0).collect();
             let when = match constraint.absolute {
                 None => "Always".to_string(),
-                Some(body) => format!("Absolute({})", body.0),
+                Some(body) => format!("Absolute({})", self.first_of(body)),
             };
-            format!(
+            let entry = format!(
                 "::rncf::mesh::ConstraintSpec {{ name: {:?}, kind: {:?}, rows: &{rows:?}, markers: &{markers:?}, first_party: {}, when: ::rncf::mesh::When::{when} }}",
                 constraint.name, constraint.kind, constraint.first_party
-            )
+            );
+            (None, entry)
         });
-        let mut text = list("constraints", "ConstraintSpec", &entries.collect::<Vec<_>>());
+        let mut text = self.list("constraints", "ConstraintSpec", &entries.collect::<Vec<_>>());
         let kernels = &self.equations.constraints;
         let levels = kernels.iter().map(|constraint| {
             let levels = constraint.levels.iter().zip(LEVELS).map(|(kernel, level)| {
@@ -277,13 +282,14 @@ impl Parts<'_> {
         }
         let entries = self.model.forces.iter().map(|force| {
             let markers: Vec<usize> = force.markers.iter().map(|marker| marker.0).collect();
-            format!(
+            let entry = format!(
                 "::rncf::mesh::ForceSpec {{ name: {:?}, markers: &{markers:?}, conservative: {} }}",
                 force.name,
                 force.energy.is_some()
-            )
+            );
+            (None, entry)
         });
-        let mut text = list("forces", "ForceSpec", &entries.collect::<Vec<_>>());
+        let mut text = self.list("forces", "ForceSpec", &entries.collect::<Vec<_>>());
         let loads = self.model.forces.iter().enumerate().filter(|(_, force)| force.is_load);
         let loads: Vec<String> = loads.map(|(index, _)| index.to_string()).collect();
         if !loads.is_empty() {
@@ -323,15 +329,16 @@ impl Parts<'_> {
             return String::new();
         }
         let entries = self.model.fixtures.iter().map(|fixture| {
-            format!(
+            let entry = format!(
                 "::rncf::mesh::FixtureSpec {{ name: {:?}, body: {}, at: {}, constants: {} }}",
                 fixture.name,
-                fixture.body.0,
+                self.body_at(fixture.body, &fixture.at),
                 self.place(&fixture.at),
                 self.array(&fixture.constants)
-            )
+            );
+            (fixture.repeat, entry)
         });
-        let mut text = list("fixtures", "FixtureSpec", &entries.collect::<Vec<_>>());
+        let mut text = self.list("fixtures", "FixtureSpec", &entries.collect::<Vec<_>>());
         let by_kind = |arm: &dyn Fn(&FixtureKernels) -> String| -> String {
             let arms = self.equations.fixtures.iter();
             arms.map(|kernels| {
@@ -406,9 +413,14 @@ impl Parts<'_> {
         });
         let dimensions: Vec<usize> = self.model.bodies.iter().map(|body| body.space.dimension()).collect();
         let arguments = format!("&self, of: ::rncf::mesh::Carried, {ACTION}, {STATES}");
+        let of = if self.has_loops() {
+            "let (of, instance) = match of {\n::rncf::mesh::Carried::Element { body } => {\nlet (body, instance) = self.kind(body);\n(::rncf::mesh::Carried::Element { body }, instance)\n}\nother => (other, 0),\n};\n"
+        } else {
+            ""
+        };
         format!(
-            "fn carried({arguments}, out: &mut [f64]) {{\nmatch of {{\n{force}_ => {{}}\n}}\n}}\n\
-             fn carried_tangent({arguments}, out: &mut ::rncf::mesh::CarriedTangent) {{\n\
+            "fn carried({arguments}, out: &mut [f64]) {{\n{of}match of {{\n{force}_ => {{}}\n}}\n}}\n\
+             fn carried_tangent({arguments}, out: &mut ::rncf::mesh::CarriedTangent) {{\n{of}\
              const DIMENSIONS: [usize; {}] = {dimensions:?};\n\
              let (d, n) = match of {{\n\
              ::rncf::mesh::Carried::Element {{ body }} => (DIMENSIONS[body], q.len()),\n\
@@ -429,7 +441,7 @@ impl Parts<'_> {
         for (index, body) in self.model.bodies.iter().enumerate() {
             let kernels = self.variant(index).carried.as_ref();
             if let Some(kernels) = kernels.filter(|_| is_free(self.model, body.frame)) {
-                let call = call(kernels, &format!("&self.row_{}", body.name));
+                let call = call(kernels, &format!("&{}", self.row(body)));
                 let _ = writeln!(arms, "::rncf::mesh::Carried::Element {{ body: {index} }} => {call},");
             }
         }

@@ -14,18 +14,36 @@ use crate::model::{
 
 /// The struct with the constants of all bodies and its implementation.
 pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String {
+    let writer = Parts {
+        model,
+        library,
+        equations,
+    };
     let mut text = "/// Constants of all bodies.\n#[derive(Clone, Debug)]\npub struct Equations {\n".to_string();
     let _ = writeln!(text, "pub model: super::{},", model.name);
+    text += &writer.numbering_fields();
+    // Of a repeated body one for each repetition.
+    let each = |body: &Body, kind: String| match body.repeat {
+        Some(_) => format!("::std::vec::Vec<{kind}>"),
+        None => kind,
+    };
     for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
         let variant = &equations.variants[variant];
-        let _ = writeln!(text, "pub row_{}: {},", body.name, camel_case(&variant.name));
+        let _ = writeln!(
+            text,
+            "pub row_{}: {},",
+            body.name,
+            each(body, camel_case(&variant.name))
+        );
         if let Some((_, count)) = &variant.elastic.reference {
-            let _ = writeln!(text, "pub reference_{}: ::std::vec::Vec<[f64; {count}]>,", body.name);
+            let reference = each(body, format!("::std::vec::Vec<[f64; {count}]>"));
+            let _ = writeln!(text, "pub reference_{}: {reference},", body.name);
         }
     }
+    let [statements, values] = writer.numbering_values();
     let _ = writeln!(
         text,
-        "}}\nimpl Equations {{\n/// Constants for the given parameters; filled in when the bodies are meshed.\npub fn new(model: &super::{}) -> Self {{\nSelf {{ model: model.clone(),",
+        "}}\nimpl Equations {{\n/// Constants for the given parameters; filled in when the bodies are meshed.\npub fn new(model: &super::{}) -> Self {{\n{statements}Self {{ model: model.clone(),\n{values}",
         model.name
     );
     for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
@@ -34,14 +52,14 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
             let _ = writeln!(text, "reference_{}: ::std::vec::Vec::new(),", body.name);
         }
     }
-    text += "}\n}\n}\nimpl ::rncf::mesh::Parts for Equations {\n";
-    let writer = Parts {
-        model,
-        library,
-        equations,
-    };
+    let _ = write!(
+        text,
+        "}}\n}}\n{}}}\nimpl ::rncf::mesh::Parts for Equations {{\n",
+        writer.numbering_methods()
+    );
     text += &writer.bodies();
     text += &writer.joints();
+    text += &writer.shares();
     text += &writer.loads();
     text += &writer.observed();
     text += &writer.facts();
@@ -57,6 +75,8 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     text += &writer.markers();
     text += &writer.constraints();
     text += &writer.forces();
+    text += &writer.densities();
+    text += &writer.fields();
     text += &writer.fixtures();
     text += &writer.carried();
     text + "}\n"
@@ -129,7 +149,7 @@ impl Parts<'_> {
     }
 
     fn bodies(&self) -> String {
-        let mut text = "fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
+        let mut entries = Vec::new();
         for (index, (body, &variant)) in self.model.bodies.iter().zip(&self.equations.variant_of).enumerate() {
             let variant = &self.equations.variants[variant].variant;
             let connectivity = variant.connectivity(self.library);
@@ -150,9 +170,13 @@ impl Parts<'_> {
                 None => "None".to_string(),
             };
             let count = self.count(&body.count);
-            let _ = writeln!(
-                text,
-                "::rncf::mesh::BodySpec {{ name: {:?}, kind: {index}, instance: None, frame: {}, axes: &{:?}, line: {}, count: {count}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {}, fidelity: ::rncf::mesh::Fidelity::{}, mean_axes: {} }},",
+            let instance = if body.repeat.is_some() {
+                "Some(instance)"
+            } else {
+                "None"
+            };
+            let entry = format!(
+                "::rncf::mesh::BodySpec {{ name: {:?}, kind: {index}, instance: {instance}, frame: {}, axes: &{:?}, line: {}, count: {count}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {}, fidelity: ::rncf::mesh::Fidelity::{}, mean_axes: {} }}",
                 body.name,
                 body.frame.0,
                 body.space.axes(),
@@ -164,8 +188,9 @@ impl Parts<'_> {
                 self.fidelity(body),
                 body.mean_axes,
             );
+            entries.push((body.repeat, entry));
         }
-        text + "])\n}\n"
+        self.list("bodies", "BodySpec", &entries)
     }
 
     fn count(&self, count: &Expr) -> String {
@@ -186,7 +211,7 @@ impl Parts<'_> {
     }
 
     fn joints(&self) -> String {
-        let mut text = "fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
+        let mut entries = Vec::new();
         for joint in &self.model.joints {
             let kind = match joint.kind {
                 JointKind::Clamp => "Clamp".to_string(),
@@ -206,16 +231,16 @@ impl Parts<'_> {
                 Some(point) => format!("Some({})", self.vector(point)),
                 None => "None".to_string(),
             };
-            let _ = writeln!(
-                text,
-                "::rncf::mesh::JointSpec {{ name: {:?}, kind: ::rncf::mesh::JointKind::{kind}, body: {}, at_end: {}, frame: {}, point: {point} }},",
+            let entry = format!(
+                "::rncf::mesh::JointSpec {{ name: {:?}, kind: ::rncf::mesh::JointKind::{kind}, body: {}, at_end: {}, frame: {}, point: {point} }}",
                 joint.name,
-                joint.body.0,
-                joint.at == Location::End,
+                self.body_at(joint.body, &joint.at),
+                *joint.at.place() == Location::End,
                 joint.frame.0
             );
+            entries.push((joint.repeat, entry));
         }
-        text + "])\n}\n"
+        self.list("joints", "JointSpec", &entries)
     }
 
     fn loads(&self) -> String {
@@ -227,11 +252,12 @@ impl Parts<'_> {
                     let markers: Vec<usize> = markers.iter().map(|marker| marker.0).collect();
                     (format!("Field {{ markers: &{markers:?} }}"), frame.0)
                 }
-                LoadKind::Force { body, at, frame, .. } => {
-                    (format!("Force {{ body: {}, at: {} }}", body.0, self.place(at)), frame.0)
-                }
+                LoadKind::Force { body, at, frame, .. } => (
+                    format!("Force {{ body: {}, at: {} }}", self.body_at(*body, at), self.place(at)),
+                    frame.0,
+                ),
                 LoadKind::Moment { body, at, frame, .. } => (
-                    format!("Moment {{ body: {}, at: {} }}", body.0, self.place(at)),
+                    format!("Moment {{ body: {}, at: {} }}", self.body_at(*body, at), self.place(at)),
                     frame.0,
                 ),
             };
@@ -244,74 +270,71 @@ impl Parts<'_> {
         text + "])\n}\n"
     }
 
-    fn observed(&self) -> String {
-        let mut text = "fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
-        for observable in &self.equations.outputs.1 {
-            let spec = match observable {
-                Observable::Reduced { .. } => continue,
-                Observable::Point {
-                    body,
-                    at,
-                    what,
-                    component,
-                } => {
-                    let what = match what {
-                        PointQuantity::Position => "Position",
-                        PointQuantity::Velocity => "Velocity",
-                        PointQuantity::Slope => "Slope",
-                        PointQuantity::SectionY => "SectionY",
-                        PointQuantity::SectionZ => "SectionZ",
-                    };
-                    format!(
-                        "Point {{ body: {}, at: {}, what: ::rncf::mesh::PointQuantity::{what}, component: {component} }}",
-                        body.0,
-                        self.place(at)
-                    )
-                }
-                Observable::Marker {
-                    marker,
-                    derivative,
-                    component,
-                } => {
-                    format!(
-                        "Marker {{ marker: {}, derivative: {derivative}, component: {component} }}",
-                        marker.0
-                    )
-                }
-                Observable::ConstraintReaction {
-                    constraint,
-                    moment,
-                    component,
-                } => {
-                    format!(
-                        "ConstraintReaction {{ constraint: {}, moment: {moment}, component: {component} }}",
-                        constraint.0
-                    )
-                }
-                Observable::Multiplier { constraint, row } => {
-                    format!("Multiplier {{ constraint: {}, row: {row} }}", constraint.0)
-                }
-                Observable::Section { body, at, what } => {
-                    format!(
-                        "Section {{ body: {}, at: {}, what: ::rncf::mesh::SectionQuantity::{what:?} }}",
-                        body.0,
-                        self.place(at)
-                    )
-                }
-                Observable::Reaction {
-                    joint,
-                    moment,
-                    component,
-                } => {
-                    format!(
-                        "Reaction {{ joint: {}, moment: {moment}, component: {component} }}",
-                        joint.0
-                    )
-                }
-            };
-            let _ = writeln!(text, "::rncf::mesh::ObservedSpec::{spec},");
-        }
-        text + "])\n}\n"
+    /// What the scene is asked for; `None` for reductions, which ask for several.
+    pub(super) fn observed_spec(&self, observable: &Observable) -> Option<String> {
+        let spec = match observable {
+            Observable::Reduced { .. } => return None,
+            Observable::Point {
+                body,
+                at,
+                what,
+                component,
+            } => {
+                let what = match what {
+                    PointQuantity::Position => "Position",
+                    PointQuantity::Velocity => "Velocity",
+                    PointQuantity::Slope => "Slope",
+                    PointQuantity::SectionY => "SectionY",
+                    PointQuantity::SectionZ => "SectionZ",
+                };
+                format!(
+                    "Point {{ body: {}, at: {}, what: ::rncf::mesh::PointQuantity::{what}, component: {component} }}",
+                    self.body_at(*body, at),
+                    self.place(at)
+                )
+            }
+            Observable::Marker {
+                marker,
+                derivative,
+                component,
+            } => {
+                format!(
+                    "Marker {{ marker: {}, derivative: {derivative}, component: {component} }}",
+                    marker.0
+                )
+            }
+            Observable::ConstraintReaction {
+                constraint,
+                moment,
+                component,
+            } => {
+                format!(
+                    "ConstraintReaction {{ constraint: {}, moment: {moment}, component: {component} }}",
+                    constraint.0
+                )
+            }
+            Observable::Multiplier { constraint, row } => {
+                format!("Multiplier {{ constraint: {}, row: {row} }}", constraint.0)
+            }
+            Observable::Section { body, at, what } => {
+                format!(
+                    "Section {{ body: {}, at: {}, what: ::rncf::mesh::SectionQuantity::{what:?} }}",
+                    self.body_at(*body, at),
+                    self.place(at)
+                )
+            }
+            Observable::Reaction {
+                joint,
+                moment,
+                component,
+            } => {
+                format!(
+                    "Reaction {{ joint: {}, moment: {moment}, component: {component} }}",
+                    self.first_of_joint(*joint)
+                )
+            }
+        };
+        Some(format!("::rncf::mesh::ObservedSpec::{spec}"))
     }
 
     fn facts(&self) -> String {
@@ -377,20 +400,32 @@ impl Parts<'_> {
             if let Some(material) = &variant.variant.material {
                 fields.extend(super::points::material_values(&variant.name, material, body, |expr| self.expr(expr)));
             }
-            let _ = writeln!(text, "self.row_{} = {} {{ {} }};", body.name, camel_case(&variant.name), fields.join(", "));
+            let row = format!("{} {{ {} }}", camel_case(&variant.name), fields.join(", "));
+            text += &self.keep(body, "row", &row);
             if let Some((kernel, count)) = &variant.elastic.reference {
                 let size = variant.variant.size(self.library);
-                let _ = writeln!(
-                    text,
-                    "self.reference_{0} = shape.chunks_exact({size}).map(|shape| {{\nlet mut reference = [0.0; {count}];\n{1}(&self.row_{0}, ::rncf::mesh::array(shape), &mut reference);\nreference\n}}).collect();",
-                    body.name, kernel.name
+                let reference = format!(
+                    "shape.chunks_exact({size}).map(|shape| {{\nlet mut reference = [0.0; {count}];\n{}(&{}, ::rncf::mesh::array(shape), &mut reference);\nreference\n}}).collect()",
+                    kernel.name,
+                    self.row(body)
                 );
+                text += &self.keep(body, "reference", &reference);
             }
             text
         });
+        let kind = self.kind();
         format!(
-            "fn prepare(&mut self, body: usize, length: f64, shape: &[f64]) -> ::std::result::Result<(), ::rncf::ModelError> {{\nlet model = &self.model;\n{arms}Ok(())\n}}\n"
+            "fn prepare(&mut self, body: usize, length: f64, shape: &[f64]) -> ::std::result::Result<(), ::rncf::ModelError> {{\n{kind}let model = &self.model;\n{arms}Ok(())\n}}\n"
         )
+    }
+
+    /// Keeps constants of a body; bodies are prepared one repetition after the other.
+    fn keep(&self, body: &Body, what: &str, value: &str) -> String {
+        let place = format!("self.{what}_{}", body.name);
+        match body.repeat {
+            Some(_) => format!("let {what} = {value};\n{place}.truncate(instance);\n{place}.push({what});\n"),
+            None => format!("{place} = {value};\n"),
+        }
     }
 
     fn time_functions(&self) -> String {
@@ -399,11 +434,11 @@ impl Parts<'_> {
             let _ = writeln!(text, "{}(&self.model, t, &mut motions[{index}]);", kernel.name);
         }
         text += "}\nfn load(&self, load: usize, t: f64) -> [f64; 3] {\nlet mut value = [0.0; 3];\nmatch load {\n";
-        for (index, kernel) in self.equations.loads.iter().enumerate() {
+        for (index, kernel) in &self.equations.loads {
             let _ = writeln!(text, "{index} => {}(&self.model, t, &mut value),", kernel.name);
         }
         text += "_ => {}\n}\nvalue\n}\n";
-        text + "fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {\noutputs(&self.model, t, observed, out);\n}\n"
+        text + &self.outputs()
     }
 
     fn moments(&self) -> String {
@@ -465,10 +500,11 @@ impl Parts<'_> {
         let jacobian = self.by_joint(|kernels| format!("{}(&self.model, t, data, jacobian);", kernels.jacobian.name));
         let prescribed =
             self.by_joint(|kernels| format!("{}(&self.model, t, data, prescribed);", kernels.prescribed.name));
+        let of = self.of_joint();
         format!(
-            "fn condition(&self, joint: usize, absolute: bool, level: ::rncf::system::ConstraintLevel, t: f64, data: &::rncf::mesh::JointData, q: &[f64], v: &[f64], a: &[f64], rows: &mut [f64]) {{\n{condition}}}\n\
-             fn condition_jacobian(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::mesh::JointData, jacobian: &mut [f64]) {{\n{jacobian}}}\n\
-             fn prescribed(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::mesh::JointData, prescribed: &mut ::rncf::mesh::Prescribed) {{\n{prescribed}}}\n"
+            "fn condition(&self, joint: usize, absolute: bool, level: ::rncf::system::ConstraintLevel, t: f64, data: &::rncf::mesh::JointData, q: &[f64], v: &[f64], a: &[f64], rows: &mut [f64]) {{\n{of}{condition}}}\n\
+             fn condition_jacobian(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::mesh::JointData, jacobian: &mut [f64]) {{\n{of}{jacobian}}}\n\
+             fn prescribed(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::mesh::JointData, prescribed: &mut ::rncf::mesh::Prescribed) {{\n{of}{prescribed}}}\n"
         )
     }
 }

@@ -73,8 +73,9 @@ impl Parts<'_> {
                 String::new()
             };
             format!(
-                "{}(&self.row_{}, {array}(stress_free), {array}(fields), {rates}{array}_mut(forces));",
-                variant.field_forces.name, body.name
+                "{}(&{}, {array}(stress_free), {array}(fields), {rates}{array}_mut(forces));",
+                variant.field_forces.name,
+                self.row(body)
             )
         });
         // Of a model without bodies nothing is asked.
@@ -83,10 +84,11 @@ impl Parts<'_> {
         } else {
             (section, fields)
         };
+        let kind = self.kind();
         format!(
-            "fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {{\nlet model = &self.model;\n{section}}}\n\
-             fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {{\n{fields}}}\n\
-             fn field_forces(&self, body: usize, stress_free: &[f64], fields: &[f64], rates: &[f64], forces: &mut [f64]) {{\n{forces}}}\n"
+            "fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {{\n{kind}let model = &self.model;\n{section}}}\n\
+             fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {{\n{kind}{fields}}}\n\
+             fn field_forces(&self, body: usize, stress_free: &[f64], fields: &[f64], rates: &[f64], forces: &mut [f64]) {{\n{kind}{forces}}}\n"
         )
     }
 

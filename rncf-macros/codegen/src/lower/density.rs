@@ -10,11 +10,11 @@ use std::collections::HashMap;
 
 use super::kernel::{Kernel, block, derivatives, values};
 use super::markers::{Marked, describe, function_name, localise};
-use super::motions::Time;
 use super::quadratic::{base_vector, is_position, relative_shapes};
 use super::variant::Variant;
 use crate::elements::{Interpolant, Library, NodalVector};
-use crate::model::{Binary, Density, Expr, Load, LoadKind, Model};
+use crate::check::fold;
+use crate::model::{Binary, Density, Expr, LoadKind, Model};
 use crate::symbolic::{Graph, Id, linear::Vector};
 use crate::tensors::{Polynomial, gauss_rule};
 
@@ -53,7 +53,7 @@ pub fn density_kernels(model: &Model, library: &Library) -> Vec<DensityKernels> 
     let kernels = model.densities.iter().map(|density| {
         let name = function_name(&density.name, &names);
         names.push(name.clone());
-        Load1::new(model, library, density, name).kernels()
+        Law::new(model, library, density, name).kernels()
     });
     kernels.collect()
 }
@@ -100,13 +100,8 @@ pub fn field_kernels(model: &Model) -> Vec<FieldKernels> {
     fields.collect()
 }
 
-/// Whether a load is a field, whose components are no functions of time alone.
-pub fn is_field(load: &Load) -> bool {
-    matches!(load.kind, LoadKind::Field { .. })
-}
-
 /// A density on its way to functions.
-struct Load1<'m> {
+struct Law<'m> {
     model: &'m Model,
     density: &'m Density,
     name: String,
@@ -139,7 +134,7 @@ struct Point {
     shapes: [Vec<f64>; 2],
 }
 
-impl<'m> Load1<'m> {
+impl<'m> Law<'m> {
     fn new(model: &'m Model, library: &'m Library, density: &'m Density, name: String) -> Self {
         let body = &model.bodies[density.body.0];
         let variant = Variant::of(model, body, library);
@@ -298,7 +293,7 @@ impl<'m> Load1<'m> {
         let outputs = values(&element.forces(self, &mut split), "force");
         let size = self.variant.size(self.library);
         let title = "adds the generalised forces on the nodal vectors of one element, int s_a f dx, axes of the body's frame.";
-        self.of_element(split, "force", title, nonzero(outputs), &[format!("force: &mut [f64; {size}]")])
+        self.of_element(split, "force", title, outputs, &[format!("force: &mut [f64; {size}]")])
     }
 
     fn tangent(&self) -> Kernel {
@@ -314,13 +309,8 @@ impl<'m> Load1<'m> {
             format!("by_q: &mut [f64; {}]", size * size),
             format!("by_values: &mut [f64; {}]", size * count),
         ];
-        self.of_element(split, "tangent", title, nonzero(outputs), &results)
+        self.of_element(split, "tangent", title, outputs, &results)
     }
-}
-
-/// Outputs that are not always zero; all of them are added to.
-fn nonzero(outputs: Vec<(String, Id)>) -> Vec<(String, Id)> {
-    outputs
 }
 
 /// Symbols of an element.
@@ -335,7 +325,7 @@ struct Element {
 }
 
 impl Element {
-    fn new(of: &Load1, graph: &mut Graph) -> Self {
+    fn new(of: &Law, graph: &mut Graph) -> Self {
         let length = graph.symbol("length");
         let names = of.variant.component_names(of.library, "");
         let q: Vec<Vector> = names
@@ -385,7 +375,7 @@ impl Element {
     }
 
     /// Generalised forces: those of positions add up to the whole, `Q_base = F - sum Q_position`.
-    fn forces(&self, of: &Load1, split: &mut Split) -> Vector {
+    fn forces(&self, of: &Law, split: &mut Split) -> Vector {
         let d = of.axes.len();
         let zero = split.marked.time.graph.zero();
         let mut whole = vec![zero; d];
@@ -409,7 +399,7 @@ impl Element {
     }
 
     /// Rows of all nodal vectors from the whole and those of the relative ones, times their lengths.
-    fn completed(&self, of: &Load1, graph: &mut Graph, whole: Vector, sums: Vec<Vector>) -> Vec<Vector> {
+    fn completed(&self, of: &Law, graph: &mut Graph, whole: Vector, sums: Vec<Vector>) -> Vec<Vector> {
         let mut rows = vec![Vec::new(); self.q.len()];
         let mut base = whole;
         for ((index, _), sum) in self.relative.iter().zip(sums) {
@@ -426,7 +416,7 @@ impl Element {
 
     /// dQ/dq from the derivatives of the density by slope and position at each point; columns of positions are
     /// differences, the base takes what is left.
-    fn by_q(&self, of: &Load1, split: &mut Split) -> Vec<(String, Id)> {
+    fn by_q(&self, of: &Law, split: &mut Split) -> Vec<(String, Id)> {
         let (d, count) = (of.axes.len(), self.q.len());
         let size = d * count;
         let zero = split.marked.time.graph.zero();
@@ -510,17 +500,8 @@ fn degree(expr: &Expr, highest: usize) -> usize {
         Expr::Binary(Binary::Multiply, a, b) => of(a) + of(b),
         Expr::Binary(Binary::Divide, a, _) => of(a),
         Expr::Binary(_, a, b) => of(a).max(of(b)),
-        Expr::Power(base, exponent) => match (of(base), exponent.as_ref()) {
-            (0, _) => 0,
-            (base, Expr::Number(n)) => base * *n as usize,
-            (base, _) => base,
-        },
+        Expr::Power(base, exponent) => of(base) * fold::constant(exponent).map_or(0, |n| n as usize),
         Expr::If(.., then, otherwise) => of(then).max(of(otherwise)),
         _ => 0,
     }
-}
-
-/// A density's components in the graph of a model, for kinks.
-pub fn in_graph(time: &mut Time, density: &Density) -> Vector {
-    time.vector(&density.components)
 }

@@ -30,6 +30,9 @@ pub fn initial_kernel(model: &Model, body: &Body) -> Option<Kernel> {
     );
     let mut kernel = time.kernel(format!("initial_{}", body.name), title, outputs);
     kernel.arguments[1] = "x: f64".to_string();
+    if body.repeat.is_some() {
+        kernel.arguments.push("index: f64".to_string());
+    }
     for name in ["position", "velocity"] {
         kernel.arguments.push(format!("{name}: &mut [[f64; 3]; 2]"));
     }

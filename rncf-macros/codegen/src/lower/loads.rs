@@ -4,11 +4,17 @@ use super::kernel::{Kernel, derivatives, values};
 use super::motions::Time;
 use super::variant::Variant;
 use crate::elements::{Interpolant, Library};
-use crate::model::{Load, Model, Observable};
+use crate::model::{Expr, Load, LoadKind, Model, Observable, Reduction, RepeatId};
 use crate::symbolic::{Graph, Id};
 
-/// Components of a load in its frame's axes.
-pub fn load_kernel(model: &Model, load: &Load) -> Kernel {
+/// Components of the loads that are functions of time alone, in their frames' axes, with their indices.
+pub fn load_kernels(model: &Model) -> Vec<(usize, Kernel)> {
+    let loads = model.loads.iter().enumerate();
+    let timed = loads.filter(|(_, load)| !matches!(load.kind, LoadKind::Field { .. }));
+    timed.map(|(index, load)| (index, load_kernel(model, load))).collect()
+}
+
+fn load_kernel(model: &Model, load: &Load) -> Kernel {
     let mut time = Time::new(model);
     let value = time.vector(load.kind.components());
     let outputs = value
@@ -193,11 +199,63 @@ fn shape_kernel(variant: &Variant, library: &Library, of: Interpolant, order: us
     }
 }
 
-/// Output columns from what they observe, and the list of what is observed.
+/// A reduction over the repetitions of a loop.
+pub struct Reduced {
+    /// What is told.
+    pub reduction: Reduction,
+    /// The loop.
+    pub repeat: RepeatId,
+    /// What each repetition reads, in order.
+    pub observed: Vec<Observable>,
+    /// Value of one repetition: `value[0]` from `index` and what is observed there.
+    pub kernel: Kernel,
+}
+
+/// The reductions among what outputs observe, in order.
+pub fn reductions(model: &Model, observed: &[Observable]) -> Vec<Reduced> {
+    let mut all: Vec<Reduced> = Vec::new();
+    for observable in observed {
+        if let Observable::Reduced {
+            reduction,
+            repeat,
+            value,
+        } = observable
+        {
+            let mut time = Time::new(model);
+            let outputs = vec![("value[0]".to_string(), time.expression(value))];
+            let observed = time.observed.iter().map(|(observable, _)| observable.clone()).collect();
+            let title = "What an output reduces, of one repetition.".to_string();
+            let mut kernel = time.kernel(format!("outputs_of_one_{}", all.len()), title, outputs);
+            kernel
+                .arguments
+                .extend(["index: f64", "observed: &[f64]", "value: &mut [f64; 1]"].map(str::to_string));
+            all.push(Reduced {
+                reduction: *reduction,
+                repeat: *repeat,
+                observed,
+                kernel,
+            });
+        }
+    }
+    all
+}
+
+/// Output columns from what they observe, and the list of what is observed: reductions last.
 pub fn outputs_kernel(model: &Model) -> (Kernel, Vec<Observable>) {
+    let components = || model.outputs.iter().flat_map(|output| &output.components);
+    let mut first = Time::new(model);
+    for (_, expr) in components() {
+        first.expression(expr);
+    }
+    let is_reduced = |observable: &Observable| matches!(observable, Observable::Reduced { .. });
+    let found = first.observed.into_iter().map(|(observable, _)| observable);
+    let (reduced, plain): (Vec<_>, Vec<_>) = found.partition(is_reduced);
     let mut time = Time::new(model);
+    for observable in plain.into_iter().chain(reduced) {
+        time.expression(&Expr::Observed(observable));
+    }
     let mut outputs = Vec::new();
-    for (_, expr) in model.outputs.iter().flat_map(|output| &output.components) {
+    for (_, expr) in components() {
         let id = time.expression(expr);
         outputs.push((format!("out[{}]", outputs.len()), id));
     }

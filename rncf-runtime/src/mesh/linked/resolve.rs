@@ -153,7 +153,7 @@ impl MeshScene {
         }
         Err(ModelError::new(format!(
             "the section's axes of body `{}` have no length or the same direction at t = 0: check its initial shape",
-            mesh_body.spec.name
+            mesh_body.spec.label()
         )))
     }
 

@@ -375,7 +375,7 @@ impl System for ModalScene {
     fn describe_unknown(&self, index: usize) -> String {
         for (block, &body) in self.reduction.blocks().iter().zip(&self.bodies) {
             if (block.coordinate..block.coordinate + block.count).contains(&index) {
-                let name = self.scene.bodies[body].spec.name;
+                let name = self.scene.bodies[body].spec.label();
                 return format!("body `{name}`, mode {}", index - block.coordinate + 1);
             }
         }

@@ -35,7 +35,7 @@ impl MeshScene {
     /// Refuses what modes cannot describe.
     pub(super) fn check_modal(&self, index: usize) -> Result<(), ModelError> {
         let body = &self.bodies[index];
-        let name = body.spec.name;
+        let name = body.spec.label();
         let refuse = |what: String| Err(ModelError::new(what));
         if body.frame != body.spec.frame {
             return refuse(format!(
@@ -103,7 +103,7 @@ impl MeshScene {
         }
         let is_position = |vector: usize| spec.nodal[spec.locate(vector).1].is_position();
         let nodal = Nodal {
-            name: spec.name.to_string(),
+            name: spec.label(),
             dimension,
             connectivity: Connectivity {
                 size: body.connectivity.size,

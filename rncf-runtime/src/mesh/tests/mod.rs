@@ -11,4 +11,5 @@ mod random;
 mod refusals;
 pub(super) mod scenery;
 mod sections;
+mod shared;
 mod uniform;

@@ -7,7 +7,7 @@ use super::super::parts::{
 };
 use super::super::{
     ConstraintSpec, DensitySpec, FixtureSpec, ForceSpec, FrameAction, FrameMotion, LANES, MarkerSpec, MeshScene,
-    SectionShape, SectionSpec,
+    SectionShape, SectionSpec, ShareSpec,
 };
 use super::density;
 use super::inertia::{self, Inertia};
@@ -53,6 +53,7 @@ pub struct Hand {
     pub forces: Vec<(ForceSpec, Law)>,
     pub fixtures: Vec<FixtureSpec>,
     pub densities: Vec<DensitySpec>,
+    pub shares: Vec<ShareSpec>,
     pub observed: Vec<ObservedSpec>,
     pub conservative: bool,
     pub lengths: Vec<f64>,
@@ -240,6 +241,9 @@ impl Parts for Hand {
     }
     fn observed(&self) -> Vec<ObservedSpec> {
         self.observed.clone()
+    }
+    fn shares(&self) -> Vec<ShareSpec> {
+        self.shares.clone()
     }
     fn output_columns(&self) -> usize {
         self.observed.len()
