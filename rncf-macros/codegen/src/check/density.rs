@@ -38,7 +38,9 @@ impl<'a> Check<'a> {
             return None;
         };
         let (body, instance) = self.named_body(place)?;
-        if instance.is_some_and(|instance| instance != Value::Index) {
+        if item.repeat.is_some() && instance != Some(Value::Index)
+            || instance.is_some_and(|instance| instance != Value::Index)
+        {
             self.errors.at(place.area, say::DENSITY_REPETITION);
             return None;
         }
@@ -48,7 +50,11 @@ impl<'a> Check<'a> {
             self.errors.at(place.area, say::DENSITY_ON_MODES);
             return None;
         }
-        self.particle = LOCALS.into_iter().enumerate().map(|(order, (name, dimension))| (name, local(order, dimension, space, frame))).collect();
+        self.particle = LOCALS
+            .into_iter()
+            .enumerate()
+            .map(|(order, (name, dimension))| (name, local(order, dimension, space, frame)))
+            .collect();
         let vector = self.density_vector(expr, body);
         self.particle.clear();
         let vector = vector?;
@@ -67,7 +73,10 @@ impl<'a> Check<'a> {
             }
         }
         let mut markers = Vec::new();
-        vector.values.iter().for_each(|value| algebra::markers_of(value, &mut markers));
+        vector
+            .values
+            .iter()
+            .for_each(|value| algebra::markers_of(value, &mut markers));
         self.model.densities.push(Density {
             name: item.name.text.clone(),
             doc: item.doc.clone(),
@@ -91,6 +100,13 @@ impl<'a> Check<'a> {
 
     /// A vector of constants, parameters, time, positions and directions, and the frame of its components.
     fn load_vector(&mut self, expr: &'a Expr, wanted: Wanted) -> Option<(Vector, Option<FrameId>)> {
+        self.is_distributed = true;
+        let vector = self.distributed(expr, wanted);
+        self.is_distributed = false;
+        vector
+    }
+
+    fn distributed(&mut self, expr: &'a Expr, wanted: Wanted) -> Option<(Vector, Option<FrameId>)> {
         if let ExprKind::Vector { .. } = expr.kind {
             return Some((self.vector(expr, Scope::Constraint, wanted)?, None));
         }
@@ -124,7 +140,10 @@ impl<'a> Check<'a> {
             self.in_plane(&vector, Space::Planar { normal }, "gravity", false);
         }
         let mut markers = Vec::new();
-        vector.values.iter().for_each(|value| algebra::markers_of(value, &mut markers));
+        vector
+            .values
+            .iter()
+            .for_each(|value| algebra::markers_of(value, &mut markers));
         for marker in &markers {
             let of = self.model.markers[marker.0].frame();
             if of.is_none_or(|of| of != frame && self.is_free(of)) {

@@ -82,8 +82,7 @@ pub const FOLLOWER_IN_SPACE: &str =
 pub const AXES_OF_LOAD: &str = "the components stand in the axes of another frame already: leave out `in`, or make them components in it with `.in(..)`";
 pub const DENSITY_REPETITION: &str =
     "a density acts on all repetitions of a body: write it in the loop, with the loop's index in brackets";
-pub const DENSITY_ON_MODES: &str =
-    "a density acts on bodies that are described by all their nodal vectors: leave out `modal`, `small` or `rigid` of this body";
+pub const DENSITY_ON_MODES: &str = "a density acts on bodies that are described by all their nodal vectors: leave out `modal`, `small` or `rigid` of this body";
 pub const NO_OUTPUT: &str = "the model has no output: add e.g. `output u = beam.end.x;`";
 
 pub const FIXTURE_PLACE: &str =
@@ -122,8 +121,7 @@ pub const REMAINDER_OUTSIDE: &str = "`%` stands in the number of a repetition on
 pub const REDUCED_OUTSIDE: &str = "only an `output` can look at all repetitions";
 pub const NESTED_REDUCTION: &str = "a value over all repetitions does not stand in another one, or in a loop";
 pub const MOVING_REPETITION: &str = "here a repetition needs a constant number, e.g. `main[0].end`: over all of them only what a body shows in its own frame is known, such as `main[a].end.x`, `.velocity` or `.axial_force`";
-pub const SAME_END_REPEATED: &str =
-    "every repetition of this joint would hold the same end: write the index, e.g. `main[a].start`, or take it out of the loop";
+pub const SAME_END_REPEATED: &str = "every repetition of this joint would hold the same end: write the index, e.g. `main[a].start`, or take it out of the loop";
 pub const SAME_ENDS_REPEATED: &str =
     "every repetition of this would be about the same two ends: write the index, or take it out of the loop";
 pub const REPEATED_TO_FREE: &str = "in a loop joints hold ends of bodies in prescribed frames, or in the frame of the body itself: declare this one outside of the loop, for each repetition that needs it";
@@ -238,7 +236,8 @@ messages! {
     rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body `spatial`";
     density_degree(degree) = "this is a polynomial of degree {degree} in `slope` and `position`: degrees to 4 are integrated, so write one of lower degree";
     density_not_polynomial(what) = "{what} of `slope` or `position` is no polynomial, which a density must be to be integrated exactly: use sums, products and whole powers of them, functions only of what is the same along the body";
-    density_axes(from, to) = "the components stand in the axes of `{from}`, those of a density in the axes of its body's frame: add `.in({to})`";
+    density_axes(from, to) = "the components stand in the axes of `{from}`, those of a density in the axes of its body's frame: see places and directions in it, e.g. `inertial.in({to})` or `{to}.ex.in({to})`";
+    rate_in_load(name) = "a density or a field is a function of positions, directions and angles: `{name}` has no place in it";
     field_on_prescribed(frame) = "frame `{frame}` moves in a prescribed way: leave out `on`, such gravity acts on everything";
     field_elsewhere(frame) = "a field on `{frame}` is a function of time and of vectors that are fixed in `{frame}` or in prescribed frames: nothing on a body and in no other free frame";
     origin_leaves_plane(frame, plane, axis) = "frame `{frame}` leaves the {plane} plane of the body: the {axis} component of its origin must be 0, or the body `spatial`";

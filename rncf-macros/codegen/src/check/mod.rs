@@ -125,6 +125,8 @@ struct Check<'a> {
     tied: Option<Vec<BodyId>>,
     /// Names of a law, such as `length` and `rate`.
     locals: HashMap<&'static str, Typed>,
+    /// Whether a density or a field is being checked.
+    is_distributed: bool,
     /// Vectors of the particle that a density is checked for.
     particle: HashMap<&'static str, vector::Vectorial>,
     /// The loop or reduction that is being checked.
@@ -171,6 +173,7 @@ impl<'a> Check<'a> {
             constraints: HashMap::new(),
             tied: Some(Vec::new()),
             locals: HashMap::new(),
+            is_distributed: false,
             particle: HashMap::new(),
             turn: None,
             unknown: HashSet::new(),

@@ -307,7 +307,12 @@ impl<'a> Check<'a> {
         if scope >= Scope::Force {
             return Some(());
         }
-        self.errors.at(field.span, say::rate_in_constraint(&field.text));
+        let message = if self.is_distributed {
+            say::rate_in_load(&field.text)
+        } else {
+            say::rate_in_constraint(&field.text)
+        };
+        self.errors.at(field.span, message);
         None
     }
 

@@ -11,8 +11,7 @@ use crate::lower::{Kernel, camel_case};
 use crate::model::Density;
 
 /// Arguments of the functions of four elements.
-const FOUR: &str =
-    "density: usize, elements: &[(usize, usize); 4], values: &[[f64; 4]], q: &[[f64; 4]]";
+const FOUR: &str = "density: usize, elements: &[(usize, usize); 4], values: &[[f64; 4]], q: &[[f64; 4]]";
 const VECTORS: &str = "&[[f64; 3]]";
 
 impl Equations {
@@ -71,7 +70,11 @@ impl Parts<'_> {
             ),
         ] {
             let arms = self.by_density(|density, kernels| {
-                let kernel = if what == "force" { &kernels.force } else { &kernels.tangent };
+                let kernel = if what == "force" {
+                    &kernels.force
+                } else {
+                    &kernels.tangent
+                };
                 self.of_four(density, kernels, kernel, results)
             });
             let _ = writeln!(
@@ -130,10 +133,16 @@ impl Parts<'_> {
         let body = &self.model.bodies[density.body.0];
         let size = self.variant(density.body.0).variant.size(self.library);
         let length = match body.repeat {
-            Some(_) => format!("elements.map(|(body, _)| self.row_{}[self.kind(body).1].length)", body.name),
+            Some(_) => format!(
+                "elements.map(|(body, _)| self.row_{}[self.kind(body).1].length)",
+                body.name
+            ),
             None => format!("[self.row_{}.length; 4]", body.name),
         };
-        let results: Vec<&str> = results.split(", ").filter_map(|result| Some(result.split_once(": ")?.0)).collect();
+        let results: Vec<&str> = results
+            .split(", ")
+            .filter_map(|result| Some(result.split_once(": ")?.0))
+            .collect();
         let number = |result: &str| match result {
             "force" => size,
             "by_q" => size * size,
@@ -179,7 +188,10 @@ impl Parts<'_> {
         });
         let gradients = fields.iter().filter_map(|field| {
             let kernel = field.gradient.as_ref()?;
-            Some(format!("{} => {}(&self.model, t, z, gradient),\n", field.load, kernel.name))
+            Some(format!(
+                "{} => {}(&self.model, t, z, gradient),\n",
+                field.load, kernel.name
+            ))
         });
         format!(
             "fn field(&self, load: usize, t: f64, z: {VECTORS}) -> [f64; 3] {{\nlet mut gravity = [0.0; 3];\nmatch load {{\n{}_ => {{}}\n}}\ngravity\n}}\n\

@@ -12,8 +12,8 @@ use super::kernel::{Kernel, block, derivatives, values};
 use super::markers::{Marked, describe, function_name, localise};
 use super::quadratic::{base_vector, is_position, relative_shapes};
 use super::variant::Variant;
-use crate::elements::{Interpolant, Library, NodalVector};
 use crate::check::fold;
+use crate::elements::{Interpolant, Library, NodalVector};
 use crate::model::{Binary, Density, Expr, LoadKind, Model};
 use crate::symbolic::{Graph, Id, linear::Vector};
 use crate::tensors::{Polynomial, gauss_rule};
@@ -63,7 +63,10 @@ pub fn field_kernels(model: &Model) -> Vec<FieldKernels> {
     let mut names = Vec::new();
     let loads = model.loads.iter().enumerate();
     let fields = loads.filter_map(|(index, load)| {
-        let LoadKind::Field { markers, components, .. } = &load.kind else {
+        let LoadKind::Field {
+            markers, components, ..
+        } = &load.kind
+        else {
             return None;
         };
         let name = function_name(&load.name, &names);
@@ -83,14 +86,27 @@ pub fn field_kernels(model: &Model) -> Vec<FieldKernels> {
         let (marked, field) = in_graph();
         let outputs = values(&field, "gravity");
         let title = "g(z, t), m/s^2, inertial axes.";
-        let mut value = kernel(marked, format!("field_{name}"), title, outputs, "gravity: &mut [f64; 3]");
+        let mut value = kernel(
+            marked,
+            format!("field_{name}"),
+            title,
+            outputs,
+            "gravity: &mut [f64; 3]",
+        );
         value.doc.push(describe(model, &load.name, markers));
         let (mut marked, field) = in_graph();
         let z = marked.symbols[0].clone();
         let outputs = derivatives(&mut marked.time.graph, &field, &z, "gradient");
         let title = "writes dg/dz, rows first; entries that are always zero are left alone.";
-        let gradient = (!outputs.is_empty())
-            .then(|| kernel(marked, format!("field_gradient_{name}"), title, outputs, "gradient: &mut [f64]"));
+        let gradient = (!outputs.is_empty()).then(|| {
+            kernel(
+                marked,
+                format!("field_gradient_{name}"),
+                title,
+                outputs,
+                "gradient: &mut [f64]",
+            )
+        });
         Some(FieldKernels {
             load: index,
             value,
@@ -169,7 +185,8 @@ impl<'m> Law<'m> {
     /// Splits the density into what is the same along the body and a polynomial.
     fn split(&self) -> Split<'m> {
         let mut marked = Marked::values_and_rates(self.model, self.density.markers.len());
-        let locals = [0, 1].map(|order| -> Vector { self.axes.iter().map(|&axis| marked.time.local(order, axis)).collect() });
+        let locals =
+            [0, 1].map(|order| -> Vector { self.axes.iter().map(|&axis| marked.time.local(order, axis)).collect() });
         let whole: Vector = self
             .components
             .iter()
@@ -180,7 +197,8 @@ impl<'m> Law<'m> {
         let mut varies = vec![false; graph.len()];
         let nodes = graph.reachable(&whole);
         for &id in &nodes {
-            varies[id.0 as usize] = all.contains(&id) || graph.children(id).iter().any(|child| varies[child.0 as usize]);
+            varies[id.0 as usize] =
+                all.contains(&id) || graph.children(id).iter().any(|child| varies[child.0 as usize]);
         }
         let mut same: Vec<Id> = Vec::new();
         let mut note = |graph: &Graph, id: Id| {
@@ -192,7 +210,9 @@ impl<'m> Law<'m> {
         for &id in nodes.iter().filter(|id| varies[id.0 as usize]) {
             graph.children(id).into_iter().for_each(|child| note(graph, child));
         }
-        let symbols: Vec<Id> = (0..same.len()).map(|place| graph.symbol(format!("values[{place}]"))).collect();
+        let symbols: Vec<Id> = (0..same.len())
+            .map(|place| graph.symbol(format!("values[{place}]")))
+            .collect();
         let replaced = same.iter().copied().zip(symbols.iter().copied()).collect();
         let force = whole.iter().map(|&id| graph.substitute(id, &replaced)).collect();
         Split {
@@ -224,7 +244,9 @@ impl<'m> Law<'m> {
         let title = "writes what it depends on along the whole body.";
         let mut kernel = self.of_markers(split.marked, "values", title, outputs, "values: &mut [f64]");
         if !self.density.markers.is_empty() {
-            kernel.doc.push(describe(self.model, &self.density.name, &self.density.markers));
+            kernel
+                .doc
+                .push(describe(self.model, &self.density.name, &self.density.markers));
         }
         kernel
     }
@@ -241,8 +263,18 @@ impl<'m> Law<'m> {
     fn points(&self) -> Vec<Point> {
         let shapes: Vec<(usize, Polynomial)> = relative_shapes(&self.vectors);
         let is_axis = |index: &usize| self.vectors[*index].of == Interpolant::Position;
-        let highest = shapes.iter().filter(|(index, _)| is_axis(index)).map(|(_, shape)| shape.degree()).max().unwrap_or(0);
-        let degree = self.components.iter().map(|component| degree(component, highest)).max().unwrap_or(0);
+        let highest = shapes
+            .iter()
+            .filter(|(index, _)| is_axis(index))
+            .map(|(_, shape)| shape.degree())
+            .max()
+            .unwrap_or(0);
+        let degree = self
+            .components
+            .iter()
+            .map(|component| degree(component, highest))
+            .max()
+            .unwrap_or(0);
         let rule = gauss_rule((degree + highest) / 2 + 1);
         let points = rule.points.iter().zip(&rule.weights);
         points
@@ -250,7 +282,11 @@ impl<'m> Law<'m> {
                 weight,
                 shapes: [0, 1].map(|order| {
                     let at = |(index, shape): &(usize, Polynomial)| {
-                        if is_axis(index) { shape.derivative(order).at(xi) } else { 0.0 }
+                        if is_axis(index) {
+                            shape.derivative(order).at(xi)
+                        } else {
+                            0.0
+                        }
                     };
                     shapes.iter().map(at).collect()
                 }),
@@ -259,7 +295,14 @@ impl<'m> Law<'m> {
     }
 
     /// The kernel of an element from its outputs.
-    fn of_element(&self, split: Split, what: &str, title: &str, outputs: Vec<(String, Id)>, results: &[String]) -> Kernel {
+    fn of_element(
+        &self,
+        split: Split,
+        what: &str,
+        title: &str,
+        outputs: Vec<(String, Id)>,
+        results: &[String],
+    ) -> Kernel {
         let (size, count) = (self.variant.size(self.library), split.values.len());
         let mut arguments = vec![
             "length: &[f64; 1]".to_string(),
@@ -292,7 +335,8 @@ impl<'m> Law<'m> {
         let element = Element::new(self, &mut split.marked.time.graph);
         let outputs = values(&element.forces(self, &mut split), "force");
         let size = self.variant.size(self.library);
-        let title = "adds the generalised forces on the nodal vectors of one element, int s_a f dx, axes of the body's frame.";
+        let title =
+            "adds the generalised forces on the nodal vectors of one element, int s_a f dx, axes of the body's frame.";
         self.of_element(split, "force", title, outputs, &[format!("force: &mut [f64; {size}]")])
     }
 
@@ -303,7 +347,13 @@ impl<'m> Law<'m> {
         let mut outputs = element.by_q(self, &mut split);
         let force = element.forces(self, &mut split);
         let symbols = split.symbols.clone();
-        outputs.extend(block(&mut split.marked.time.graph, &force, &symbols, "by_values", (count, 0)));
+        outputs.extend(block(
+            &mut split.marked.time.graph,
+            &force,
+            &symbols,
+            "by_values",
+            (count, 0),
+        ));
         let title = "adds the derivatives of the generalised forces with respect to q and to the values, rows first.";
         let results = [
             format!("by_q: &mut [f64; {}]", size * size),
@@ -395,11 +445,13 @@ impl Element {
                 }
             }
         }
-        self.completed(of, &mut split.marked.time.graph, whole, sums).concat()
+        self.completed(of, &mut split.marked.time.graph, whole, sums, 1)
+            .concat()
     }
 
-    /// Rows of all nodal vectors from the whole and those of the relative ones, times their lengths.
-    fn completed(&self, of: &Law, graph: &mut Graph, whole: Vector, sums: Vec<Vector>) -> Vec<Vector> {
+    /// Rows of all nodal vectors from the whole and those of the relative ones, times their lengths and a power of
+    /// the element's.
+    fn completed(&self, of: &Law, graph: &mut Graph, whole: Vector, sums: Vec<Vector>, power: i32) -> Vec<Vector> {
         let mut rows = vec![Vec::new(); self.q.len()];
         let mut base = whole;
         for ((index, _), sum) in self.relative.iter().zip(sums) {
@@ -407,10 +459,11 @@ impl Element {
             if is_position(vector) {
                 base = graph.subtract_vectors(&base, &sum);
             }
-            let scale = graph.power(self.length, 1 + vector.order as i32);
+            let scale = graph.power(self.length, power + vector.order as i32);
             rows[*index] = graph.scale(scale, &sum);
         }
-        rows[self.base] = graph.scale(self.length, &base);
+        let scale = graph.power(self.length, power);
+        rows[self.base] = graph.scale(scale, &base);
         rows
     }
 
@@ -465,19 +518,19 @@ impl Element {
         let mut entries = vec![vec![zero; size]; size];
         for (to, (whole, sums)) in whole.into_iter().zip(sums).enumerate() {
             let (column, by) = (to / d, to % d);
-            let rows = self.completed(of, graph, whole, sums).concat();
+            // Relative positions are divided by the length.
+            let index = self.relative.get(column).map(|&(index, _)| index);
+            let is_position = index.is_some_and(|index| is_position(of.vectors[index]));
+            let rows = self.completed(of, graph, whole, sums, i32::from(!is_position)).concat();
             for (row, entry) in rows.into_iter().enumerate() {
                 let base = self.base * d + by;
-                let Some(&(index, _)) = self.relative.get(column) else {
+                let Some(index) = index else {
                     entries[row][base] = graph.add(entries[row][base], entry);
                     continue;
                 };
-                if is_position(of.vectors[index]) {
-                    let entry = graph.divide(entry, self.length);
-                    entries[row][index * d + by] = entry;
+                entries[row][index * d + by] = entry;
+                if is_position {
                     entries[row][base] = graph.subtract(entries[row][base], entry);
-                } else {
-                    entries[row][index * d + by] = entry;
                 }
             }
         }
