@@ -12,7 +12,7 @@
 //! with respect to right increments, `A <- A exp(dpi)`.
 
 use crate::linalg::Pattern;
-use crate::rotation::Rotation;
+use crate::rotation::{Rotation, inverse_tangent_map};
 
 /// Position, velocity, acceleration and multipliers of a system at one time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -159,6 +159,29 @@ pub trait System {
     /// overwritten.
     fn tangent(&mut self, state: &State, out: &mut Tangent);
 
+    /// `(factors[0] M + factors[1] C) T^-1 + factors[2] K` on [`System::pattern`], the matrix of Newton's iteration
+    /// for right increments: M, C and K as in [`System::tangent`], with T(theta) in the columns of orientations
+    /// (THEORY 7.2). Every entry is overwritten.
+    fn iteration_matrix(&mut self, state: &State, factors: [f64; 3], values: &mut [f64]) {
+        let zeros = || vec![0.0; values.len()];
+        let mut tangent = Tangent {
+            mass: zeros(),
+            stiffness: zeros(),
+            damping: zeros(),
+        };
+        self.tangent(state, &mut tangent);
+        let [b, g, k] = factors;
+        for ((value, mass), damping) in values.iter_mut().zip(&tangent.mass).zip(&tangent.damping) {
+            *value = b * mass + g * damping;
+        }
+        for &turn in self.turns() {
+            columns_to_increments(self.pattern(), turn, state, values);
+        }
+        for (value, stiffness) in values.iter_mut().zip(&tangent.stiffness) {
+            *value += k * stiffness;
+        }
+    }
+
     /// Constraint values of the given level; m entries. `state.lambda` is not used.
     fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]);
 
@@ -192,4 +215,18 @@ pub trait System {
 
     /// Total energy (J) where the model conserves it, else `None`.
     fn energy(&mut self, state: &State) -> Option<f64>;
+}
+
+/// Multiplies the columns of the orientation whose first unknown is `turn` by `T(theta)^-1`.
+fn columns_to_increments(pattern: &Pattern, turn: usize, state: &State, values: &mut [f64]) {
+    let map = inverse_tangent_map([state.x[turn], state.x[turn + 1], state.x[turn + 2]]);
+    for row in 0..pattern.rows() {
+        let places: [Option<usize>; 3] = std::array::from_fn(|j| pattern.find(row, turn + j));
+        let old = places.map(|place| place.map_or(0.0, |place| values[place]));
+        for (j, place) in places.into_iter().enumerate() {
+            if let Some(place) = place {
+                values[place] = (0..3).map(|l| old[l] * map[l][j]).sum();
+            }
+        }
+    }
 }

@@ -262,7 +262,8 @@ impl Newton {
         }
         self.refresh(system, h, state, statistics)?;
         self.dx.fill(0.0);
-        let mass = &self.tangent.mass;
+        let mass = &mut self.tangent.mass;
+        system.mass(state, mass);
         system.pattern().multiply_add(self.factors.mass, mass, y, &mut self.dx);
         self.dlambda.fill(0.0);
         self.constraint_pattern
@@ -307,17 +308,14 @@ impl Newton {
         state: &State,
         statistics: &mut Statistics,
     ) -> Result<(), Failure> {
-        let tangent = &mut self.tangent;
-        system.tangent(state, tangent);
+        let factors = [self.factors.mass, self.factors.gamma * h, self.factors.beta * h * h];
+        if self.stabiliser.is_none() {
+            system.iteration_matrix(state, factors, &mut self.block);
+        } else {
+            // The stabiliser needs the stiffness by itself.
+            self.combine(system, state, factors);
+        }
         statistics.jacobian_evaluations += 1;
-        let (damping, stiffness) = (self.factors.gamma * h, self.factors.beta * h * h);
-        for i in 0..self.block.len() {
-            self.block[i] = self.factors.mass * tangent.mass[i] + damping * tangent.damping[i];
-        }
-        self.charts.columns_to_increments(state, &mut self.block);
-        for i in 0..self.block.len() {
-            self.block[i] += stiffness * tangent.stiffness[i];
-        }
         if !self.block.iter().all(|value| value.is_finite()) {
             return Err(Failure::Failed(Cause::NotFinite));
         }
@@ -337,7 +335,7 @@ impl Newton {
         if let Some(stabiliser) = &mut self.stabiliser {
             let (tools, values) = (
                 (&mut self.saddle, &self.charts),
-                (&tangent.stiffness[..], &self.jacobian[..]),
+                (&self.tangent.stiffness[..], &self.jacobian[..]),
             );
             stabiliser
                 .refresh(system, state, scales(self.factors, h), tools, values, statistics)
@@ -346,6 +344,19 @@ impl Newton {
         self.factored_for = Some(h);
         self.experience = Experience::default();
         Ok(())
+    }
+
+    /// The matrix of the iteration from mass, damping and stiffness, which stay.
+    fn combine<S: System + ?Sized>(&mut self, system: &mut S, state: &State, [mass, damping, stiffness]: [f64; 3]) {
+        let tangent = &mut self.tangent;
+        system.tangent(state, tangent);
+        for i in 0..self.block.len() {
+            self.block[i] = mass * tangent.mass[i] + damping * tangent.damping[i];
+        }
+        self.charts.columns_to_increments(state, &mut self.block);
+        for i in 0..self.block.len() {
+            self.block[i] += stiffness * tangent.stiffness[i];
+        }
     }
 
     /// Increments of position and multipliers at `state`; returns the factor by which the dynamic

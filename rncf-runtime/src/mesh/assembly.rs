@@ -7,7 +7,7 @@ use super::layout::Layout;
 use crate::linalg::Pattern;
 
 /// Fewer elements than this are evaluated by the calling thread alone.
-const PARALLEL_FROM: usize = 256;
+pub const PARALLEL_FROM: usize = 256;
 
 /// Where the components of the elements of one body are.
 #[derive(Clone, Debug)]
@@ -54,41 +54,152 @@ impl Connectivity {
 /// Places of element matrix entries on a pattern.
 #[derive(Clone, Debug, Default)]
 pub struct Scatter {
-    entries: Vec<(u32, f64)>,
+    runs: Vec<Run>,
+    /// Start of every element's runs, and their number at the end.
+    run_starts: Vec<u32>,
+    odd: Vec<Odd>,
+    odd_starts: Vec<u32>,
     size: usize,
 }
 
-/// Marks an entry that belongs to no unknown.
-const NOWHERE: u32 = u32::MAX;
+/// Entries below each other that stand together on the pattern, too, with factor one.
+#[derive(Clone, Copy, Debug)]
+struct Run {
+    place: u32,
+    /// The first entry of the element's matrix, rows first.
+    local: u16,
+    length: u16,
+}
+
+/// An entry with a factor.
+#[derive(Clone, Copy, Debug)]
+struct Odd {
+    place: u32,
+    local: u16,
+    factor: f64,
+}
 
 impl Scatter {
     /// Looks all places up.
     pub fn new(connectivity: &Connectivity, layout: &Layout, pattern: &Pattern) -> Self {
-        let mut entries = Vec::with_capacity(connectivity.count() * connectivity.size.pow(2));
+        let size = connectivity.size;
+        let mut scatter = Self {
+            run_starts: vec![0],
+            odd_starts: vec![0],
+            size,
+            ..Self::default()
+        };
         for element in 0..connectivity.count() {
-            for &row in connectivity.element(element) {
-                for &column in connectivity.element(element) {
-                    let place = match (layout.unknown(row), layout.unknown(column)) {
-                        (Some((i, a)), Some((j, b))) => pattern.find(i, j).map(|place| (place as u32, a * b)),
-                        _ => None,
-                    };
-                    entries.push(place.unwrap_or((NOWHERE, 0.0)));
+            let components = connectivity.element(element);
+            for (column, &by) in components.iter().enumerate() {
+                let Some((j, b)) = layout.unknown(by) else { continue };
+                for (row, &of) in components.iter().enumerate() {
+                    let Some((i, a)) = layout.unknown(of) else { continue };
+                    if let Some(place) = pattern.find(i, j) {
+                        scatter.push(place as u32, (row * size + column) as u16, a * b);
+                    }
                 }
             }
+            scatter.run_starts.push(scatter.runs.len() as u32);
+            scatter.odd_starts.push(scatter.odd.len() as u32);
         }
-        Self {
-            entries,
-            size: connectivity.size.pow(2),
+        scatter
+    }
+
+    fn push(&mut self, place: u32, local: u16, factor: f64) {
+        if factor != 1.0 {
+            self.odd.push(Odd { place, local, factor });
+            return;
         }
+        let own = self.run_starts[self.run_starts.len() - 1] as usize;
+        if let Some(run) = self.runs[own..].last_mut() {
+            let next = run.local + run.length * self.size as u16;
+            if run.place + u32::from(run.length) == place && next == local {
+                run.length += 1;
+                return;
+            }
+        }
+        self.runs.push(Run {
+            place,
+            local,
+            length: 1,
+        });
     }
 
     /// Adds the matrix of one element.
     pub fn add(&self, element: usize, local: &[f64], values: &mut [f64]) {
-        let entries = &self.entries[element * self.size..(element + 1) * self.size];
-        for (&(place, weight), &value) in entries.iter().zip(local) {
-            if place != NOWHERE {
-                values[place as usize] += weight * value;
+        self.add_by(element, |entry| local[entry], values);
+    }
+
+    /// Adds the matrix of one element, given by its entries, rows first.
+    #[inline]
+    pub fn add_by(&self, element: usize, local: impl Fn(usize) -> f64, values: &mut [f64]) {
+        let own = |starts: &[u32]| starts[element] as usize..starts[element + 1] as usize;
+        for run in &self.runs[own(&self.run_starts)] {
+            let mut entry = usize::from(run.local);
+            for value in &mut values[run.place as usize..][..usize::from(run.length)] {
+                *value += local(entry);
+                entry += self.size;
             }
+        }
+        for odd in &self.odd[own(&self.odd_starts)] {
+            values[odd.place as usize] += odd.factor * local(usize::from(odd.local));
+        }
+    }
+}
+
+/// Which components are which unknowns, as blocks to copy: what [`Layout::expand`] and [`Layout::project`] do
+/// component by component.
+#[derive(Clone, Debug, Default)]
+pub struct Numbering {
+    /// First component, first unknown, number.
+    blocks: Vec<[usize; 3]>,
+    /// Component, unknown and factor of the others.
+    odd: Vec<(usize, usize, f64)>,
+}
+
+impl Numbering {
+    /// Of all components that depend on an unknown.
+    pub fn new(layout: &Layout) -> Self {
+        let mut numbering = Self::default();
+        for component in 0..layout.components() {
+            let Some((unknown, factor)) = layout.unknown(component) else {
+                continue;
+            };
+            if factor != 1.0 {
+                numbering.odd.push((component, unknown, factor));
+                continue;
+            }
+            match numbering.blocks.last_mut() {
+                Some([first, start, count]) if *first + *count == component && *start + *count == unknown => {
+                    *count += 1;
+                }
+                _ => numbering.blocks.push([component, unknown, 1]),
+            }
+        }
+        numbering
+    }
+
+    /// `full = E x` on components that depend on an unknown; the others stay.
+    pub fn expand(&self, x: &[f64], full: &mut [f64]) {
+        for &[component, unknown, count] in &self.blocks {
+            full[component..component + count].copy_from_slice(&x[unknown..unknown + count]);
+        }
+        for &(component, unknown, factor) in &self.odd {
+            full[component] = factor * x[unknown];
+        }
+    }
+
+    /// `x = E^T full`: forces on unknowns.
+    pub fn project(&self, full: &[f64], x: &mut [f64]) {
+        x.fill(0.0);
+        for &[component, unknown, count] in &self.blocks {
+            let sums = x[unknown..unknown + count].iter_mut();
+            sums.zip(&full[component..component + count])
+                .for_each(|(sum, value)| *sum += value);
+        }
+        for &(component, unknown, factor) in &self.odd {
+            x[unknown] += factor * full[component];
         }
     }
 }

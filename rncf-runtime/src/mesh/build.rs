@@ -1,10 +1,15 @@
 //! Building a scene: checks, numbering, patterns, constant matrices.
 
-use super::assembly::{Connectivity, Scatter};
+use std::sync::Arc;
+
+use super::assembly::{Connectivity, Numbering, Scatter};
+use super::batches::groups;
 use super::conditions::{Condition, condition, joint_data, vector_kinds};
+use super::evaluate::TurnedColumns;
 use super::fixtures::Fixture;
 use super::frame::FrameMotion;
 use super::frames::{Frames, FreeFrame, declared_free};
+use super::inertia::NodalMass;
 use super::layout::Layout;
 use super::linked::{Linked, MarkedLoad, Marker, markers};
 use super::markers::When;
@@ -71,6 +76,8 @@ impl MeshScene {
             connectivity: connectivity(spec, first, &layout),
             scatter: Scatter::default(),
             mass: Vec::new(),
+            whole_mass: NodalMass::default(),
+            fixed_mass: NodalMass::default(),
             modes: None,
             spec: spec.clone(),
         });
@@ -97,6 +104,7 @@ impl MeshScene {
             free_of,
             fixed,
             turns,
+            turned: Arc::new([]),
             constraints: linked(&*parts, &specs, absolute),
             forces: parts.forces(),
             marked_loads: Vec::new(),
@@ -105,6 +113,8 @@ impl MeshScene {
             fixtures: Vec::new(),
             mean_axes: Vec::new(),
             borders: Vec::new(),
+            groups: Vec::new(),
+            numbering: Numbering::new(&layout),
             pattern: Pattern::new(0, 0, []),
             parts,
             conditions,
@@ -195,8 +205,16 @@ impl MeshScene {
             body.scatter = Scatter::new(&body.connectivity, &self.layout, &self.pattern);
             body.mass = vec![0.0; body.spec.nodal.len().pow(2)];
             self.parts.mass(index, &mut body.mass);
+            let [whole, fixed] = self.nodal_masses(index);
+            (self.bodies[index].whole_mass, self.bodies[index].fixed_mass) = (whole, fixed);
         }
         self.tabulate_densities();
+        self.groups = groups(&self.bodies);
+        self.turned = self
+            .turns
+            .iter()
+            .map(|&turn| TurnedColumns::new(turn, &self.pattern))
+            .collect();
         self.borders = (0..self.bodies.len()).map(|body| self.border_of(body)).collect();
         self.set_undeformed();
         self.find_mean_axes();
@@ -319,8 +337,11 @@ impl MeshScene {
 
     pub(super) fn assemble_mass(&mut self) {
         self.mass = vec![0.0; self.pattern.entries()];
-        let in_modes = self.in_modes;
-        for body in self.bodies.iter().filter(|body| !in_modes || body.modes.is_none()) {
+        for body in self
+            .bodies
+            .iter()
+            .filter(|body| !(self.in_modes && body.modes.is_some()))
+        {
             let local = spread_mass(&body.mass, &body.spec);
             for element in 0..body.spec.count {
                 body.scatter.add(element, &local, &mut self.mass);

@@ -1,12 +1,10 @@
-//! Inertia of what free frames carry: forces and moments on the frame, and the blocks between the
-//! frame's unknowns and the nodal vectors (THEORY 2.1).
+//! Inertia of modes on the free frames that carry them: forces and moments on the frame, and the blocks between
+//! the frame's unknowns and the modal coordinates (THEORY 2.1).
 
-use super::assembly::evaluate;
-use super::evaluate::MAX_SIZE;
-use super::frame::{FrameAction, FrameMotion};
+use super::frame::FrameMotion;
 use super::frames::Direction;
-use super::parts::{Carried, CarriedTangent};
-use super::scene::{MeshPoint, MeshScene};
+use super::parts::CarriedTangent;
+use super::scene::MeshScene;
 use crate::system::Tangent;
 use crate::vector::{Vector, cross, dot, subtract};
 
@@ -14,15 +12,6 @@ use crate::vector::{Vector, cross, dot, subtract};
 const ROWS: usize = 6;
 /// Frame axes of spatial things.
 pub(super) const SPATIAL: &[usize] = &[0, 1, 2];
-
-/// Places on the pattern of the entries between a body's components and the unknowns of its frame.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Border {
-    /// For every component and frame unknown: factor, places of (component, frame), (frame, component).
-    places: Vec<Option<(f64, usize, usize)>>,
-    first: usize,
-    width: usize,
-}
 
 /// The derivatives of what is carried with respect to the unknowns of the frame (k) and q (n), one
 /// block after the other: mass ff, fq; damping ff, fq, qf; stiffness ff, fq, qf.
@@ -162,111 +151,9 @@ fn chain(axes: &[usize], unknowns: &[Seen], force: Vector, tangent: &CarriedTang
 impl MeshScene {
     /// Adds force and moment (rows) on a free frame to the forces of its unknowns.
     pub(super) fn add_to_frame(&mut self, free: usize, axes: &[usize], rows: &[f64]) {
-        let frame = &self.free[free];
         let mut padded = [0.0; ROWS];
         padded[..rows.len()].copy_from_slice(rows);
-        let [force, moment] = vectors_of(axes, &padded);
-        let force = self.buffers.frames[frame.spec.frame].direction_to_inertial(force);
-        let first = self.layout.vector_components() + frame.first;
-        for (place, direction) in frame.directions.iter().enumerate() {
-            self.buffers.force[first + place] += dot(direction.shift, force) + dot(direction.turn, moment);
-        }
-    }
-
-    /// Adds the inertia of elements and rigid parts that free frames carry, at the loaded state.
-    pub(super) fn add_carried_forces(&mut self, gravity: Vector) {
-        for index in 0..self.bodies.len() {
-            let body = &self.bodies[index];
-            let Some(free) = self.free_of[body.frame].filter(|_| !self.is_left_to_modes(body)) else {
-                continue;
-            };
-            let axes = body.spec.axes;
-            let (d, s) = counts(axes);
-            let action = self.buffers.frames[body.frame].action(axes, gravity);
-            let mut results = std::mem::take(&mut self.buffers.results);
-            evaluate(body.spec.count, d + s, &mut results, |element, rows| {
-                self.carried_element(index, element, &action, rows);
-            });
-            let mut sum = [0.0; ROWS];
-            for rows in results.chunks_exact(d + s) {
-                for (sum, value) in sum.iter_mut().zip(rows) {
-                    *sum += value;
-                }
-            }
-            self.buffers.results = results;
-            self.add_to_frame(free, axes, &sum[..d + s]);
-        }
-        for free in 0..self.free.len() {
-            if self.free[free].has_rigid_parts() {
-                let spec = &self.free[free].spec;
-                let action = self.buffers.frames[spec.frame].action(SPATIAL, gravity);
-                let mut rows = [0.0; ROWS];
-                self.parts
-                    .carried(Carried::Rigid(&spec.rigid), &action, &[], &[], &[], &mut rows);
-                self.add_to_frame(free, SPATIAL, &rows);
-            }
-        }
-    }
-
-    fn carried_element(&self, index: usize, element: usize, action: &FrameAction, rows: &mut [f64]) {
-        let body = &self.bodies[index];
-        let size = body.spec.element_size();
-        let [q, v, a] = self.local(index, element);
-        let of = Carried::Element { body: index };
-        self.parts.carried(of, action, &q[..size], &v[..size], &a[..size], rows);
-    }
-
-    /// Components of an element and their derivatives.
-    pub(super) fn local(&self, body: usize, element: usize) -> [[f64; MAX_SIZE]; 3] {
-        let body = &self.bodies[body];
-        let size = body.spec.element_size();
-        let mut local = [[0.0; MAX_SIZE]; 3];
-        let buffers = &self.buffers;
-        for (values, full) in local.iter_mut().zip([&buffers.q, &buffers.v, &buffers.a]) {
-            body.connectivity.gather(element, full, &mut values[..size]);
-        }
-        local
-    }
-
-    /// Adds what free frames carry to mass, stiffness and damping at the loaded state.
-    pub(super) fn add_carried_tangents(&mut self, gravity: Vector, out: &mut Tangent) {
-        for index in 0..self.bodies.len() {
-            let body = &self.bodies[index];
-            let Some(free) = self.free_of[body.frame].filter(|_| !self.is_left_to_modes(body)) else {
-                continue;
-            };
-            let axes = body.spec.axes;
-            let (d, s) = counts(axes);
-            let unknowns = self.seen_unknowns(free, axes, gravity);
-            let size = body.spec.element_size();
-            let blocks = Blocks {
-                k: unknowns.len(),
-                n: size,
-            };
-            let action = self.buffers.frames[body.frame].action(axes, gravity);
-            let mut results = std::mem::take(&mut self.buffers.results);
-            evaluate(body.spec.count, blocks.width(), &mut results, |element, result| {
-                let mut rows = [0.0; ROWS];
-                self.carried_element(index, element, &action, &mut rows[..d + s]);
-                let [force, _] = vectors_of(axes, &rows);
-                let [q, v, a] = self.local(index, element);
-                let of = Carried::Element { body: index };
-                let mut tangent = CarriedTangent::default();
-                self.parts
-                    .carried_tangent(of, &action, &q[..size], &v[..size], &a[..size], &mut tangent);
-                chain(axes, &unknowns, force, &tangent, &blocks, result);
-            });
-            for (element, result) in results.chunks_exact(blocks.width()).enumerate() {
-                let components = self.bodies[index].connectivity.element(element);
-                self.scatter(index, free, components, &blocks, result, out);
-            }
-            self.buffers.results = results;
-        }
-        for free in 0..self.free.len() {
-            if self.free[free].has_rigid_parts() {
-                self.add_rigid_tangent(free, gravity, out);
-            }
-        }
+        self.add_to_unknowns(free, vectors_of(axes, &padded));
     }
 
     /// The unknowns of a free frame as seen from it, at the loaded state.
@@ -279,53 +166,6 @@ impl MeshScene {
         directions
             .map(|(place, direction)| seen(axes, motion, e, direction, change(place)))
             .collect()
-    }
-
-    fn add_rigid_tangent(&self, free: usize, gravity: Vector, out: &mut Tangent) {
-        let spec = &self.free[free].spec;
-        let action = self.buffers.frames[spec.frame].action(SPATIAL, gravity);
-        let unknowns = self.seen_unknowns(free, SPATIAL, gravity);
-        let blocks = Blocks {
-            k: unknowns.len(),
-            n: 0,
-        };
-        let mut rows = [0.0; ROWS];
-        let of = Carried::Rigid(&spec.rigid);
-        self.parts.carried(of, &action, &[], &[], &[], &mut rows);
-        let mut tangent = CarriedTangent::default();
-        self.parts.carried_tangent(of, &action, &[], &[], &[], &mut tangent);
-        let mut result = vec![0.0; blocks.width()];
-        let [force, _] = vectors_of(SPATIAL, &rows);
-        chain(SPATIAL, &unknowns, force, &tangent, &blocks, &mut result);
-        self.scatter_square(free, &blocks, &result, out);
-    }
-
-    /// Adds what a fixture at a point of a body in a free frame makes: force and moment (rows) on the
-    /// frame, and its derivatives with respect to the components of the element.
-    pub(super) fn add_carried_place(
-        &self,
-        point: &MeshPoint,
-        pulled: &CarriedTangent,
-        rows: &[f64],
-        gravity: Vector,
-        out: &mut Tangent,
-    ) {
-        let body = &self.bodies[point.body];
-        let Some(free) = self.free_of[body.frame] else {
-            return;
-        };
-        let (axes, components) = (body.spec.axes, body.connectivity.element(point.element));
-        let unknowns = self.seen_unknowns(free, axes, gravity);
-        let blocks = Blocks {
-            k: unknowns.len(),
-            n: components.len(),
-        };
-        let mut padded = [0.0; ROWS];
-        padded[..rows.len()].copy_from_slice(rows);
-        let [force, _] = vectors_of(axes, &padded);
-        let mut result = vec![0.0; blocks.width()];
-        chain(axes, &unknowns, force, pulled, &blocks, &mut result);
-        self.scatter(point.body, free, components, &blocks, &result, out);
     }
 
     /// Adds what the inertia of a body's modes makes among the unknowns of its free frame, at the
@@ -357,7 +197,7 @@ impl MeshScene {
         self.scatter_square(free, &blocks, &result, out);
         let block = |place: usize| result[blocks.start(place)..][..blocks.k * blocks.n].to_vec();
         Some(Beside {
-            first: self.layout.unknowns() - self.layout.border() + self.free[free].first,
+            first: self.first_unknown(free),
             count: blocks.k,
             mass: block(1),
             damping: [block(3), block(4)],
@@ -367,7 +207,7 @@ impl MeshScene {
 
     fn scatter_square(&self, free: usize, blocks: &Blocks, result: &[f64], out: &mut Tangent) {
         let k = blocks.k;
-        let first = self.layout.unknowns() - self.layout.border() + self.free[free].first;
+        let first = self.first_unknown(free);
         for j in 0..k {
             // The rows of all frames are at the end of the column and dense.
             let Some(start) = self.pattern.find(first, first + j) else {
@@ -378,60 +218,6 @@ impl MeshScene {
                 out.damping[start + i] += result[blocks.start(2) + i * k + j];
                 out.stiffness[start + i] += result[blocks.start(5) + i * k + j];
             }
-        }
-    }
-
-    fn scatter(
-        &self,
-        body: usize,
-        free: usize,
-        components: &[usize],
-        blocks: &Blocks,
-        result: &[f64],
-        out: &mut Tangent,
-    ) {
-        self.scatter_square(free, blocks, result, out);
-        let (k, n) = (blocks.k, blocks.n);
-        let border = &self.borders[body];
-        for (c, &component) in components.iter().enumerate() {
-            for i in 0..k {
-                let Some((factor, upper, lower)) = border.places[(component - border.first) * border.width + i] else {
-                    continue;
-                };
-                let at = |block: usize, place: usize| factor * result[blocks.start(block) + place];
-                out.mass[lower] += at(1, i * n + c);
-                out.mass[upper] += at(1, i * n + c);
-                out.damping[lower] += at(3, i * n + c);
-                out.damping[upper] += at(4, c * k + i);
-                out.stiffness[lower] += at(6, i * n + c);
-                out.stiffness[upper] += at(7, c * k + i);
-            }
-        }
-    }
-
-    /// Looks up the places of a body's components beside its free frame.
-    pub(super) fn border_of(&self, body: usize) -> Border {
-        let body = &self.bodies[body];
-        let Some(free) = self.free_of[body.frame] else {
-            return Border::default();
-        };
-        let frame = &self.free[free];
-        let first = self.layout.offset(body.first_vector);
-        let count = body.spec.vectors() * body.spec.dimension();
-        let unknown = self.layout.unknowns() - self.layout.border() + frame.first;
-        let place = |component: usize, i: usize| {
-            let (row, factor) = self.layout.unknown(component)?;
-            let upper = self.pattern.find(row, unknown + i)?;
-            Some((factor, upper, self.pattern.find(unknown + i, row)?))
-        };
-        let width = frame.count();
-        Border {
-            places: (first..first + count)
-                .flat_map(|component| (0..width).map(move |i| (component, i)))
-                .map(|(component, i)| place(component, i))
-                .collect(),
-            first,
-            width,
         }
     }
 }

@@ -1,14 +1,19 @@
 //! Forces and tangents of all nodal components at a state.
 
-use super::assembly::evaluate;
+use std::sync::Arc;
+
+use super::batches::{Blocks, Lanes};
 use super::conditions::Condition;
+use super::inertia::Transport;
+use super::inertia_tangent::Combination;
 use super::moments::turned_by_moments;
 use super::parts::{LoadKind, Prescribed};
 use super::scene::{Buffers, MeshBody, MeshScene, PlaceVector, Regime};
+use crate::linalg::Pattern;
 use crate::model::Scene;
 use crate::rotation::Rotation;
-use crate::system::State;
-use crate::vector::add;
+use crate::system::{State, Sums, Tangent};
+use crate::vector::{Matrix, add};
 
 /// Degrees of freedom of the largest element.
 pub(super) const MAX_SIZE: usize = 32;
@@ -24,6 +29,69 @@ pub(super) fn weighted(full: &[f64], components: &[usize], dimension: usize, wei
     sum
 }
 
+/// Adds contributions to a combination of the matrices of a scene.
+struct Combined<'a> {
+    combination: &'a Combination,
+    turned: Arc<[TurnedColumns]>,
+    values: &'a mut [f64],
+}
+
+/// Where an entry in a column of an orientation stands in all three of them.
+#[derive(Clone, Debug)]
+pub(super) struct TurnedColumns {
+    /// First entries of the columns, and the end.
+    starts: [usize; 4],
+    /// For every entry of the columns those of its row.
+    places: Vec<[Option<usize>; 3]>,
+}
+
+impl TurnedColumns {
+    /// Of the orientation whose first unknown is `turn`.
+    pub fn new(turn: usize, pattern: &Pattern) -> Self {
+        let starts = std::array::from_fn(|j| pattern.starts()[turn + j]);
+        let rows = pattern.indices()[starts[0]..starts[3]].iter();
+        Self {
+            starts,
+            places: rows
+                .map(|&row| std::array::from_fn(|j| pattern.find(row, turn + j)))
+                .collect(),
+        }
+    }
+}
+
+impl Combined<'_> {
+    /// Adds to an entry of M or C: that of an orientation's column goes to all three columns.
+    fn add_mapped(&mut self, entry: usize, value: f64) {
+        for (turned, map) in self.turned.iter().zip(&self.combination.maps) {
+            let starts = turned.starts;
+            if (starts[0]..starts[3]).contains(&entry) {
+                let from = (1..3).filter(|&column| entry >= starts[column]).count();
+                for (place, factor) in turned.places[entry - starts[0]].into_iter().zip(map[from]) {
+                    if let Some(place) = place {
+                        self.values[place] += factor * value;
+                    }
+                }
+                return;
+            }
+        }
+        self.values[entry] += value;
+    }
+}
+
+impl Sums for Combined<'_> {
+    fn mass(&mut self, entry: usize, value: f64) {
+        self.add_mapped(entry, self.combination.factors[0] * value);
+    }
+
+    fn damping(&mut self, entry: usize, value: f64) {
+        self.add_mapped(entry, self.combination.factors[1] * value);
+    }
+
+    fn stiffness(&mut self, entry: usize, value: f64) {
+        self.values[entry] += self.combination.factors[2] * value;
+    }
+}
+
 impl MeshScene {
     /// Fills the full state: prescribed frames, unknowns, free frames, prescribed vectors.
     pub(super) fn load(&mut self, t: f64, turns: &[Rotation], [x, v, a]: [&[f64]; 3], regime: Regime) {
@@ -34,9 +102,9 @@ impl MeshScene {
                 *frame = frame.steady(scale);
             }
         }
-        self.layout.expand(x, &mut buffers.q);
-        self.layout.expand(v, &mut buffers.v);
-        self.layout.expand(a, &mut buffers.a);
+        self.numbering.expand(x, &mut buffers.q);
+        self.numbering.expand(v, &mut buffers.v);
+        self.numbering.expand(a, &mut buffers.a);
         let border = self.layout.vector_components();
         for frame in &self.free {
             let own = border + frame.first..border + frame.first + frame.count();
@@ -115,51 +183,22 @@ impl MeshScene {
     pub(super) fn full_force(&mut self, t: f64, load_scale: f64) {
         self.set_fields(t, load_scale);
         let gravity = self.gravity(t).map(|g| load_scale * g);
-        let Buffers {
-            q,
-            v,
-            a,
-            force,
-            frames,
-            results,
-            ..
-        } = &mut self.buffers;
-        force.fill(0.0);
-        let in_modes = self.in_modes;
-        let whole = |body: &&MeshBody| !in_modes || body.modes.is_none();
-        for (index, body) in self.bodies.iter().enumerate().filter(|(_, body)| whole(body)) {
-            let action = frames[body.frame].action(body.spec.axes, gravity);
-            let size = body.spec.element_size();
-            let (q, v, a): (&[f64], &[f64], &[f64]) = (q, v, a);
-            evaluate(body.spec.count, size, results, |element, result| {
-                let mut local = [[0.0; MAX_SIZE]; 3];
-                for (values, full) in local.iter_mut().zip([q, v, a]) {
-                    body.connectivity.gather(element, full, &mut values[..size]);
-                }
-                let [q, v, a] = &local;
-                self.parts.force(
-                    index,
-                    element,
-                    body.frame == 0,
-                    &action,
-                    &q[..size],
-                    &v[..size],
-                    &a[..size],
-                    result,
-                );
-            });
-            for element in 0..body.spec.count {
-                let local = &results[element * size..(element + 1) * size];
-                for (&component, value) in body.connectivity.element(element).iter().zip(local) {
-                    force[component] += value;
-                }
-            }
-        }
+        self.buffers.force.fill(0.0);
+        // The sums for free frames hold before elastic forces are added.
+        self.add_inertia_forces(gravity);
+        self.add_elastic_forces();
         self.add_loads(t, load_scale);
-        self.add_carried_forces(gravity);
-        self.add_fixture_forces(gravity);
         self.add_marker_forces(t, load_scale);
         self.add_density_forces(t, load_scale);
+    }
+
+    fn add_elastic_forces(&mut self) {
+        let Buffers { q, v, force, lanes, .. } = &mut self.buffers;
+        for group in &self.groups {
+            if !(self.in_modes && self.bodies[group.body].modes.is_some()) {
+                group.add_forces(&*self.parts, [q, v], lanes, force);
+            }
+        }
     }
 
     /// Whether a load acts through a marker, since a free frame feels it.
@@ -218,42 +257,115 @@ impl MeshScene {
     }
 
     /// Derivatives of [`MeshScene::full_force`] at the loaded state, on the pattern.
-    pub(super) fn full_tangent(&mut self, t: f64, load_scale: f64, stiffness: &mut [f64], damping: &mut [f64]) {
+    pub(super) fn full_tangent(&mut self, t: f64, load_scale: f64, out: &mut Tangent) {
         self.set_fields(t, load_scale);
-        stiffness.fill(0.0);
-        damping.fill(0.0);
-        let Buffers {
-            q, v, frames, results, ..
-        } = &mut self.buffers;
-        let in_modes = self.in_modes;
-        let whole = |body: &&MeshBody| !in_modes || body.modes.is_none();
-        for (index, body) in self.bodies.iter().enumerate().filter(|(_, body)| whole(body)) {
-            let action = frames[body.frame].action(body.spec.axes, [0.0; 3]);
-            let size = body.spec.element_size();
-            let (q, v): (&[f64], &[f64]) = (q, v);
-            let width = 2 * size * size;
-            evaluate(body.spec.count, width, results, |element, result| {
-                let mut local = [[0.0; MAX_SIZE]; 2];
-                for (values, full) in local.iter_mut().zip([q, v]) {
-                    body.connectivity.gather(element, full, &mut values[..size]);
-                }
-                let (k, c) = result.split_at_mut(size * size);
-                let [q, v] = &local;
-                self.parts
-                    .tangent(index, element, body.frame == 0, &action, &q[..size], &v[..size], k, c);
-            });
-            for element in 0..body.spec.count {
-                let (k, c) = results[element * width..(element + 1) * width].split_at(size * size);
-                body.scatter.add(element, k, stiffness);
-                body.scatter.add(element, c, damping);
-            }
+        out.mass.clone_from(&self.mass);
+        for values in [&mut out.stiffness, &mut out.damping] {
+            values.clear();
+            values.resize(self.mass.len(), 0.0);
         }
-        self.add_load_tangents(t, load_scale, stiffness);
-        self.add_fixture_tangents(stiffness, damping);
-        self.add_marker_force_tangents(t, load_scale, stiffness, damping);
+        let [damping, stiffness] = [1, 2].map(Combination::only);
+        let Tangent {
+            stiffness: by_place,
+            damping: by_rate,
+            ..
+        } = &mut *out;
+        let blocks = |transport: &Transport| Blocks {
+            by_place: stiffness.block(transport),
+            by_rate: damping.block(transport),
+        };
+        self.each_element_tangent(blocks, |body, element, [k, c], lane, damps| {
+            body.scatter.add_by(element, |entry| k[entry][lane], by_place);
+            if damps {
+                body.scatter.add_by(element, |entry| c[entry][lane], by_rate);
+            }
+        });
+        let gravity = self.gravity(t).map(|g| load_scale * g);
+        for (place, values) in [&mut out.mass, &mut out.damping, &mut out.stiffness]
+            .into_iter()
+            .enumerate()
+        {
+            let only = Combination::only(place);
+            self.add_fixture_tangents(&only, values);
+            self.add_inertia_borders(gravity, &only, values);
+        }
+        self.add_load_tangents(t, load_scale, out);
+        self.add_marker_force_tangents(t, load_scale, out);
+        self.add_density_tangents(t, load_scale, out);
     }
 
-    fn add_load_tangents(&self, t: f64, load_scale: f64, stiffness: &mut [f64]) {
+    /// A combination of mass, damping and stiffness at the loaded state, that of constraints included.
+    pub(super) fn full_combination(&mut self, t: f64, lambda: &[f64], combination: &Combination, values: &mut [f64]) {
+        self.set_fields(t, 1.0);
+        let [b, g, k] = combination.factors;
+        for (value, mass) in values.iter_mut().zip(&self.mass) {
+            *value = b * mass;
+        }
+        // All that is not elastic starts the stiffness, so that one pass adds everything.
+        let blocks = |transport: &Transport| {
+            let block = combination.block(transport);
+            let divided = |factor: f64| -> Matrix { block.map(|row| row.map(|entry| entry / factor)) };
+            let mut blocks = Blocks::default();
+            if k != 0.0 {
+                blocks.by_place = divided(k);
+            } else if g != 0.0 {
+                blocks.by_rate = divided(g);
+            }
+            blocks
+        };
+        self.each_element_tangent(blocks, |body, element, [by_place, by_rate], lane, damps| {
+            if damps {
+                let entry = |entry: usize| k * by_place[entry][lane] + g * by_rate[entry][lane];
+                body.scatter.add_by(element, entry, values);
+            } else {
+                body.scatter.add_by(element, |entry| k * by_place[entry][lane], values);
+            }
+        });
+        self.add_fixture_tangents(combination, values);
+        self.add_inertia_borders(self.gravity(t), combination, values);
+        let mut sums = Combined {
+            combination,
+            turned: self.turned.clone(),
+            values,
+        };
+        self.add_load_tangents(t, 1.0, &mut sums);
+        self.add_marker_force_tangents(t, 1.0, &mut sums);
+        self.add_density_tangents(t, 1.0, &mut sums);
+        // Conditions on nodes and mean axes are linear in the unknowns: they add nothing.
+        self.marker_constraint_stiffness(t, lambda, &mut sums);
+    }
+
+    /// Calls for every element with its elastic derivatives, see [`super::batches::Group::each_tangent`].
+    fn each_element_tangent(
+        &mut self,
+        blocks: impl Fn(&Transport) -> Blocks,
+        mut call: impl FnMut(&MeshBody, usize, [&[Lanes]; 2], usize, bool),
+    ) {
+        let Buffers {
+            q, v, frames, lanes, ..
+        } = &mut self.buffers;
+        for group in &self.groups {
+            let body = &self.bodies[group.body];
+            if self.in_modes && body.modes.is_some() {
+                continue;
+            }
+            let axes = body.spec.axes;
+            let blocks = blocks(&Transport::new(&frames[body.frame], axes, [0.0; 3]));
+            let bodies = &self.bodies;
+            group.each_tangent(
+                &*self.parts,
+                axes,
+                [q, v],
+                &blocks,
+                lanes,
+                |(body, element), both, lane, damps| {
+                    call(&bodies[body], element, both, lane, damps);
+                },
+            );
+        }
+    }
+
+    fn add_load_tangents(&self, t: f64, load_scale: f64, out: &mut impl Sums) {
         for (index, point) in self.load_points.iter().enumerate() {
             let (Some(point), LoadKind::Moment { .. }) = (point, self.loads[index].kind) else {
                 continue;
@@ -278,7 +390,12 @@ impl MeshScene {
                     }
                 }
             }
-            body.scatter.add(point.element, &local, stiffness);
+            let components = body.connectivity.element(point.element);
+            for (place, &value) in local.iter().enumerate().filter(|(_, value)| **value != 0.0) {
+                if let Some((entry, factor)) = self.entry(components[place / size], components[place % size]) {
+                    out.stiffness(entry, factor * value);
+                }
+            }
         }
     }
 

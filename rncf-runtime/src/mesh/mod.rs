@@ -4,6 +4,7 @@
 //! here is the same for all models: numbering, assembly, elimination, initial states.
 
 mod assembly;
+mod batches;
 mod build;
 mod carried;
 mod checks;
@@ -15,6 +16,8 @@ mod fixtures;
 mod frame;
 mod frames;
 mod free;
+mod inertia;
+mod inertia_tangent;
 mod initial;
 mod layout;
 mod line;

@@ -1,20 +1,24 @@
 //! The scene of a model: what it consists of, sizes, and places on bodies.
 
-use super::assembly::{Connectivity, Scatter};
-use super::carried::Border;
+use std::sync::Arc;
+
+use super::assembly::{Connectivity, Numbering, Scatter};
+use super::batches::Group;
 use super::conditions::Condition;
 use super::density::{Batches, Density};
-use super::evaluate::weighted;
+use super::evaluate::{TurnedColumns, weighted};
 use super::fixtures::Fixture;
 use super::frame::FrameMotion;
 use super::frames::FreeFrame;
+use super::inertia::{NodalMass, Padded};
+use super::inertia_tangent::Border;
 use super::layout::Layout;
 use super::linked::{Linked, MarkedLoad, Marker};
 use super::markers::ForceSpec;
 use super::mean_axes::MeanAxes;
 use super::modal::ModalBody;
 use super::parts::{BodySpec, Interpolant, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, PointQuantity};
-use super::repeated::label;
+use super::repeated::{LANES, label};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::Formulation;
@@ -33,6 +37,10 @@ pub(super) struct MeshBody {
     pub scatter: Scatter,
     /// Mass matrix of an element's vectors.
     pub mass: Vec<f64>,
+    /// Mass matrix of all its vectors, what is fixed to it included.
+    pub whole_mass: NodalMass,
+    /// The same of what is fixed to it alone.
+    pub fixed_mass: NodalMass,
     /// Its modes, where modal coordinates describe it.
     pub modes: Option<ModalBody>,
 }
@@ -117,7 +125,12 @@ pub(super) struct Buffers {
     pub jerks: Vec<f64>,
     pub force: Vec<f64>,
     pub frames: Vec<FrameMotion>,
-    pub results: Vec<f64>,
+    /// Results of elements side by side.
+    pub lanes: Vec<[f64; LANES]>,
+    /// Accelerations in space of a body's vectors.
+    pub nodal: Vec<[Padded; 1]>,
+    /// Places, velocities and accelerations in space of a body's vectors.
+    pub nodal_rates: Vec<[Padded; 3]>,
     /// Gravity of the loads that are applied, m/s^2, inertial axes; for section forces.
     pub gravity: Vector,
     /// How the fields on every free frame change with each of its unknowns, inertial axes.
@@ -134,7 +147,9 @@ impl Buffers {
             jerks: zeros(),
             force: zeros(),
             frames,
-            results: Vec::new(),
+            lanes: Vec::new(),
+            nodal: Vec::new(),
+            nodal_rates: Vec::new(),
             gravity: [0.0; 3],
             field_changes: Vec::new(),
         }
@@ -171,6 +186,8 @@ pub struct MeshScene {
     pub(super) fixed: Vec<FreeFrame>,
     /// First unknowns of orientations.
     pub(super) turns: Vec<usize>,
+    /// Their columns on the pattern.
+    pub(super) turned: Arc<[TurnedColumns]>,
     pub(super) markers: Vec<Marker>,
     pub(super) constraints: Vec<Linked>,
     pub(super) forces: Vec<ForceSpec>,
@@ -181,6 +198,9 @@ pub struct MeshScene {
     pub(super) mean_axes: Vec<MeanAxes>,
     /// For every body the places beside its free frame.
     pub(super) borders: Vec<Border>,
+    /// Elements that are evaluated side by side.
+    pub(super) groups: Vec<Group>,
+    pub(super) numbering: Numbering,
     pub(super) layout: Layout,
     pub(super) pattern: Pattern,
     pub(super) constraint_pattern: Pattern,
@@ -206,11 +226,6 @@ pub(super) enum Row {
 }
 
 impl MeshScene {
-    /// Whether the elements of a body are left out at present.
-    pub(super) fn is_left_to_modes(&self, body: &MeshBody) -> bool {
-        self.in_modes && body.modes.is_some()
-    }
-
     /// Components of all nodal vectors of the undeformed bodies, in their declared frames.
     pub(super) fn shape(&self) -> Vec<f64> {
         let mut shape = Vec::with_capacity(self.layout.vector_components());

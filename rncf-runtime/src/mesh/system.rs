@@ -2,6 +2,7 @@
 
 use super::conditions::{Condition, row_count, width};
 use super::evaluate::MOST;
+use super::inertia_tangent::Combination;
 use super::layout::VectorKind;
 use super::parts::{Interpolant, JointKind};
 use super::scene::{MeshScene, Regime, Row};
@@ -38,40 +39,29 @@ impl System for MeshScene {
 
     fn mass(&mut self, state: &State, values: &mut [f64]) {
         values.copy_from_slice(&self.mass);
-        if self.free.is_empty() {
-            return;
-        }
-        self.load_state(state);
-        let zeros = || vec![0.0; values.len()];
-        let mut tangent = Tangent {
-            mass: zeros(),
-            stiffness: zeros(),
-            damping: zeros(),
-        };
-        self.add_borders(state.t, &mut tangent);
-        for (sum, value) in values.iter_mut().zip(&tangent.mass) {
-            *sum += value;
+        if !self.free.is_empty() {
+            self.load_state(state);
+            self.add_inertia_borders(self.gravity(state.t), &Combination::only(0), values);
         }
     }
 
     fn residual(&mut self, state: &State, out: &mut [f64]) {
         self.load_state(state);
         self.full_force(state.t, 1.0);
-        self.layout.project(&self.buffers.force, out);
+        self.numbering.project(&self.buffers.force, out);
     }
 
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
         self.load_state(state);
-        out.mass.clone_from(&self.mass);
-        out.stiffness.resize(self.pattern.entries(), 0.0);
-        out.damping.resize(self.pattern.entries(), 0.0);
-        self.full_tangent(state.t, 1.0, &mut out.stiffness, &mut out.damping);
-        self.add_density_tangents(state.t, 1.0, out);
-        if !self.free.is_empty() {
-            self.add_borders(state.t, out);
-        }
+        self.full_tangent(state.t, 1.0, out);
         // Conditions on nodes and mean axes are linear in the unknowns: they add nothing.
-        self.marker_constraint_stiffness(state.t, &state.lambda, &mut out.stiffness);
+        self.marker_constraint_stiffness(state.t, &state.lambda, out);
+    }
+
+    fn iteration_matrix(&mut self, state: &State, factors: [f64; 3], values: &mut [f64]) {
+        self.load_state(state);
+        let combination = Combination::of_increments(factors, &self.turns, state);
+        self.full_combination(state.t, &state.lambda, &combination, values);
     }
 
     fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]) {
@@ -283,12 +273,5 @@ impl MeshScene {
             .flat_map(|condition| condition.rows.iter().map(move |&row| (row, condition)));
         rows.enumerate()
             .map(|(column, (row, condition))| (column, row, condition))
-    }
-
-    /// Adds what free frames carry at the loaded state.
-    fn add_borders(&mut self, t: f64, out: &mut Tangent) {
-        let gravity = self.gravity(t);
-        self.add_carried_tangents(gravity, out);
-        self.add_fixture_borders(gravity, out);
     }
 }

@@ -117,17 +117,8 @@ impl MeshScene {
 
     /// Tangents at the loaded uniform motion at constant velocities, what modal bodies make excluded.
     pub(super) fn uniform_tangent(&mut self, at: &Uniform, state: &State, out: &mut Tangent) {
-        out.mass.clone_from(&self.mass);
-        out.stiffness.resize(self.pattern.entries(), 0.0);
-        out.damping.resize(self.pattern.entries(), 0.0);
-        self.full_tangent(at.t, at.load(), &mut out.stiffness, &mut out.damping);
-        self.add_density_tangents(at.t, at.load(), out);
-        if !self.free.is_empty() {
-            let gravity = scale(at.load(), self.gravity(at.t));
-            self.add_carried_tangents(gravity, out);
-            self.add_fixture_borders(gravity, out);
-        }
-        self.marker_constraint_stiffness(at.t, &state.lambda, &mut out.stiffness);
+        self.full_tangent(at.t, at.load(), out);
+        self.marker_constraint_stiffness(at.t, &state.lambda, out);
     }
 
     /// The declared start at the time of `at`, at rest in the frames; what moves freely is carried on with

@@ -104,12 +104,7 @@ impl<'a> Check<'a> {
     pub(super) fn floating(&mut self) {
         let Some(mut tied) = self.tied.clone() else { return };
         // What is held holds all that shares nodes with it.
-        let shared = || {
-            self.model
-                .shares
-                .iter()
-                .map(|share| share.ends.each_ref().map(|(body, _)| *body))
-        };
+        let shared = || self.model.shares.iter().map(|share| share.ends.each_ref().map(|(body, _)| *body));
         let reached = |tied: &[BodyId]| shared().find(|ends| tied.contains(&ends[0]) != tied.contains(&ends[1]));
         while let Some(ends) = reached(&tied) {
             tied.extend(ends);

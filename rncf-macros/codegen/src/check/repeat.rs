@@ -31,10 +31,7 @@ impl<'a> Check<'a> {
             }
             let count = declared.count.as_ref().and_then(|count| self.repetitions(count));
             self.model.repeats.push(Repeat {
-                index: declared
-                    .index
-                    .as_ref()
-                    .map_or(String::new(), |index| index.text.clone()),
+                index: declared.index.as_ref().map_or(String::new(), |index| index.text.clone()),
                 count: count.unwrap_or(Value::Number(1.0)),
             });
         }

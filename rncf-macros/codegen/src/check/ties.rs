@@ -181,9 +181,7 @@ impl<'m> Frame<'m> {
     /// Whether joints in loops tie the frame.
     fn is_tied_in_loops(&self) -> bool {
         let joints = &self.start.model.joints;
-        joints
-            .iter()
-            .any(|joint| joint.frame == self.id && joint.repeat.is_some())
+        joints.iter().any(|joint| joint.frame == self.id && joint.repeat.is_some())
     }
 
     /// Whether a body has sections, so that it can be held, and has inertia, against turning about its axis.

@@ -65,11 +65,7 @@ fn range(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
         return Err(Mistake::new(start, say::RANGE));
     }
     if !is_zero || cursor.mark() != first + 1 {
-        let area = if cursor.mark() == first {
-            start.into()
-        } else {
-            cursor.since(start)
-        };
+        let area = if cursor.mark() == first { start.into() } else { cursor.since(start) };
         return Err(Mistake::new(area, say::RANGE_START));
     }
     cursor.next();

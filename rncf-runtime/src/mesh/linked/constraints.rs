@@ -3,7 +3,7 @@
 use super::super::scene::MeshScene;
 use super::Linked;
 use super::jets::{Column, Marker};
-use crate::system::ConstraintLevel;
+use crate::system::{ConstraintLevel, Sums};
 use crate::vector::{Vector, add, cross, dot, scale};
 
 /// The three numbers of marker `place` in a row of `3 k`.
@@ -138,7 +138,7 @@ impl MeshScene {
     }
 
     /// Adds `d(C_x^T lambda)/dx` of all constraints on markers.
-    pub(in super::super) fn marker_constraint_stiffness(&self, t: f64, lambda: &[f64], stiffness: &mut [f64]) {
+    pub(in super::super) fn marker_constraint_stiffness(&self, t: f64, lambda: &[f64], out: &mut impl Sums) {
         let mut first = self.first_linked();
         for linked in &self.constraints {
             let rows = linked.spec.rows.len();
@@ -164,7 +164,9 @@ impl MeshScene {
                             if m == n {
                                 value += i.second(j, pull);
                             }
-                            self.add_entry(i.component, j.component, value, stiffness);
+                            if let Some((entry, factor)) = self.entry(i.component, j.component) {
+                                out.stiffness(entry, factor * value);
+                            }
                         }
                     }
                 }
@@ -172,13 +174,10 @@ impl MeshScene {
         }
     }
 
-    /// Adds a number to the entry of two components.
-    pub(in super::super) fn add_entry(&self, row: usize, column: usize, value: f64, values: &mut [f64]) {
-        if let (Some((i, a)), Some((j, b))) = (self.layout.unknown(row), self.layout.unknown(column))
-            && let Some(entry) = self.pattern.find(i, j)
-        {
-            values[entry] += a * b * value;
-        }
+    /// Entry of two components on the pattern, and the factor of what is added there.
+    pub(in super::super) fn entry(&self, row: usize, column: usize) -> Option<(usize, f64)> {
+        let ((i, a), (j, b)) = (self.layout.unknown(row)?, self.layout.unknown(column)?);
+        Some((self.pattern.find(i, j)?, a * b))
     }
 
     /// Adds `C_x^T lambda` of all constraints on markers to the forces of all components.

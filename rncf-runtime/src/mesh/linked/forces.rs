@@ -5,6 +5,7 @@ use super::super::parts::LoadKind;
 use super::super::scene::{MeshPoint, MeshScene};
 use super::constraints::{block_product, part};
 use super::jets::{Column, Marker};
+use crate::system::Sums;
 use crate::vector::{Matrix, Vector, apply, cross, dot};
 
 /// A declared load on a body whose frame is free, or along the axes of a free frame.
@@ -56,13 +57,7 @@ impl MeshScene {
     }
 
     /// Adds the derivatives of the forces on markers at the loaded state.
-    pub(in super::super) fn add_marker_force_tangents(
-        &self,
-        t: f64,
-        load_scale: f64,
-        stiffness: &mut [f64],
-        damping: &mut [f64],
-    ) {
+    pub(in super::super) fn add_marker_force_tangents(&self, t: f64, load_scale: f64, out: &mut impl Sums) {
         for (index, spec) in self.forces.iter().enumerate() {
             let (z, velocity) = self.force_arguments(spec.markers);
             let count = z.len();
@@ -91,15 +86,17 @@ impl MeshScene {
                             if m == n {
                                 value += i.second(j, force);
                             }
-                            self.add_entry(i.component, j.component, -value, stiffness);
-                            self.add_entry(i.component, j.component, -rate, damping);
+                            if let Some((entry, factor)) = self.entry(i.component, j.component) {
+                                out.stiffness(entry, -factor * value);
+                                out.damping(entry, -factor * rate);
+                            }
                         }
                     }
                 }
             }
         }
         for index in 0..self.marked_loads.len() {
-            self.add_marked_tangent(index, t, load_scale, stiffness);
+            self.add_marked_tangent(index, t, load_scale, out);
         }
     }
 
@@ -166,7 +163,7 @@ impl MeshScene {
         blocks
     }
 
-    fn add_marked_tangent(&self, index: usize, t: f64, load_scale: f64, stiffness: &mut [f64]) {
+    fn add_marked_tangent(&self, index: usize, t: f64, load_scale: f64, out: &mut impl Sums) {
         let marked = &self.marked_loads[index];
         let frame = self.marked_frame(index);
         let value = self.marked_value(index, t, load_scale);
@@ -196,11 +193,15 @@ impl MeshScene {
                         if m == n {
                             value += i.second(j, forces[m]);
                         }
-                        self.add_entry(i.component, j.component, -value, stiffness);
+                        if let Some((entry, factor)) = self.entry(i.component, j.component) {
+                            out.stiffness(entry, -factor * value);
+                        }
                     }
                 }
                 for (component, changes) in &with_load {
-                    self.add_entry(i.component, *component, -dot(row, changes[m]), stiffness);
+                    if let Some((entry, factor)) = self.entry(i.component, *component) {
+                        out.stiffness(entry, -factor * dot(row, changes[m]));
+                    }
                 }
             }
         }
