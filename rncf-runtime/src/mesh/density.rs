@@ -367,7 +367,7 @@ impl MeshScene {
         }
         let values = self.all_values(t);
         let mut on_frames = vec![[[0.0; 3]; 2]; self.densities.len()];
-        let mut results = std::mem::take(&mut self.buffers.results);
+        let mut results = std::mem::take(&mut self.buffers.densities);
         let kinds = std::mem::take(&mut self.density_batches);
         for of in &kinds {
             let (scene, size) = (&*self, of.size);
@@ -398,7 +398,7 @@ impl MeshScene {
                 }
             }
         }
-        (self.buffers.results, self.density_batches) = (results, kinds);
+        (self.buffers.densities, self.density_batches) = (results, kinds);
         for (density, [force, moment]) in on_frames.into_iter().enumerate() {
             let frame = self.bodies[self.densities[density].spec.body].frame;
             let Some(free) = self.free_of[frame] else { continue };
@@ -428,7 +428,7 @@ impl MeshScene {
         }
         let values = self.all_values(t);
         let mut totals: Vec<Total> = self.densities.iter().map(Density::total).collect();
-        let mut results = std::mem::take(&mut self.buffers.results);
+        let mut results = std::mem::take(&mut self.buffers.densities);
         for of in &self.density_batches {
             let (n, k) = (of.size, of.values);
             let width = (n + n * n + n * k) * LANES;
@@ -453,7 +453,7 @@ impl MeshScene {
                 }
             }
         }
-        self.buffers.results = results;
+        self.buffers.densities = results;
         for (index, total) in totals.iter().enumerate() {
             self.add_total(index, t, total, out);
         }

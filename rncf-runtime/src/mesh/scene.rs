@@ -133,6 +133,8 @@ pub(super) struct Buffers {
     pub nodal_rates: Vec<[Padded; 3]>,
     /// Gravity of the loads that are applied, m/s^2, inertial axes; for section forces.
     pub gravity: Vector,
+    /// Forces of densities and their derivatives, batch by batch.
+    pub densities: Vec<f64>,
     /// How the fields on every free frame change with each of its unknowns, inertial axes.
     pub field_changes: Vec<Vec<Vector>>,
 }
@@ -151,6 +153,7 @@ impl Buffers {
             nodal: Vec::new(),
             nodal_rates: Vec::new(),
             gravity: [0.0; 3],
+            densities: Vec::new(),
             field_changes: Vec::new(),
         }
     }
