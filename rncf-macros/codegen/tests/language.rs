@@ -24,7 +24,7 @@ const WORDS: &[&str] = &[
     "planar", "spatial", "line", "arc", "mesh", "from", "to", "direction", "radius", "xy", "yz", "zx",
     "normal", "section_y", "twist", "circle", "tube", "rectangle", "shear_factor", "energy", "xx", "yy", "zz", "xz",
     "quadrature", "evaluation", "gauss", "automatic", "tensor", "points", "loop",
-    "clamp", "clamp_full", "pin", "at", "start", "end", "gravity", "force", "moment",
+    "clamp", "clamp_full", "pin", "at", "start", "end", "gravity", "force", "moment", "density",
     "position", "velocity", "slope", "acceleration", "angular_velocity", "center", "ex", "ey", "ez", "slide", "multiplier",
     "weld", "spherical", "revolute", "universal", "cylindrical", "prismatic", "distance", "hold", "drive", "cross", "length",
     "linear", "law", "torsional", "torsional_law", "stiffness", "rate", "follower", "dot", "norm",

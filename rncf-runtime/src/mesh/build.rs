@@ -108,6 +108,8 @@ impl MeshScene {
             constraints: linked(&*parts, &specs, absolute),
             forces: parts.forces(),
             marked_loads: Vec::new(),
+            densities: Vec::new(),
+            density_batches: Vec::new(),
             fixtures: Vec::new(),
             mean_axes: Vec::new(),
             settled: Vec::new(),
@@ -172,6 +174,8 @@ impl MeshScene {
             let fixture = Fixture::new(spec, point, &self.bodies[spec_body].spec);
             self.fixtures.push(fixture);
         }
+        self.place_densities()?;
+        self.check_fields()?;
         self.check_fixed()
     }
 
@@ -207,6 +211,7 @@ impl MeshScene {
             let [whole, fixed] = self.nodal_masses(index);
             (self.bodies[index].whole_mass, self.bodies[index].fixed_mass) = (whole, fixed);
         }
+        self.tabulate_densities();
         self.groups = groups(&self.bodies);
         self.turned = self
             .turns
@@ -264,6 +269,7 @@ impl MeshScene {
                 }
             }
         }
+        entries.extend(self.density_entries());
         entries
     }
 

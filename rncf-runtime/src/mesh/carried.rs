@@ -6,7 +6,7 @@ use super::frames::Direction;
 use super::parts::CarriedTangent;
 use super::scene::MeshScene;
 use crate::system::Tangent;
-use crate::vector::{Vector, add, cross, dot};
+use crate::vector::{Vector, cross, dot, subtract};
 
 /// Most rows of force and moment.
 const ROWS: usize = 6;
@@ -98,11 +98,12 @@ struct Seen {
     turn: Vector,
 }
 
-fn seen(axes: &[usize], frame: &FrameMotion, e: Vector, direction: &Direction) -> Seen {
+/// `field` is the change of the field on the frame by the unknown, inertial axes.
+fn seen(axes: &[usize], frame: &FrameMotion, e: Vector, direction: &Direction, field: Vector) -> Seen {
     let shift = frame.direction_to_frame(direction.shift);
     Seen {
         rate: rows_of(axes, shift, direction.turn),
-        change: rows_of(axes, cross(e, direction.turn), [0.0; 3]),
+        change: rows_of(axes, subtract(cross(e, direction.turn), frame.direction_to_frame(field)), [0.0; 3]),
         shift,
         turn: direction.turn,
     }
@@ -159,9 +160,12 @@ impl MeshScene {
     fn seen_unknowns(&self, free: usize, axes: &[usize], gravity: Vector) -> Vec<Seen> {
         let frame = &self.free[free];
         let motion = &self.buffers.frames[frame.spec.frame];
-        let e = motion.direction_to_frame(add(motion.acceleration, gravity.map(|g| -g)));
-        let directions = frame.directions.iter();
-        directions.map(|direction| seen(axes, motion, e, direction)).collect()
+        let e = motion.felt(gravity);
+        let change = |place: usize| self.buffers.field_changes.get(free).map_or([0.0; 3], |all| all[place]);
+        let directions = frame.directions.iter().enumerate();
+        directions
+            .map(|(place, direction)| seen(axes, motion, e, direction, change(place)))
+            .collect()
     }
 
     /// Adds what the inertia of a body's modes makes among the unknowns of its free frame, at the

@@ -181,6 +181,7 @@ impl MeshScene {
 
     /// `M a + f` of all components at the loaded state; loads are multiplied by `load_scale`.
     pub(super) fn full_force(&mut self, t: f64, load_scale: f64) {
+        self.set_fields(t, load_scale);
         let gravity = self.gravity(t).map(|g| load_scale * g);
         self.buffers.force.fill(0.0);
         // The sums for free frames hold before elastic forces are added.
@@ -188,6 +189,7 @@ impl MeshScene {
         self.add_elastic_forces();
         self.add_loads(t, load_scale);
         self.add_marker_forces(t, load_scale);
+        self.add_density_forces(t, load_scale);
     }
 
     fn add_elastic_forces(&mut self) {
@@ -256,6 +258,7 @@ impl MeshScene {
 
     /// Derivatives of [`MeshScene::full_force`] at the loaded state, on the pattern.
     pub(super) fn full_tangent(&mut self, t: f64, load_scale: f64, out: &mut Tangent) {
+        self.set_fields(t, load_scale);
         out.mass.clone_from(&self.mass);
         for values in [&mut out.stiffness, &mut out.damping] {
             values.clear();
@@ -288,10 +291,12 @@ impl MeshScene {
         }
         self.add_load_tangents(t, load_scale, out);
         self.add_marker_force_tangents(t, load_scale, out);
+        self.add_density_tangents(t, load_scale, out);
     }
 
     /// A combination of mass, damping and stiffness at the loaded state, that of constraints included.
     pub(super) fn full_combination(&mut self, t: f64, lambda: &[f64], combination: &Combination, values: &mut [f64]) {
+        self.set_fields(t, 1.0);
         let [b, g, k] = combination.factors;
         for (value, mass) in values.iter_mut().zip(&self.mass) {
             *value = b * mass;
@@ -325,6 +330,7 @@ impl MeshScene {
         };
         self.add_load_tangents(t, 1.0, &mut sums);
         self.add_marker_force_tangents(t, 1.0, &mut sums);
+        self.add_density_tangents(t, 1.0, &mut sums);
         // Conditions on nodes and mean axes are linear in the unknowns: they add nothing.
         self.marker_constraint_stiffness(t, lambda, &mut sums);
     }

@@ -22,6 +22,8 @@ pub struct FrameMotion {
     pub jerk: [f64; 3],
     /// Second time derivative of the angular velocity, rad/s^3, frame axes; needed as `jerk`.
     pub spin_jerk: [f64; 3],
+    /// Gravity of the fields on what the frame carries, m/s^2, inertial axes; the runtime sets it.
+    pub field: [f64; 3],
 }
 
 /// What a moving frame does to a body in it, in the order of the body's axes (planar bodies: spin
@@ -47,6 +49,7 @@ impl FrameMotion {
         spin_rate: [0.0; 3],
         jerk: [0.0; 3],
         spin_jerk: [0.0; 3],
+        field: [0.0; 3],
     };
 
     /// Whether pose, velocities and accelerations are numbers.
@@ -95,9 +98,14 @@ impl FrameMotion {
         self.direction_to_inertial(add(rate, cross(self.spin, d)))
     }
 
+    /// Acceleration of the origin minus gravity (m/s^2, inertial axes) and fields, frame axes: e of THEORY 2.
+    pub fn felt(&self, gravity: [f64; 3]) -> [f64; 3] {
+        self.direction_to_frame(subtract(self.acceleration, add(gravity, self.field)))
+    }
+
     /// What the frame does to a body with the given axes under gravity (m/s^2, inertial axes).
     pub fn action(&self, axes: &[usize], gravity: [f64; 3]) -> FrameAction {
-        let acceleration = self.direction_to_frame(subtract(self.acceleration, gravity));
+        let acceleration = self.felt(gravity);
         let mut action = FrameAction::default();
         for (place, &axis) in axes.iter().enumerate() {
             action.acceleration[place] = acceleration[axis];

@@ -15,7 +15,7 @@ use super::frame::FrameMotion;
 use super::free::RigidSpec;
 use super::parts::BodySpec;
 use super::scene::{Buffers, MeshBody, MeshScene};
-use crate::vector::{Matrix, Vector, add, apply, cross, dot, multiply, scale, skew, subtract};
+use crate::vector::{Matrix, Vector, add, apply, cross, dot, multiply, scale, skew};
 
 /// Three components, and one more for the width of the machine.
 pub(super) type Padded = [f64; 4];
@@ -80,7 +80,7 @@ impl Transport {
             vector
         };
         Self {
-            e: frame.direction_to_frame(subtract(frame.acceleration, gravity)),
+            e: frame.felt(gravity),
             spin: along(frame.spin),
             spin_rate: along(frame.spin_rate),
         }

@@ -207,17 +207,22 @@ impl MeshScene {
     fn seen(&self, free: usize, gravity: Vector, maps: &[Matrix]) -> Vec<Seen> {
         let frame = &self.free[free];
         let motion = &self.buffers.frames[frame.spec.frame];
-        let e = motion.direction_to_frame(subtract(motion.acceleration, gravity));
+        let e = motion.felt(gravity);
+        let field = |place: usize| {
+            let changes = self.buffers.field_changes.get(free);
+            changes.map_or([0.0; 3], |changes| motion.direction_to_frame(changes[place]))
+        };
         let mut seen: Vec<Seen> = frame
             .directions
             .iter()
-            .map(|direction| {
+            .enumerate()
+            .map(|(place, direction)| {
                 let shift = motion.direction_to_frame(direction.shift);
                 Seen {
                     shift,
                     turn: direction.turn,
                     rate: [shift, direction.turn],
-                    change: cross(e, direction.turn),
+                    change: subtract(cross(e, direction.turn), field(place)),
                 }
             })
             .collect();

@@ -10,7 +10,9 @@ mod carried;
 mod checks;
 mod conditions;
 mod configuration;
+mod density;
 mod evaluate;
+mod fields;
 mod fixtures;
 mod frame;
 mod frames;
@@ -49,6 +51,7 @@ mod whirl;
 
 pub use checks::{array, array_mut, check_params, inertia, non_negative, poisson, positive};
 pub use configuration::{Configuration, Curve};
+pub use density::{add_lane, declared, lane};
 pub use frame::{FrameAction, FrameMotion};
 pub use free::{FreeSpec, Motions, RigidSpec};
 pub use layout::{Layout, VectorKind};

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::assembly::{Connectivity, Numbering, Scatter};
 use super::batches::Group;
 use super::conditions::Condition;
+use super::density::{Batches, Density};
 use super::evaluate::{TurnedColumns, weighted};
 use super::fixtures::Fixture;
 use super::frame::FrameMotion;
@@ -132,6 +133,10 @@ pub(super) struct Buffers {
     pub nodal_rates: Vec<[Padded; 3]>,
     /// Gravity of the loads that are applied, m/s^2, inertial axes; for section forces.
     pub gravity: Vector,
+    /// Forces of densities and their derivatives, batch by batch.
+    pub densities: Vec<f64>,
+    /// How the fields on every free frame change with each of its unknowns, inertial axes.
+    pub field_changes: Vec<Vec<Vector>>,
 }
 
 impl Buffers {
@@ -148,6 +153,8 @@ impl Buffers {
             nodal: Vec::new(),
             nodal_rates: Vec::new(),
             gravity: [0.0; 3],
+            densities: Vec::new(),
+            field_changes: Vec::new(),
         }
     }
 }
@@ -188,6 +195,8 @@ pub struct MeshScene {
     pub(super) constraints: Vec<Linked>,
     pub(super) forces: Vec<ForceSpec>,
     pub(super) marked_loads: Vec<MarkedLoad>,
+    pub(super) densities: Vec<Density>,
+    pub(super) density_batches: Vec<Batches>,
     pub(super) fixtures: Vec<Fixture>,
     pub(super) mean_axes: Vec<MeanAxes>,
     /// For every body that starts in relative equilibrium the components of its vectors, frame axes; else nothing.

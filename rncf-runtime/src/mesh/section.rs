@@ -324,7 +324,7 @@ impl<'a> Reader<'a> {
         let spec = &body.spec;
         let (buffers, dimension) = (&self.scene.buffers, spec.dimension());
         let frame = &buffers.frames[body.frame];
-        let origin = frame.direction_to_frame(subtract(frame.acceleration, buffers.gravity));
+        let origin = frame.felt(buffers.gravity);
         let mass = self.density * spec.line.length() / spec.count as f64;
         let components = body.connectivity.element(element);
         let [first, middle, last] = std::array::from_fn(|place| {

@@ -104,6 +104,9 @@ impl MeshScene {
                 self.loads[index].name
             ));
         }
+        if let Some(name) = self.timed_load(at.t) {
+            return Some(format!("load `{name}` varies with time: give it a constant value"));
+        }
         let whole = Uniform { scale: 1.0, ..*at };
         let spin = match self.rotation(&whole) {
             Ok(spin) => spin,
@@ -176,7 +179,7 @@ impl MeshScene {
         let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
         let mut users = constraints.chain(self.forces.iter().map(|force| force.markers));
         let frame = |marker: usize| self.marker_frame(&self.markers[marker]);
-        !self.free.is_empty() || users.any(|markers| markers.iter().any(|&marker| frame(marker) != frame(markers[0])))
+        !self.free.is_empty() || self.is_marked_elsewhere() || users.any(|markers| markers.iter().any(|&marker| frame(marker) != frame(markers[0])))
     }
 
     /// A prescribed frame whose motion is not uniform.
@@ -232,7 +235,7 @@ impl MeshScene {
         let value = frames[load.frame].direction_to_inertial(self.parts.load(index, t));
         let acts_on = |body: usize| match load.kind {
             LoadKind::Gravity => true,
-            LoadKind::Field { .. } => self.bodies[body].spec.frame == load.frame,
+            LoadKind::Field { .. } => false,
             LoadKind::Force { body: other, .. } | LoadKind::Moment { body: other, .. } => body == other,
         };
         let turned = |frame: usize| turns(&frames[load.frame], &frames[frame], value);

@@ -124,6 +124,7 @@ impl MeshScene {
             ]
         };
         let before = look(self, t);
+        let (loads, timed) = (self.marked_values(t), self.timed_values(t));
         let (frames, q) = (self.buffers.frames.clone(), self.buffers.q.clone());
         self.displace(displacement);
         let after = look(self, t + displacement.later.unwrap_or(0.0));
@@ -142,6 +143,7 @@ impl MeshScene {
                 names.push(format!("force `{}`", self.forces[index].name));
             }
         }
+        names.extend(self.changed_loads(t, displacement, &loads, &timed));
         (self.buffers.frames, self.buffers.q) = (frames, q);
         names.into_iter().next()
     }

@@ -145,6 +145,11 @@ impl<'a> Check<'a> {
         if let Some(local) = self.locals.get(text) {
             return Some(local.clone());
         }
+        if let Some(vector) = self.particle.get(text) {
+            let message = say::vector_as_number(&vector.axis_list());
+            self.errors.at(name.span, message);
+            return None;
+        }
         if let Some(index) = self.index(name, scope) {
             return index;
         }

@@ -121,6 +121,11 @@ pub fn has_index(expr: &Expr) -> bool {
     contains(expr, &|expr| matches!(expr, Expr::Index))
 }
 
+/// Whether position or slope of a particle stands in the expression.
+pub fn has_local(expr: &Expr) -> bool {
+    contains(expr, &|expr| matches!(expr, Expr::Local { .. }))
+}
+
 /// Whether a component of the strain stands in the expression.
 pub fn has_strain(expr: &Expr) -> bool {
     contains(expr, &|expr| matches!(expr, Expr::Strain(_)))

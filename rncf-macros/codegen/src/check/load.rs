@@ -1,4 +1,4 @@
-//! Loads: gravity, dead forces and moments.
+//! Loads: gravity, dead forces and moments; per length and fields in `density`.
 
 use super::expr::Scope;
 use super::place::Place;
@@ -9,7 +9,8 @@ use crate::model::{FrameId, INERTIAL, Load, LoadKind, Space};
 use crate::parse::tree::{Call, Item, ItemKind, Keyword};
 use crate::suggest;
 
-const GRAVITY: Wanted = Wanted {
+/// Component of gravity.
+pub(super) const GRAVITY: Wanted = Wanted {
     what: "gravity",
     dimension: [1, 0, -2, 0, 0, 0],
     unit: "m/s^2",
@@ -47,8 +48,13 @@ impl<'a> Check<'a> {
                 let _ = self.follower(item, call);
                 None
             }
+            "density" => {
+                let _ = self.density(item, call);
+                None
+            }
             other => {
-                let message = suggest::unknown("load", other, ["gravity", "force", "moment", "follower"]);
+                let known = ["gravity", "force", "moment", "follower", "density"];
+                let message = suggest::unknown("load", other, known);
                 self.errors.at(call.name.span, message);
                 None
             }
@@ -65,11 +71,14 @@ impl<'a> Check<'a> {
     fn gravity(&mut self, call: &'a Call) -> Option<LoadKind> {
         let shape = Shape {
             positional: 1,
-            named: &[],
+            named: &["on"],
             required: &[],
             usage: "gravity([0, 0, -9.81] m/s^2)",
         };
         let arguments = self.arguments(call, &shape)?;
+        if let Some(on) = arguments.named.get("on") {
+            return self.field(&arguments, on);
+        }
         let vector = self.vector(arguments.positional[0], Scope::Prescribed, GRAVITY)?;
         // One message for each plane that it leaves, however many bodies and frames move in it.
         for normal in self.plane_normals() {

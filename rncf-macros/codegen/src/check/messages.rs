@@ -80,6 +80,9 @@ pub const FOLLOWER_COMPONENTS: &str =
 pub const FOLLOWER_IN_SPACE: &str =
     "in space nothing says where across the tangent is: give the component along it only, `follower(beam.end, 3 N)`";
 pub const AXES_OF_LOAD: &str = "the components stand in the axes of another frame already: leave out `in`, or make them components in it with `.in(..)`";
+pub const DENSITY_REPETITION: &str =
+    "a density acts on all repetitions of a body: write it in the loop, with the loop's index in brackets";
+pub const DENSITY_ON_MODES: &str = "a density acts on bodies that are described by all their nodal vectors: leave out `modal`, `small` or `rigid` of this body";
 pub const NO_OUTPUT: &str = "the model has no output: add e.g. `output u = beam.end.x;`";
 
 pub const FIXTURE_PLACE: &str =
@@ -235,6 +238,12 @@ messages! {
     tied_twice(what, name, frame) = "`{frame}` is held a second time, by {what} `{name}`: a free frame without mass of its own needs exactly as many ties as it has motions; join the bodies with each other instead, or give the frame mass with a `fixture .. on {frame}`";
     lacks_field(kind, name, field, example) = "{kind} `{name}` has no `{field}`: write e.g. `{example}`";
     rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body `spatial`";
+    density_degree(degree) = "this is a polynomial of degree {degree} in `slope` and `position`: degrees to 4 are integrated, so write one of lower degree";
+    density_not_polynomial(what) = "{what} of `slope` or `position` is no polynomial, which a density must be to be integrated exactly: use sums, products and whole powers of them, functions only of what is the same along the body";
+    density_axes(from, to) = "the components stand in the axes of `{from}`, those of a density in the axes of its body's frame: see places and directions in it, e.g. `inertial.in({to})` or `{to}.ex.in({to})`";
+    rate_in_load(name) = "a density or a field is a function of positions, directions and angles: `{name}` has no place in it";
+    field_on_prescribed(frame) = "frame `{frame}` moves in a prescribed way: leave out `on`, such gravity acts on everything";
+    field_elsewhere(frame) = "a field on `{frame}` is a function of time and of vectors that are fixed in `{frame}` or in prescribed frames: nothing on a body and in no other free frame";
     origin_leaves_plane(frame, plane, axis) = "frame `{frame}` leaves the {plane} plane of the body: the {axis} component of its origin must be 0, or the body `spatial`";
     out_of_plane(what, plane, axis) = "{what} leaves the {plane} plane of the body: its {axis} component must be 0, or the body `spatial`";
     moment_out_of_plane(plane, axis) = "a moment on a body in the {plane} plane has a {axis} component only: make this 0, or the body `spatial`";

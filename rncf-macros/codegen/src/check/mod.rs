@@ -5,6 +5,7 @@ mod body;
 mod bushing;
 mod caution;
 mod constraint;
+mod density;
 mod drive;
 mod eigen;
 mod end;
@@ -128,6 +129,10 @@ struct Check<'a> {
     tied: Option<Vec<BodyId>>,
     /// Names of a law, such as `length` and `rate`.
     locals: HashMap<&'static str, Typed>,
+    /// Whether a density or a field is being checked.
+    is_distributed: bool,
+    /// Vectors of the particle that a density is checked for.
+    particle: HashMap<&'static str, vector::Vectorial>,
     /// The loop or reduction that is being checked.
     turn: Option<repeat::Turn<'a>>,
     /// Unknown names that have been reported.
@@ -172,6 +177,8 @@ impl<'a> Check<'a> {
             constraints: HashMap::new(),
             tied: Some(Vec::new()),
             locals: HashMap::new(),
+            is_distributed: false,
+            particle: HashMap::new(),
             turn: None,
             unknown: HashSet::new(),
             out_of_plane: HashSet::new(),

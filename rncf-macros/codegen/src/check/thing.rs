@@ -78,6 +78,10 @@ impl<'a> Check<'a> {
         match self.keyword_of(name) {
             Some(Keyword::Joint) => Some(Thing::Joint(name)),
             Some(Keyword::Constraint) => Some(Thing::Constraint(name)),
+            _ if self.particle.contains_key(name.text.as_str()) => {
+                let vector = self.particle[name.text.as_str()].clone();
+                Some(Thing::Value(Quantity::Vector(vector)))
+            }
             _ if self.locals.contains_key(name.text.as_str()) => {
                 let local = self.locals[name.text.as_str()].clone();
                 Some(Thing::Value(Quantity::Scalar(local)))
@@ -303,7 +307,12 @@ impl<'a> Check<'a> {
         if scope >= Scope::Force {
             return Some(());
         }
-        self.errors.at(field.span, say::rate_in_constraint(&field.text));
+        let message = if self.is_distributed {
+            say::rate_in_load(&field.text)
+        } else {
+            say::rate_in_constraint(&field.text)
+        };
+        self.errors.at(field.span, message);
         None
     }
 

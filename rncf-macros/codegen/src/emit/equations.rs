@@ -6,6 +6,7 @@ use super::moving::document_rows;
 use crate::elements::{Interpolant, Library};
 use crate::lower::carried::{self, CarriedKernels, FixtureKernels};
 use crate::lower::constraints::{ConstraintKernels, constraint_kernels};
+use crate::lower::density::{DensityKernels, FieldKernels, density_kernels, field_kernels};
 use crate::lower::elastic::Form;
 use crate::lower::field_forces::field_forces_kernel;
 use crate::lower::forces::{ForceKernels, force_kernels};
@@ -77,8 +78,12 @@ pub struct Equations {
     pub constraints: Vec<ConstraintKernels>,
     /// Forces on markers.
     pub forces: Vec<ForceKernels>,
-    /// Loads.
-    pub loads: Vec<Kernel>,
+    /// Loads but fields, with their indices.
+    pub loads: Vec<(usize, Kernel)>,
+    /// Loads per length.
+    pub densities: Vec<DensityKernels>,
+    /// Gravity fields.
+    pub fields: Vec<FieldKernels>,
     /// Moment on a slope, or in a plane on a section's axis, by dimension, where needed.
     pub moments: Vec<(usize, [Kernel; 2])>,
     /// Moment on a section's axes in space, where needed.
@@ -168,7 +173,9 @@ impl Equations {
                 .collect(),
             constraints,
             forces: force_kernels(model),
-            loads: model.loads.iter().map(|load| loads::load_kernel(model, load)).collect(),
+            loads: loads::load_kernels(model),
+            densities: density_kernels(model, library),
+            fields: field_kernels(model),
             moments,
             section_moments,
             kinks: motions::kinks_kernel(model),
@@ -219,6 +226,7 @@ impl Equations {
             add(&variant.field_forces);
         }
         self.rest().into_iter().for_each(|kernel| text += &function(kernel));
+        text += &self.density_functions();
         let rows: String = self.variants.iter().map(|variant| variant.row.clone()).collect();
         let tables = self.variants.iter().filter_map(|variant| {
             let fields = variant.elastic.fields.as_ref()?;
@@ -244,7 +252,7 @@ impl Equations {
         }
         let starts = self.frames.iter().chain(&self.free).chain(&self.initial);
         kernels.extend(starts.map(|(_, kernel)| kernel));
-        kernels.extend(&self.loads);
+        kernels.extend(self.loads.iter().map(|(_, kernel)| kernel));
         for (referenced, absolute) in &self.joints {
             for joint in referenced.iter().chain(absolute) {
                 kernels.extend(&joint.levels);
@@ -397,6 +405,7 @@ fn conservative(model: &Model, variants: &[VariantKernels], variant_of: &[usize]
     let damps =
         |(body, &variant): (&Body, &usize)| body.fidelity != Fidelity::Rigid && variants[variant].variant.damped;
     loads
+        && model.densities.is_empty()
         && forces
         && !rheonomic
         && !model.bodies.iter().zip(variant_of).any(damps)

@@ -2,6 +2,7 @@
 //! the end.
 
 pub mod declaration;
+mod density;
 mod elements;
 pub mod equations;
 pub mod expression;

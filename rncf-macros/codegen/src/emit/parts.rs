@@ -76,6 +76,8 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     text += &writer.markers();
     text += &writer.constraints();
     text += &writer.forces();
+    text += &writer.densities();
+    text += &writer.fields();
     text += &writer.fixtures();
     text += &writer.carried();
     text + "}\n"
@@ -433,7 +435,7 @@ impl Parts<'_> {
             let _ = writeln!(text, "{}(&self.model, t, &mut motions[{index}]);", kernel.name);
         }
         text += "}\nfn load(&self, load: usize, t: f64) -> [f64; 3] {\nlet mut value = [0.0; 3];\nmatch load {\n";
-        for (index, kernel) in self.equations.loads.iter().enumerate() {
+        for (index, kernel) in &self.equations.loads {
             let _ = writeln!(text, "{index} => {}(&self.model, t, &mut value),", kernel.name);
         }
         text += "_ => {}\n}\nvalue\n}\n";

@@ -4,11 +4,17 @@ use super::kernel::{Kernel, derivatives, values};
 use super::motions::Time;
 use super::variant::Variant;
 use crate::elements::{Interpolant, Library};
-use crate::model::{Expr, Load, Model, Observable, Reduction, RepeatId};
+use crate::model::{Expr, Load, LoadKind, Model, Observable, Reduction, RepeatId};
 use crate::symbolic::{Graph, Id};
 
-/// Components of a load in its frame's axes.
-pub fn load_kernel(model: &Model, load: &Load) -> Kernel {
+/// Components of the loads that are functions of time alone, in their frames' axes, with their indices.
+pub fn load_kernels(model: &Model) -> Vec<(usize, Kernel)> {
+    let loads = model.loads.iter().enumerate();
+    let timed = loads.filter(|(_, load)| !matches!(load.kind, LoadKind::Field { .. }));
+    timed.map(|(index, load)| (index, load_kernel(model, load))).collect()
+}
+
+fn load_kernel(model: &Model, load: &Load) -> Kernel {
     let mut time = Time::new(model);
     let value = time.vector(load.kind.components());
     let outputs = value

@@ -329,6 +329,9 @@ pub fn kinks_kernel(model: &Model) -> (Kernel, usize) {
     for load in &model.loads {
         roots.extend(time.vector(load.kind.components()));
     }
+    for density in &model.densities {
+        roots.extend(time.vector(&density.components));
+    }
     for (_, row) in model.constraints.iter().flat_map(|constraint| &constraint.rows) {
         roots.push(time.expression(row));
     }
@@ -338,7 +341,9 @@ pub fn kinks_kernel(model: &Model) -> (Kernel, usize) {
         }
         roots.extend(force.energy.iter().map(|energy| time.expression(energy)));
     }
-    let observed: Vec<Id> = time.observed.iter().map(|&(_, symbol)| symbol).collect();
+    let mut observed: Vec<Id> = time.observed.iter().map(|&(_, symbol)| symbol).collect();
+    // Nor does what switches at another time for each repetition.
+    observed.push(time.index);
     let zero = time.graph.zero();
     let start = HashMap::from([(time.t, zero)]);
     let mut kinks = Vec::new();

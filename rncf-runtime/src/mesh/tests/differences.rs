@@ -73,7 +73,7 @@ fn compare(what: &str, matrix: &[Vec<f64>], column: usize, expected: &[f64], sce
     }
 }
 
-fn check(hand: Hand, formulation: Formulation, seed: u64) {
+pub fn check(hand: Hand, formulation: Formulation, seed: u64) {
     let mut scene = hand.scene(formulation);
     let mut state = scene.rest(0.3);
     Random(seed).shake(&scene, &mut state, 0.2);

@@ -6,9 +6,10 @@ use super::super::parts::{
     Parts, Prescribed,
 };
 use super::super::{
-    ConstraintSpec, FixtureSpec, ForceSpec, FrameAction, FrameMotion, MarkerSpec, MeshScene, SectionShape, SectionSpec,
-    ShareSpec,
+    ConstraintSpec, DensitySpec, FixtureSpec, ForceSpec, FrameAction, FrameMotion, LANES, MarkerSpec, MeshScene,
+    SectionShape, SectionSpec, ShareSpec,
 };
+use super::density;
 use super::inertia::{self, Inertia};
 use super::sections;
 use crate::error::ModelError;
@@ -51,6 +52,7 @@ pub struct Hand {
     pub constraints: Vec<(ConstraintSpec, Vec<Quadratic>)>,
     pub forces: Vec<(ForceSpec, Law)>,
     pub fixtures: Vec<FixtureSpec>,
+    pub densities: Vec<DensitySpec>,
     pub shares: Vec<ShareSpec>,
     pub observed: Vec<ObservedSpec>,
     pub conservative: bool,
@@ -370,6 +372,51 @@ impl Parts for Hand {
         &[(Interpolant::Position, 1), (Interpolant::Position, 2)]
     }
     /// Of the strain energies 3/2 (r_x . r_x - 1)^2 and r_xx . r_xx per unit length.
+    fn densities(&self) -> Vec<DensitySpec> {
+        self.densities.clone()
+    }
+    fn density_values(&self, _density: usize, t: f64, z: &[Vector], _velocity: &[Vector], out: &mut [f64]) {
+        out.copy_from_slice(&density::values(t, z));
+    }
+    fn density_values_gradient(
+        &self,
+        _density: usize,
+        _t: f64,
+        z: &[Vector],
+        _velocity: &[Vector],
+        gradient: &mut [f64],
+    ) {
+        density::gradient(z, gradient);
+    }
+    fn density_force4(
+        &self,
+        _density: usize,
+        elements: &[(usize, usize); LANES],
+        values: &[[f64; LANES]],
+        q: &[[f64; LANES]],
+        force: &mut [[f64; LANES]],
+    ) {
+        let lengths = elements.map(|(body, _)| self.lengths[body]);
+        density::force(lengths, values, q, force);
+    }
+    fn density_tangent4(
+        &self,
+        _density: usize,
+        elements: &[(usize, usize); LANES],
+        values: &[[f64; LANES]],
+        q: &[[f64; LANES]],
+        by_q: &mut [[f64; LANES]],
+        by_values: &mut [[f64; LANES]],
+    ) {
+        let lengths = elements.map(|(body, _)| self.lengths[body]);
+        density::tangent(lengths, values, q, by_q, by_values);
+    }
+    fn field(&self, load: usize, _t: f64, z: &[Vector]) -> Vector {
+        density::field(self.loads[load].1, z)
+    }
+    fn field_gradient(&self, load: usize, _t: f64, z: &[Vector], gradient: &mut [f64]) {
+        density::field_gradient(self.loads[load].1, z, gradient);
+    }
     fn field_forces(&self, _body: usize, _free: &[f64], fields: &[f64], _rates: &[f64], forces: &mut [f64]) {
         let (slope, bend) = fields.split_at(fields.len() / 2);
         let strain = slope.iter().map(|a| a * a).sum::<f64>() - 1.0;

@@ -1,3 +1,4 @@
+mod density;
 mod free;
 mod joints;
 mod precedence;

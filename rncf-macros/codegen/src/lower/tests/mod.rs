@@ -3,6 +3,7 @@
 mod beam;
 mod carried;
 mod constraints;
+mod density;
 mod emitted;
 pub mod model;
 mod motions;
