@@ -158,7 +158,7 @@ fn divide<T: Scalar, const F: bool>(rows: &[T], below: &mut [T], (n, m): (usize,
         }
         let inverse = rows[k * width + k];
         for value in this {
-            *value = *value * inverse;
+            *value *= inverse;
         }
     }
 }

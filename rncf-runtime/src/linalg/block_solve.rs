@@ -129,7 +129,7 @@ fn backward_sized<T: Scalar, const F: bool, const W: usize>(
             subtract::<T, F, W>(&mut sum, factor, known);
         }
         for value in &mut sum {
-            *value = *value * rows[k * width + k];
+            *value *= rows[k * width + k];
         }
         this[0] = sum;
     }

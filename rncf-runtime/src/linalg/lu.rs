@@ -14,7 +14,9 @@ const SMALLEST_PIVOT: f64 = 8.0 * f64::EPSILON;
 /// full matrix is a banded one.
 const LARGEST_BANDWIDTH: usize = 40;
 
-/// Number of unknowns from which on wide matrices are factored by node blocks.
+/// Number of unknowns from which on wide matrices are factored by node blocks. Measured with 100 chains
+/// on a ring (10,000 unknowns, 176,800 entries, random values, for which faer exchanges many rows): blocks
+/// 0.56 ms to factor and 0.10 ms to solve, faer 17.9 and 0.17 ms.
 const LEAST_BLOCKS: usize = 300;
 
 /// LU factorization with pivoting of a square matrix on a fixed pattern, in the field `T` (`f64` or

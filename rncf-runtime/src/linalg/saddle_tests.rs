@@ -213,3 +213,35 @@ fn time_of_bordered_tethers() {
         println!("{name:>20} {:8.1} us, least {:8.1}", times[500], times[0]);
     }
 }
+
+/// Tethers, which are factored by blocks, with a frame and constraints of which K needs two.
+#[test]
+fn tethers_with_a_border_are_solved() {
+    let leading = super::super::blocks::tests::tethers(12, 5);
+    let inner = leading.columns();
+    let n = inner + 6;
+    let full = (0..n).flat_map(|i| (inner..n).flat_map(move |j| [(i, j), (j, i)]));
+    let own: Vec<_> = entries(&leading).map(|(_, row, column)| (row, column)).collect();
+    let block = Pattern::new(n, n, own.into_iter().chain(full));
+    let transposed = Pattern::new(n, 3, (0..n).flat_map(|i| [(i, 0), (i, 1)]).chain([(5, 2), (90, 2)]));
+    let (mut saddle, mut number) = (Saddle::<f64>::new(&block, 6, &transposed), numbers(3));
+    let heavy = |row: usize, column: usize| if row == column { 6.0 } else { 0.0 };
+    let mut k: Vec<f64> = entries(&block)
+        .map(|(_, row, column)| number() + heavy(row, column))
+        .collect();
+    // The last two border unknowns act on nothing by themselves.
+    for (entry, row, column) in entries(&block) {
+        if row >= n - 2 || column >= n - 2 {
+            k[entry] = 0.0;
+        }
+    }
+    let c: Vec<f64> = (0..transposed.entries()).map(|_| number()).collect();
+    let (b, right): (Vec<f64>, Vec<f64>) = ((0..n).map(|_| number()).collect(), vec![0.3, -0.2, 0.1]);
+    saddle
+        .factor_symmetric(&k, &c)
+        .expect("the constraints hold what K does not");
+    let (mut x, mut multipliers) = (b.clone(), right.clone());
+    saddle.solve(&mut x, &mut multipliers);
+    let rest = residual((&block, &transposed), (&k, &c, &c), (&b, &right), (&x, &multipliers));
+    assert!(rest < 1e-12, "{rest:e}");
+}
