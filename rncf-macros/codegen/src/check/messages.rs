@@ -92,8 +92,7 @@ pub const MEAN_AXES_IN_SPACE: &str =
 pub const MOMENT_ABOUT_AXIS: &str = "the moment about the axis of a body is its `torque`";
 pub const START_OF_INERTIAL: &str =
     "the inertial frame does not turn: name the frame whose bodies start in equilibrium with its rotation";
-pub const CAUTION_WITHOUT_TIME: &str =
-    "a caution depends on parameters and `t_end` alone: leave out motions";
+pub const CAUTION_WITHOUT_TIME: &str = "a caution depends on parameters and `t_end` alone: leave out motions";
 pub const NOT_MODES: &str =
     "a number of modes is a whole number of at least 1: write e.g. `4`, or a `param n: count = 4;`";
 pub const LONE_AXIS: &str = "an axis does nothing without an angle about it: add `angle = 30 deg`";

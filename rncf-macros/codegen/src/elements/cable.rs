@@ -93,7 +93,11 @@ pub const CABLE: Element = Element {
         },
     ],
     energy: |graph, fields, options| {
-        let axial = if options.get(1) == Some(&1) { Axial::Slack } else { Axial::Linear };
+        let axial = if options.get(1) == Some(&1) {
+            Axial::Slack
+        } else {
+            Axial::Linear
+        };
         thin_beam(graph, fields, BENDING_EXPONENTS[options[0]], axial)
     },
     default_points: 5,

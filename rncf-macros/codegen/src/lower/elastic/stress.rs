@@ -42,10 +42,7 @@ impl Builder<'_> {
             stress: vec![zero; symbols.values.len()],
             energy: zero,
         };
-        let measures: Vec<&Term> = terms
-            .iter()
-            .filter(|term| term.density.measure().is_some())
-            .collect();
+        let measures: Vec<&Term> = terms.iter().filter(|term| term.density.measure().is_some()).collect();
         for term in &terms {
             let factor = self.graph.multiply(self.coefficients[term.coefficient], weight);
             match term.density {
