@@ -47,7 +47,9 @@ impl VariantKernels {
 
 /// Whether the elastic kernels of an element are straight-line code of what numbers of lanes can do.
 fn fit_lanes(variant: &Variant, elastic: &ElasticKernels) -> bool {
-    elastic.fields.is_none() && variant.material.is_none() && [&elastic.force, &elastic.tangent].into_iter().all(fits_lanes)
+    elastic.fields.is_none()
+        && variant.material.is_none()
+        && [&elastic.force, &elastic.tangent].into_iter().all(fits_lanes)
 }
 
 /// Everything that is derived for a model.
