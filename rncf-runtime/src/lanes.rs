@@ -5,6 +5,7 @@
 //! [`Lanes`] it evaluates four at a time. Multiplications and additions are never contracted to fused ones: every
 //! lane then has the same bits as the kernel of one element, on every machine.
 
+#[cfg(target_arch = "x86_64")]
 mod four;
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -112,7 +113,11 @@ pub trait Kernel {
 #[inline]
 pub fn run(kernel: impl Kernel) -> bool {
     #[cfg(target_arch = "x86_64")]
-    return four::avx2::run(kernel);
+    let ran = four::avx2::run(kernel);
     #[cfg(not(target_arch = "x86_64"))]
-    return false;
+    let ran = {
+        drop(kernel);
+        false
+    };
+    ran
 }

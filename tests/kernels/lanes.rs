@@ -63,19 +63,15 @@ fn compare(what: &str, mut parts: impl Parts, size: usize, damped: bool) {
         let matrix = vec![zeros; size * size];
         let [mut stiffness, mut damping, mut plain_stiffness, mut plain_damping] = [(); 4].map(|()| matrix.clone());
         parts.elastic_tangent4(&elements, &q4, &v4, &mut stiffness, &mut damping);
-        elastic_tangent_one_by_one(
-            &parts,
-            &elements,
-            &q4,
-            &v4,
-            &mut plain_stiffness,
-            &mut plain_damping,
-        );
+        elastic_tangent_one_by_one(&parts, &elements, &q4, &v4, &mut plain_stiffness, &mut plain_damping);
         for (lane, &(body, element)) in elements.iter().enumerate() {
             let (mut one, mut k, mut c) = (vec![0.0; size], vec![0.0; size * size], vec![0.0; size * size]);
             parts.elastic_force(body, element, &q[lane], &v[lane], &mut one);
             parts.elastic_tangent(body, element, &q[lane], &v[lane], &mut k, &mut c);
-            assert!(one.iter().chain(&k).any(|value| value.abs() > 1.0), "{what}: nothing was added");
+            assert!(
+                one.iter().chain(&k).any(|value| value.abs() > 1.0),
+                "{what}: nothing was added"
+            );
             assert_eq!(c.iter().any(|&value| value != 0.0), damped, "{what}: damping");
             for (four, plain, one) in [
                 (&force, &plain_force, &one),
@@ -94,7 +90,12 @@ fn lanes_have_the_bits_of_one_element_in_every_form() {
     compare("planar", planar::Equations::new(&SpinUp::default()), 8, false);
     compare("spatial", spatial::Equations::new(&SpinUpSpatial::default()), 12, false);
     compare("curved", curved::Equations::new(&CurvedDamped::default()), 8, true);
-    compare("curved, exact", curved_exact::Equations::new(&CurvedExact::default()), 8, true);
+    compare(
+        "curved, exact",
+        curved_exact::Equations::new(&CurvedExact::default()),
+        8,
+        true,
+    );
     compare("loop", exact::Equations::new(&SpatialExact::default()), 12, true);
     compare("tensor", tensor::Equations::new(&SpatialTensor::default()), 12, true);
 }
@@ -120,9 +121,15 @@ fn lanes_have_constants_of_their_own() {
         force: &mut force,
     });
     #[cfg(target_arch = "x86_64")]
-    assert_eq!(vectors, std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma"));
+    assert_eq!(
+        vectors,
+        std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma")
+    );
     if !vectors {
-        assert_eq!(force, [[0.5; LANES]; 12], "nothing is evaluated without vector instructions");
+        assert_eq!(
+            force, [[0.5; LANES]; 12],
+            "nothing is evaluated without vector instructions"
+        );
         return;
     }
     lanes::run(CableSpatialElasticTangent {

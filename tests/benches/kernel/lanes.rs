@@ -86,8 +86,14 @@ impl Data {
 pub fn rows() -> [(&'static str, [f64; 2]); 4] {
     let data = Data::new();
     [
-        ("force, constants of one body", [data.one(false), data.four(false, true)]),
-        ("force, constants of four bodies", [data.one(false), data.four(false, false)]),
+        (
+            "force, constants of one body",
+            [data.one(false), data.four(false, true)],
+        ),
+        (
+            "force, constants of four bodies",
+            [data.one(false), data.four(false, false)],
+        ),
         (
             "force and tangent, constants of one body",
             [data.one(true), data.four(true, true)],

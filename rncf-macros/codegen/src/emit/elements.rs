@@ -34,7 +34,11 @@ pub(super) fn side_by_side(kernel: &Kernel) -> String {
             continue;
         };
         let (field, kind, load) = match (argument, kind.strip_prefix("&mut [f64; ")) {
-            ("row", _) => ("rows", format!("[&'a {row}; 4]"), Some(format!("{row}::side_by_side(rows, lanes)"))),
+            ("row", _) => (
+                "rows",
+                format!("[&'a {row}; 4]"),
+                Some(format!("{row}::side_by_side(rows, lanes)")),
+            ),
             ("reference", _) => {
                 let kind = format!("[&'a {}; 4]", kind.trim_start_matches('&'));
                 ("references", kind, Some("lanes.gather(references)".to_string()))

@@ -24,7 +24,11 @@ pub fn function(kernel: &Kernel) -> String {
 pub fn function_of_lanes(kernel: &Kernel) -> String {
     let mut text = documentation(kernel.doc.iter().map(String::as_str));
     let _ = writeln!(text, "///\n/// Operations: {}.\n#[inline(always)]", kernel.cost());
-    let arguments: Vec<String> = kernel.arguments.iter().map(|argument| argument_of_lanes(argument)).collect();
+    let arguments: Vec<String> = kernel
+        .arguments
+        .iter()
+        .map(|argument| argument_of_lanes(argument))
+        .collect();
     let _ = writeln!(
         text,
         "pub fn {}<T: ::rncf::lanes::Real>({}) {{",
