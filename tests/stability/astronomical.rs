@@ -9,7 +9,7 @@ const LENGTH: f64 = 625.0;
 const STRAIN: f64 = 1.2e-3;
 
 rncf::model! {
-    /// Two wires that spin about a core in their plane.
+    /// Two wires that spin about a core in their plane; they start about as stretched as they spin, and never go slack.
     pub model Spinning {
         /// Distance of the core from the origin.
         param distance = 0 m;
@@ -27,11 +27,13 @@ rncf::model! {
             spatial;
             line from [0, 0, 0] m to [10000, 0, 0] m;
             mesh elements * tether(wire, aluminium);
+            initial position [1.0011 * x, 0, 0];
         }
         body two in sail {
             spatial;
             line from [0, 0, 0] m to [0, 10000, 0] m;
             mesh elements * tether(wire, aluminium);
+            initial position [0, 1.0013 * x, 0];
         }
         joint one_hub = clamp(one.start, sail);
         joint two_hub = clamp(two.start, sail);

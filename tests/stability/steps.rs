@@ -24,11 +24,13 @@ rncf::model! {
             spatial;
             line from [0, 0, 0] m to [10000, 0, 0] m;
             mesh elements * tether(wire, aluminium);
+            initial position [1.0011 * x, 0, 0];
         }
         body two in sail {
             spatial;
             line from [0, 0, 0] m to [0, 10000, 0] m;
             mesh elements * tether(wire, aluminium);
+            initial position [0, 1.0013 * x, 0];
         }
         joint one_hub = clamp(one.start, sail);
         joint two_hub = clamp(two.start, sail);
