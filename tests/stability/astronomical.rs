@@ -171,7 +171,8 @@ fn wires_spin_at_one_astronomical_unit_as_at_the_origin() {
             "{method:?}: outputs differ by {worst:.1e}, unknowns by {moved:.1e} m; core moved {away} m, {absolute} m"
         );
         assert!(near.0[6] > 1e-3, "the wire is in tension");
-        assert!(worst < 1e-12 && moved < 1e-8);
+        // Places in a frame are told by way of space, with the last bit of the distance.
+        assert!(worst < 1e-8 && moved < 1e-9);
         // Absolute positions have the round-off of their size.
         assert!(away.abs() > 0.1 && (away - absolute).abs() < 1e-4);
     }
