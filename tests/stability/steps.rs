@@ -201,7 +201,7 @@ fn the_cost_of_a_step_beside_the_model_and_its_solutions() {
         elements: 833,
         ..Pointing::default()
     };
-    for (step, rtol, end) in [(StepSize::Fixed(0.5), 1e-7, 20.0), (StepSize::Adaptive, 1e-5, 5.0)] {
+    for (step, rtol, end) in [(StepSize::Fixed(0.01), 1e-7, 0.4), (StepSize::Adaptive, 1e-5, 1.0)] {
         let mut scene = model.build(Formulation::Rncf, Joints::Eliminated).unwrap();
         let solution = solution_time(scene.as_mut());
         let unknowns = scene.unknowns();
