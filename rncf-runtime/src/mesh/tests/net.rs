@@ -1,6 +1,9 @@
 //! Many cables in one free frame, and how long a residual and a matrix of theirs take.
 
+use super::super::batches::Blocks;
 use super::super::free::{FreeSpec, Motions};
+use super::super::inertia::Transport;
+use super::super::inertia_tangent::Combination;
 use super::super::parts::{
     BodySpec, Interpolant, JointData, JointKind, JointSpec, LoadSpec, ObservedSpec, Parts, Prescribed,
 };
@@ -295,8 +298,13 @@ fn time_of_many_cables() {
                 let matrix = microseconds(|| scene.iteration_matrix(&state, [0.9, 1e-2, 1e-4], &mut values));
                 let load = microseconds(|| scene.load_state(&state));
                 let inertia = microseconds(|| scene.add_inertia_forces([0.0; 3]));
+                let borders = microseconds(|| {
+                    scene.add_inertia_borders([0.0; 3], &Combination::only(0), &mut values);
+                });
+                let blocks = |_: &Transport| Blocks::default();
+                let elements = microseconds(|| scene.each_element_tangent(blocks, |_, _, _, _, _| {}));
                 println!(
-                    "{threads} threads, elastic {elastic}: {} unknowns, {} entries; residual {residual:.0} us (state {load:.0}, inertia {inertia:.0}), matrix {matrix:.0} us",
+                    "{threads} threads, elastic {elastic}: {} unknowns, {} entries; residual {residual:.0} us (state {load:.0}, inertia {inertia:.0}), matrix {matrix:.0} us (borders {borders:.0}, elements {elements:.0})",
                     scene.unknowns(),
                     values.len(),
                 );

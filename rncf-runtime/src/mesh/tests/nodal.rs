@@ -2,6 +2,7 @@
 //! parts, and the same bits on any number of threads.
 
 use super::super::MeshScene;
+use super::super::inertia::Transport;
 use super::super::parts::LoadKind;
 use super::super::{FixtureSpec, Motions};
 use super::differences::dense;
@@ -204,7 +205,8 @@ fn elastic_forces_do_not_move_the_frame() {
     let force = |scene: &MeshScene, first: usize, vector: usize| -> [f64; 3] {
         std::array::from_fn(|i| scene.buffers.force[first + 3 * vector + i])
     };
-    let mut sums = [[0.0; 3]; 2];
+    let motion = &scene.buffers.frames[1];
+    let mut sums = Transport::new(motion, &[0, 1, 2], [0.0; 3]).of_rigid(&scene.free[0].spec.rigid);
     for body in &scene.bodies {
         let first = scene.layout.offset(body.first_vector);
         for vector in 0..body.spec.vectors() {
@@ -216,7 +218,6 @@ fn elastic_forces_do_not_move_the_frame() {
             sums[1] = add(sums[1], crate::vector::cross(q, own));
         }
     }
-    let motion = &scene.buffers.frames[1];
     let first = scene.layout.vector_components();
     for (place, direction) in scene.free[0].directions.iter().enumerate() {
         let expected = dot(direction.shift, motion.direction_to_inertial(sums[0])) + dot(direction.turn, sums[1]);
