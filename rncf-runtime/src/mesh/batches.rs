@@ -100,11 +100,25 @@ impl Group {
         (self.elements - unit * LANES).min(LANES)
     }
 
-    fn gather(&self, unit: usize, full: &[f64], local: &mut [Lanes; MAX_SIZE]) {
+    fn gather(&self, unit: usize, full: &[f64], local: &mut [Lanes]) {
         let own = &self.components[unit * self.size..(unit + 1) * self.size];
         for (values, components) in local.iter_mut().zip(own) {
             *values = components.map(|component| full[component as usize]);
         }
+    }
+
+    /// Gathers components and their rates to the front of a unit's results; these, and what follows them.
+    fn begin_local<'a>(
+        &self,
+        unit: usize,
+        at: [&[f64]; 2],
+        result: &'a mut [Lanes],
+    ) -> ([&'a [Lanes]; 2], &'a mut [Lanes]) {
+        let (q, rest) = result.split_at_mut(self.size);
+        let (v, rest) = rest.split_at_mut(self.size);
+        self.gather(unit, at[0], q);
+        self.gather(unit, at[1], v);
+        ([q, v], rest)
     }
 
     /// Lane by lane where there are too few elements to fill a unit.
@@ -112,19 +126,15 @@ impl Group {
         self.elements < LANES
     }
 
-    fn unit_force(&self, parts: &dyn Parts, unit: usize, [q, v]: [&[f64]; 2], force: &mut [Lanes]) {
+    fn unit_force(&self, parts: &dyn Parts, unit: usize, [q, v]: [&[Lanes]; 2], force: &mut [Lanes]) {
         let n = self.size;
-        let mut local = [[[0.0; LANES]; MAX_SIZE]; 2];
-        self.gather(unit, q, &mut local[0]);
-        self.gather(unit, v, &mut local[1]);
-        let [q, v] = &local;
         if !self.lone() {
-            parts.elastic_force4(&self.units[unit], &q[..n], &v[..n], force);
+            parts.elastic_force4(&self.units[unit], q, v, force);
             return;
         }
         for lane in 0..self.used(unit) {
             let (body, element) = self.units[unit][lane];
-            let [q, v] = [q, v].map(|all| all.map(|values| values[lane]));
+            let [q, v] = [q, v].map(|all| lane_of(all, lane));
             let mut own = [0.0; MAX_SIZE];
             parts.elastic_force(body, element, &q[..n], &v[..n], &mut own[..n]);
             force.iter_mut().zip(own).for_each(|(sum, value)| sum[lane] += value);
@@ -135,21 +145,17 @@ impl Group {
         &self,
         parts: &dyn Parts,
         unit: usize,
-        [q, v]: [&[f64]; 2],
+        [q, v]: [&[Lanes]; 2],
         [stiffness, damping]: [&mut [Lanes]; 2],
     ) {
         let n = self.size;
-        let mut local = [[[0.0; LANES]; MAX_SIZE]; 2];
-        self.gather(unit, q, &mut local[0]);
-        self.gather(unit, v, &mut local[1]);
-        let [q, v] = &local;
         if !self.lone() {
-            parts.elastic_tangent4(&self.units[unit], &q[..n], &v[..n], stiffness, damping);
+            parts.elastic_tangent4(&self.units[unit], q, v, stiffness, damping);
             return;
         }
         for lane in 0..self.used(unit) {
             let (body, element) = self.units[unit][lane];
-            let [q, v] = [q, v].map(|all| all.map(|values| values[lane]));
+            let [q, v] = [q, v].map(|all| lane_of(all, lane));
             let [mut k, mut c] = [vec![0.0; n * n], vec![0.0; n * n]];
             parts.elastic_tangent(body, element, &q[..n], &v[..n], &mut k, &mut c);
             for (sums, values) in [(&mut *stiffness, k), (&mut *damping, c)] {
@@ -181,18 +187,19 @@ impl Group {
     pub fn add_forces(&self, parts: &dyn Parts, at: [&[f64]; 2], results: &mut Vec<Lanes>, force: &mut [f64]) {
         let n = self.size;
         let evaluate = |unit: usize, result: &mut [Lanes]| {
-            result.fill([0.0; LANES]);
-            self.unit_force(parts, unit, at, result);
+            let (local, force) = self.begin_local(unit, at, result);
+            force.fill([0.0; LANES]);
+            self.unit_force(parts, unit, local, force);
         };
         let add = |unit: usize, result: &[Lanes]| {
             let own = &self.components[unit * n..(unit + 1) * n];
             for lane in 0..self.used(unit) {
-                for (components, values) in own.iter().zip(result) {
+                for (components, values) in own.iter().zip(&result[2 * n..]) {
                     force[components[lane] as usize] += values[lane];
                 }
             }
         };
-        in_order(self.units.len(), n, results, evaluate, add);
+        in_order(self.units.len(), 3 * n, results, evaluate, add);
     }
 
     /// Evaluates the derivatives of elastic forces by q and by q' of all elements, which start from
@@ -209,19 +216,20 @@ impl Group {
     ) {
         let square = self.size * self.size;
         let evaluate = |unit: usize, result: &mut [Lanes]| {
-            let (stiffness, damping) = result.split_at_mut(square);
+            let (local, matrices) = self.begin_local(unit, at, result);
+            let (stiffness, damping) = matrices.split_at_mut(square);
             self.begin(unit, axes, &blocks.by_place, stiffness);
             self.begin(unit, axes, &blocks.by_rate, damping);
-            self.unit_tangent(parts, unit, at, [stiffness, damping]);
+            self.unit_tangent(parts, unit, local, [stiffness, damping]);
         };
         let add = |unit: usize, result: &[Lanes]| {
-            let (stiffness, damping) = result.split_at(square);
+            let (stiffness, damping) = result[2 * self.size..].split_at(square);
             let damps = damping.iter().flatten().fold(false, |any, &value| any | (value != 0.0));
             for lane in 0..self.used(unit) {
                 call(self.units[unit][lane], [stiffness, damping], lane, damps);
             }
         };
-        in_order(self.units.len(), 2 * square, results, evaluate, add);
+        in_order(self.units.len(), 2 * (self.size + square), results, evaluate, add);
     }
 }
 
@@ -253,4 +261,13 @@ fn in_order(
             add(first + unit, result);
         }
     }
+}
+
+/// One lane.
+fn lane_of(all: &[Lanes], lane: usize) -> [f64; MAX_SIZE] {
+    let mut own = [0.0; MAX_SIZE];
+    for (value, lanes) in own.iter_mut().zip(all) {
+        *value = lanes[lane];
+    }
+    own
 }

@@ -336,7 +336,7 @@ impl MeshScene {
     }
 
     /// Calls for every element with its elastic derivatives, see [`super::batches::Group::each_tangent`].
-    fn each_element_tangent(
+    pub(super) fn each_element_tangent(
         &mut self,
         blocks: impl Fn(&Transport) -> Blocks,
         mut call: impl FnMut(&MeshBody, usize, [&[Lanes]; 2], usize, bool),

@@ -16,6 +16,9 @@ use crate::rotation::inverse_tangent_map;
 use crate::system::State;
 use crate::vector::{Matrix, Vector, add, apply, cross, dot, multiply, scale, skew, subtract};
 
+/// Most unknowns of a frame.
+const MOST_UNKNOWNS: usize = 6;
+
 /// What of `factors[0] M + factors[1] C + factors[2] K` is wanted.
 #[derive(Clone, Debug)]
 pub(super) struct Combination {
@@ -159,12 +162,18 @@ impl Arms {
 }
 
 impl Border {
-    /// Adds one unknown's entries of a vector's component.
+    /// Adds the entries of a vector's component: for every unknown its row by the component, and the reverse.
     #[inline(always)]
-    fn add(&self, component: usize, width: usize, unknown: usize, [lower, upper]: [f64; 2], values: &mut [f64]) {
-        let factor = self.factors[component];
-        values[self.lower[component] as usize + unknown] += factor * lower;
-        values[self.upper[component * width + unknown] as usize] += factor * upper;
+    fn add(&self, component: usize, axis: usize, beside: &[[Padded; 2]], values: &mut [f64]) {
+        let (factor, width) = (self.factors[component], beside.len());
+        let lower = self.lower[component] as usize;
+        for (value, [lower, _]) in values[lower..lower + width].iter_mut().zip(beside) {
+            *value += factor * lower[axis & 3];
+        }
+        let upper = &self.upper[component * width..(component + 1) * width];
+        for (&place, [_, upper]) in upper.iter().zip(beside) {
+            values[place as usize] += factor * upper[axis & 3];
+        }
     }
 }
 
@@ -279,17 +288,16 @@ impl MeshScene {
                 let [q, v, a] = [&*q, &*v, &*a].map(|values| spread(axes, &values[first..], place));
                 [q, v, total.acceleration(mass.is_position(place), [&q, &v, &a])]
             }));
-            let (sums, width) = (&mut carried[free], arms.len());
+            let (sums, mut beside) = (&mut carried[free], [[[0.0; 4]; 2]; MOST_UNKNOWNS]);
             for place in 0..mass.vectors() {
                 let products = mass.product(place, scratch);
                 let d = mass.first(place);
                 sums.add(d, mass.is_position(place), &scratch[place], &products);
-                for (unknown, arms) in arms.iter().enumerate() {
-                    let [lower, upper] = arms.beside(d, &products);
-                    for (c, &axis) in axes.iter().enumerate() {
-                        let both = [lower[axis & 3], upper[axis & 3]];
-                        border.add(place * axes.len() + c, width, unknown, both, values);
-                    }
+                for (both, arms) in beside.iter_mut().zip(&arms) {
+                    *both = arms.beside(d, &products);
+                }
+                for (c, &axis) in axes.iter().enumerate() {
+                    border.add(place * axes.len() + c, axis, &beside[..arms.len()], values);
                 }
             }
         }

@@ -12,7 +12,7 @@ use crate::system::{ConstraintLevel, State, System, Tangent};
 const STEP: f64 = 1e-5;
 const TOLERANCE: f64 = 1e-6;
 
-fn dense(pattern: &Pattern, values: &[f64]) -> Vec<Vec<f64>> {
+pub fn dense(pattern: &Pattern, values: &[f64]) -> Vec<Vec<f64>> {
     let mut matrix = vec![vec![0.0; pattern.columns()]; pattern.rows()];
     for column in 0..pattern.columns() {
         for place in pattern.starts()[column]..pattern.starts()[column + 1] {

@@ -7,6 +7,8 @@ mod inertia;
 mod levels;
 mod model;
 mod modes;
+mod net;
+mod nodal;
 mod random;
 mod refusals;
 pub(super) mod scenery;
