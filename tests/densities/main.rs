@@ -243,3 +243,39 @@ fn absolute_coordinates_are_refused_by_name() {
     let text = error.to_string();
     assert!(text.contains("`sail`") && text.contains("referenced formulation"), "{text}");
 }
+
+rncf::model! {
+    /// A hanging rope that knows its weight as gravity, or as a load per length.
+    pub model Hanging {
+        param heavy = 0 m/s^2;
+        param loaded = 0 m/s^2;
+        const rho = 7800 kg/m^3;
+        const area = 3 mm^2;
+        material steel { density = rho; young = 210 GPa; poisson = 0.3; }
+        section wire { area = area; second_moment = 0.7 mm^4; }
+        body rope in inertial { spatial; line from [0, 0, 0] m to [0, 0, -2] m; mesh 2 * cable(wire, steel); }
+        joint top = clamp(rope.start, inertial);
+        load down = gravity([0, 0, -heavy]);
+        load weight = density(rope, [0, 0, -loaded * rho * area]);
+        output tension = rope.start.axial_force;
+        output quarter = rope.at(0.5 m).axial_force;
+    }
+}
+
+/// What a section carries is the same, whichever way the weight is given.
+#[test]
+fn section_forces_know_loads_per_length() {
+    let outputs = |heavy, loaded| {
+        let model = Hanging { heavy, loaded };
+        let mut scene = model.build(Formulation::Rncf, Joints::Eliminated).unwrap();
+        let state = scene.rest(0.0);
+        let mut out = [0.0; 2];
+        scene.outputs(&state, &mut out);
+        out
+    };
+    let (heavy, loaded) = (outputs(9.81, 0.0), outputs(0.0, 9.81));
+    for (a, b) in heavy.iter().zip(loaded) {
+        assert!((a - b).abs() < 1e-12, "{heavy:?} {loaded:?}");
+    }
+    assert!(heavy[0] > 0.1);
+}

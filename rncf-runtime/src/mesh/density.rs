@@ -411,6 +411,45 @@ impl MeshScene {
         }
     }
 
+    /// Remembers the values of densities at the loaded state, for section forces.
+    pub(super) fn set_densities(&mut self, t: f64, load_scale: f64) {
+        self.buffers.density_values = self.all_values(t);
+        self.buffers.density_scale = load_scale;
+    }
+
+    /// Whole force of all densities on one element, axes of the frame that its vectors live in; the state's values
+    /// are remembered.
+    pub(super) fn density_on(&self, body: usize, element: usize) -> Vector {
+        let (at, n) = (&self.bodies[body], self.bodies[body].spec.element_size());
+        let mut sum = [0.0; 3];
+        for (index, values) in self.buffers.density_values.iter().enumerate() {
+            if self.densities[index].spec.body != body {
+                continue;
+            }
+            let batch = Batch {
+                lanes: [(index, element); LANES],
+                count: 1,
+            };
+            let mut lanes = Lanes {
+                elements: [(body, element); LANES],
+                values: values.iter().map(|&value| [value; LANES]).collect(),
+                q: [[0.0; LANES]; MAX_SIZE],
+            };
+            let q = self.in_body_axes(at, element);
+            lanes.q.iter_mut().zip(q).for_each(|(to, from)| *to = [from; LANES]);
+            let mut force = [[0.0; LANES]; MAX_SIZE];
+            self.density_force(&batch, &lanes, n, &mut force[..n]);
+            let mut force = force.map(|lanes| self.buffers.density_scale * lanes[0]);
+            if let Some(axes) = self.axes_of(at) {
+                force[..n]
+                    .chunks_exact_mut(axes.d)
+                    .for_each(|vector| axes.vector(vector, false));
+            }
+            sum = add(sum, on_frame(at, &q, &force[..n])[0]);
+        }
+        sum
+    }
+
     fn density_force(&self, batch: &Batch, lanes: &Lanes, size: usize, force: &mut [[f64; LANES]]) {
         self.parts.density_force4(
             batch.lanes[0].0,
