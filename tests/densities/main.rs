@@ -1,4 +1,4 @@
-//! Loads per length and gravity fields as they are emitted: derivatives, self weight, loops, and a long fall.
+//! Loads per length and gravity fields as they are emitted: derivatives, self weight, loops, section forces.
 
 use rncf::system::{State, Tangent};
 use rncf::{Formulation, Joints, Model, Scene};
@@ -210,8 +210,7 @@ fn loads_in_a_loop_are_those_one_by_one() {
     }
 }
 
-/// The work of all loads in a motion of the whole is that of their resultant: a shift of the frame feels
-/// `F = int f dx`, of the thrust with zeta.
+/// A shift of the frame feels the field on the whole mass, `m mu r / |r|^3`.
 #[test]
 fn a_field_is_felt_by_everything_that_the_frame_carries() {
     let build = |pull| {
