@@ -238,9 +238,15 @@ fn a_field_is_felt_by_everything_that_the_frame_carries() {
 
 #[test]
 fn absolute_coordinates_are_refused_by_name() {
-    let error = Sail::default().build(Formulation::Ancf, Joints::Eliminated).err().expect("refused");
+    let error = Sail::default()
+        .build(Formulation::Ancf, Joints::Eliminated)
+        .err()
+        .expect("refused");
     let text = error.to_string();
-    assert!(text.contains("`sail`") && text.contains("referenced formulation"), "{text}");
+    assert!(
+        text.contains("`sail`") && text.contains("referenced formulation"),
+        "{text}"
+    );
 }
 
 rncf::model! {

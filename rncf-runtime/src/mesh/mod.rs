@@ -10,6 +10,7 @@ mod carried;
 mod checks;
 mod conditions;
 mod density;
+mod density_sums;
 mod evaluate;
 mod fields;
 mod fixtures;
@@ -48,7 +49,7 @@ mod view;
 mod whirl;
 
 pub use checks::{array, array_mut, check_params, inertia, non_negative, poisson, positive};
-pub use density::{add_lane, declared, lane};
+pub use density_sums::{add_lane, declared, lane};
 pub use frame::{FrameAction, FrameMotion};
 pub use free::{FreeSpec, Motions, RigidSpec};
 pub use layout::{Layout, VectorKind};
