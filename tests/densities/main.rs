@@ -1,4 +1,4 @@
-//! Loads per length and gravity fields as they are emitted: derivatives, self weight, loops, and a long fall.
+//! Loads per length and gravity fields as they are emitted: derivatives, self weight, loops, section forces.
 
 use rncf::system::{State, Tangent};
 use rncf::{Formulation, Joints, Model, Scene};
@@ -210,8 +210,7 @@ fn loads_in_a_loop_are_those_one_by_one() {
     }
 }
 
-/// The work of all loads in a motion of the whole is that of their resultant: a shift of the frame feels
-/// `F = int f dx`, of the thrust with zeta.
+/// A shift of the frame feels the field on the whole mass, `m mu r / |r|^3`.
 #[test]
 fn a_field_is_felt_by_everything_that_the_frame_carries() {
     let build = |pull| {
@@ -239,7 +238,49 @@ fn a_field_is_felt_by_everything_that_the_frame_carries() {
 
 #[test]
 fn absolute_coordinates_are_refused_by_name() {
-    let error = Sail::default().build(Formulation::Ancf, Joints::Eliminated).err().expect("refused");
+    let error = Sail::default()
+        .build(Formulation::Ancf, Joints::Eliminated)
+        .err()
+        .expect("refused");
     let text = error.to_string();
-    assert!(text.contains("`sail`") && text.contains("referenced formulation"), "{text}");
+    assert!(
+        text.contains("`sail`") && text.contains("referenced formulation"),
+        "{text}"
+    );
+}
+
+rncf::model! {
+    /// A hanging rope that knows its weight as gravity, or as a load per length.
+    pub model Hanging {
+        param heavy = 0 m/s^2;
+        param loaded = 0 m/s^2;
+        const rho = 7800 kg/m^3;
+        const area = 3 mm^2;
+        material steel { density = rho; young = 210 GPa; poisson = 0.3; }
+        section wire { area = area; second_moment = 0.7 mm^4; }
+        body rope in inertial { spatial; line from [0, 0, 0] m to [0, 0, -2] m; mesh 2 * cable(wire, steel); }
+        joint top = clamp(rope.start, inertial);
+        load down = gravity([0, 0, -heavy]);
+        load weight = density(rope, [0, 0, -loaded * rho * area]);
+        output tension = rope.start.axial_force;
+        output quarter = rope.at(0.5 m).axial_force;
+    }
+}
+
+/// What a section carries is the same, whichever way the weight is given.
+#[test]
+fn section_forces_know_loads_per_length() {
+    let outputs = |heavy, loaded| {
+        let model = Hanging { heavy, loaded };
+        let mut scene = model.build(Formulation::Rncf, Joints::Eliminated).unwrap();
+        let state = scene.rest(0.0);
+        let mut out = [0.0; 2];
+        scene.outputs(&state, &mut out);
+        out
+    };
+    let (heavy, loaded) = (outputs(9.81, 0.0), outputs(0.0, 9.81));
+    for (a, b) in heavy.iter().zip(loaded) {
+        assert!((a - b).abs() < 1e-12, "{heavy:?} {loaded:?}");
+    }
+    assert!(heavy[0] > 0.1);
 }

@@ -11,6 +11,7 @@ mod checks;
 mod conditions;
 mod configuration;
 mod density;
+mod density_sums;
 mod evaluate;
 mod fields;
 mod fixtures;
@@ -51,7 +52,7 @@ mod whirl;
 
 pub use checks::{array, array_mut, check_params, inertia, non_negative, poisson, positive};
 pub use configuration::{Configuration, Curve};
-pub use density::{add_lane, declared, lane};
+pub use density_sums::{add_lane, declared, lane};
 pub use frame::{FrameAction, FrameMotion};
 pub use free::{FreeSpec, Motions, RigidSpec};
 pub use layout::{Layout, VectorKind};

@@ -219,6 +219,7 @@ impl MeshScene {
     pub(super) fn set_gravity(&mut self, t: f64, load_scale: f64) {
         self.buffers.gravity = self.gravity(t).map(|g| load_scale * g);
         self.set_fields(t, load_scale);
+        self.set_densities(t, load_scale);
     }
 
     /// Output columns at the loaded state.

@@ -135,6 +135,9 @@ pub(super) struct Buffers {
     pub gravity: Vector,
     /// Forces of densities and their derivatives, batch by batch.
     pub densities: Vec<f64>,
+    /// Values of densities and the part of them that is applied, for section forces.
+    pub density_values: Vec<Vec<f64>>,
+    pub density_scale: f64,
     /// How the fields on every free frame change with each of its unknowns, inertial axes.
     pub field_changes: Vec<Vec<Vector>>,
 }
@@ -154,6 +157,8 @@ impl Buffers {
             nodal_rates: Vec::new(),
             gravity: [0.0; 3],
             densities: Vec::new(),
+            density_values: Vec::new(),
+            density_scale: 0.0,
             field_changes: Vec::new(),
         }
     }

@@ -337,7 +337,8 @@ impl<'a> Reader<'a> {
         let s = THREE[2] - 0.5;
         let curved = subtract(add(first, last), scale(2.0, middle));
         [
-            middle,
+            // Loads per length as spread evenly over the element.
+            subtract(middle, self.scene.density_on(self.body, element)),
             scale(0.5 / s, subtract(last, first)),
             scale(0.5 / (s * s), curved),
         ]

@@ -262,7 +262,9 @@ fn power_of_a_density_is_that_on_its_particles() {
     let velocity = frame.direction_to_frame(frame.velocity);
     let mut expected = 0.0;
     for element in 0..2 {
-        let [q, v, _] = scene.local(0, element);
+        let components = scene.bodies[0].connectivity.element(element);
+        let [q, v] = [&scene.buffers.q, &scene.buffers.v]
+            .map(|full| -> Vec<f64> { components.iter().map(|&place| full[place]).collect() });
         let l = norm([0.9, 0.3, 0.0]) / 2.0;
         for (xi, weight) in RULE {
             let shapes = hermite(l, 0, xi);
