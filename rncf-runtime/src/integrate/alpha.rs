@@ -271,15 +271,24 @@ impl Alpha {
         h: f64,
         statistics: &mut Statistics,
     ) -> Result<(), Cause> {
+        let mut patiently = false;
         loop {
             self.prepare(system, h, statistics)
                 .map_err(|singular| Cause::Singular {
                     worst: newton::row(singular, self.a0.len()),
                 })?;
             self.predict(h);
-            match self.newton.solve(system, &self.now, h, &mut self.trial, statistics) {
+            let (newton, trial) = (&mut self.newton, &mut self.trial);
+            let solved = if patiently {
+                newton.solve_patiently(system, &self.now, h, trial, statistics)
+            } else {
+                newton.solve(system, &self.now, h, trial, statistics)
+            };
+            match solved {
                 Ok(()) => return Ok(()),
                 Err(Failure::OldMatrix) => self.newton.discard(),
+                // A fixed step is not shortened.
+                Err(Failure::Failed(Cause::Newton { .. })) if self.fixed && !patiently => patiently = true,
                 Err(Failure::Failed(cause)) => {
                     self.newton.discard();
                     return Err(cause);

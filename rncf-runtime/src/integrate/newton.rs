@@ -39,6 +39,8 @@ const LEAST: f64 = 1e-3;
 const ITERATIONS: u32 = 10;
 /// The factorization is kept while the step is within this ratio of the one it was made for.
 const SAME_STEP: f64 = 1.2;
+/// Most iterations with a new matrix each, where a step cannot be shortened: something snaps through.
+const PATIENT_ITERATIONS: u32 = 40;
 /// Increments below this, relative to the sizes of the unknowns, are noise.
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 
@@ -171,6 +173,43 @@ impl Newton {
             experience: Experience::default(),
             constraint_pattern,
         }
+    }
+
+    /// As [`Newton::solve`], with a new matrix for each increment and without giving up while increments grow: for steps
+    /// of fixed size in which something snaps through.
+    pub(super) fn solve_patiently<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        start: &State,
+        h: f64,
+        iterate: &mut Iterate,
+        statistics: &mut Statistics,
+    ) -> Result<(), Failure> {
+        if let Some(stabiliser) = &mut self.stabiliser {
+            stabiliser.begin(system, start);
+        }
+        let mut before: Option<f64> = None;
+        for _ in 0..PATIENT_ITERATIONS {
+            self.refresh(system, h, &iterate.state, statistics)?;
+            self.increment(system, h, &iterate.state, statistics);
+            let size = norm(&self.dx, &self.inverse_weights) + self.shifted();
+            if !size.is_finite() || !self.dlambda.iter().all(|d| d.is_finite()) {
+                return Err(Failure::Failed(Cause::NotFinite));
+            }
+            self.apply(h, iterate);
+            if let worst @ Some(_) = self.charts.overturned(&iterate.state) {
+                return Err(Failure::Failed(Cause::Newton { worst }));
+            }
+            let floor = ROUND_OFF / self.rtol * (1.0 + norm(&iterate.state.x, &self.inverse_sizes));
+            let contraction = before.map_or(1.0, |before| size / before);
+            let stagnates = contraction > POOR && size <= 1e3 * floor;
+            let is_small = contraction < 1.0 && size * contraction / (1.0 - contraction) <= self.converged;
+            if size <= floor || stagnates || is_small {
+                return Ok(());
+            }
+            before = Some(size);
+        }
+        Err(self.diverged())
     }
 
     /// Makes the next iteration start with a new matrix.
