@@ -15,8 +15,6 @@ pub mod curved_upwind;
 #[rustfmt::skip]
 pub mod elastica;
 #[rustfmt::skip]
-pub mod esail;
-#[rustfmt::skip]
 pub mod flyball_governor;
 #[rustfmt::skip]
 pub mod four_bar;
