@@ -18,3 +18,4 @@ mod runs;
 mod slider_crank;
 mod spin_up;
 mod steady;
+mod tilted_sail;
