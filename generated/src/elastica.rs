@@ -580,78 +580,6 @@ pub mod elastica_equations {
         mass[47] = 0.0;
         mass[48] = mass_r0y_r0y;
     }
-    /// Adds the inertia forces of one element in the inertial frame; e is minus gravity.
-    ///
-    /// Mass tensors integrated exactly.
-    ///
-    /// Operations: 54 additions, 65 multiplications.
-    pub fn beam_planar_absolute_inertia_force(
-        row: &BeamPlanar,
-        frame: &::rncf::mesh::FrameAction,
-        a: &[f64; 14],
-        force: &mut [f64; 14],
-    ) {
-        let BeamPlanar { length, rhoA, rhoIz, .. } = *row;
-        let [e_x, e_y, _] = frame.acceleration;
-        let [a_r0_x, a_r0_y, a_r0x_x, a_r0x_y, a_r0y_x, a_r0y_y, a_ry_half_x,
-        a_ry_half_y, a_r1_x, a_r1_y, a_r1x_x, a_r1x_y, a_r1y_x, a_r1y_y] = *a;
-        let element_mass = length * rhoA;
-        let section_y_mass = length * rhoIz;
-        let total_r0_x = a_r0_x + e_x;
-        let total_r0_y = a_r0_y + e_y;
-        let total_r1_x = a_r1_x + e_x;
-        let total_r1_y = a_r1_y + e_y;
-        let mass_r0_r0 = element_mass * 0.37142857142857144;
-        let t38 = length * element_mass;
-        let mass_r0_r0x = t38 * 0.05238095238095238;
-        let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t38 * (-0.030952380952380953);
-        let t42 = element_mass * (length * length);
-        let mass_r0x_r0x = t42 * 0.009523809523809525;
-        let mass_r0x_r1 = t38 * 0.030952380952380953;
-        let mass_r0x_r1x = t42 * (-0.007142857142857143);
-        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
-        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
-        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
-        let t49 = a_ry_half_x * mass_r0y_ry_half;
-        let t50 = a_ry_half_y * mass_r0y_ry_half;
-        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
-        let mass_r1_r1x = t38 * (-0.05238095238095238);
-        force[0]
-            += total_r0_x * mass_r0_r0 + a_r0x_x * mass_r0_r0x + total_r1_x * mass_r0_r1
-                + a_r1x_x * mass_r0_r1x;
-        force[1]
-            += total_r0_y * mass_r0_r0 + a_r0x_y * mass_r0_r0x + total_r1_y * mass_r0_r1
-                + a_r1x_y * mass_r0_r1x;
-        force[2]
-            += total_r0_x * mass_r0_r0x + a_r0x_x * mass_r0x_r0x
-                + total_r1_x * mass_r0x_r1 + a_r1x_x * mass_r0x_r1x;
-        force[3]
-            += total_r0_y * mass_r0_r0x + a_r0x_y * mass_r0x_r0x
-                + total_r1_y * mass_r0x_r1 + a_r1x_y * mass_r0x_r1x;
-        force[4] += a_r0y_x * mass_r0y_r0y + t49 + a_r1y_x * mass_r0y_r1y;
-        force[5] += a_r0y_y * mass_r0y_r0y + t50 + a_r1y_y * mass_r0y_r1y;
-        force[6]
-            += a_r0y_x * mass_r0y_ry_half + a_ry_half_x * mass_ry_half_ry_half
-                + a_r1y_x * mass_r0y_ry_half;
-        force[7]
-            += a_r0y_y * mass_r0y_ry_half + a_ry_half_y * mass_ry_half_ry_half
-                + a_r1y_y * mass_r0y_ry_half;
-        force[8]
-            += total_r0_x * mass_r0_r1 + a_r0x_x * mass_r0x_r1 + total_r1_x * mass_r0_r0
-                + a_r1x_x * mass_r1_r1x;
-        force[9]
-            += total_r0_y * mass_r0_r1 + a_r0x_y * mass_r0x_r1 + total_r1_y * mass_r0_r0
-                + a_r1x_y * mass_r1_r1x;
-        force[10]
-            += total_r0_x * mass_r0_r1x + a_r0x_x * mass_r0x_r1x
-                + total_r1_x * mass_r1_r1x + a_r1x_x * mass_r0x_r0x;
-        force[11]
-            += total_r0_y * mass_r0_r1x + a_r0x_y * mass_r0x_r1x
-                + total_r1_y * mass_r1_r1x + a_r1x_y * mass_r0x_r0x;
-        force[12] += t49 + a_r0y_x * mass_r0y_r1y + a_r1y_x * mass_r0y_r0y;
-        force[13] += t50 + a_r0y_y * mass_r0y_r1y + a_r1y_y * mass_r0y_r0y;
-    }
     /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 6 additions, 12 multiplications.
@@ -1165,35 +1093,6 @@ pub mod elastica_equations {
                 ::rncf::mesh::array(q),
                 ::rncf::mesh::array_mut(stiffness),
             );
-        }
-        fn force(
-            &self,
-            body: usize,
-            element: usize,
-            absolute: bool,
-            frame: &::rncf::mesh::FrameAction,
-            q: &[f64],
-            v: &[f64],
-            a: &[f64],
-            force: &mut [f64],
-        ) {
-            self.elastic_force(body, element, q, v, force);
-            let [q, v, a]: [&[f64; 14]; 3] = [q, v, a].map(::rncf::mesh::array);
-            let force = ::rncf::mesh::array_mut(force);
-            beam_planar_absolute_inertia_force(&self.row_beam, frame, a, force);
-        }
-        fn tangent(
-            &self,
-            body: usize,
-            element: usize,
-            absolute: bool,
-            frame: &::rncf::mesh::FrameAction,
-            q: &[f64],
-            v: &[f64],
-            stiffness: &mut [f64],
-            damping: &mut [f64],
-        ) {
-            self.elastic_tangent(body, element, q, v, stiffness, damping);
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
             let mut energy = 0.0;

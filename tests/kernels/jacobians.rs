@@ -5,7 +5,6 @@ use std::collections::HashMap;
 
 use rncf_codegen::elements::Library;
 use rncf_codegen::lower::elastic::{Form, Quantity, kernel};
-use rncf_codegen::lower::inertia::inertia_kernels;
 use rncf_codegen::lower::{Kernel, Variant};
 use rncf_codegen::model::{ElementId, Evaluation, Quadrature};
 use rncf_codegen::symbolic::{Id, Node};
@@ -225,76 +224,6 @@ elastic_test!(
     variant(3, 0, Quadrature::Gauss(3), true, false),
     Form::Points,
     damped = yes
-);
-
-/// Inertia: Euler, centrifugal and gyroscopic blocks.
-macro_rules! inertia_test {
-    ($test:ident, $module:path, $row:ident, $tangent:ident, $size:literal, $dimension:literal) => {
-        #[test]
-        fn $test() {
-            use $module as kernels;
-            let library = Library::standard();
-            let variant = variant($dimension, 0, Quadrature::Exact, false, false);
-            let mut random = Random(3);
-            let row = kernels::$row {
-                length: 0.7,
-                rhoA: 0.44,
-                ..Default::default()
-            };
-            let mut sample = sample(
-                &variant,
-                &[("length", row.length), ("rhoA", row.rhoA)],
-                &mut random,
-            );
-            let mut frame = rncf::mesh::FrameAction::default();
-            for axis in 0..3 {
-                frame.acceleration[axis] = random.next();
-                frame.spin[axis] = 10.0 * random.next();
-                frame.spin_rate[axis] = 10.0 * random.next();
-                let letter = ["x", "y", "z"][axis];
-                sample
-                    .inputs
-                    .insert(format!("e_{letter}"), frame.acceleration[axis]);
-                sample.inputs.insert(format!("w_{letter}"), frame.spin[axis]);
-                sample
-                    .inputs
-                    .insert(format!("dw_{letter}"), frame.spin_rate[axis]);
-            }
-            sample.inputs.insert("w".to_string(), frame.spin[0]);
-            sample.inputs.insert("dw".to_string(), frame.spin_rate[0]);
-            for name in variant.component_names(&library, "a_").concat() {
-                sample.inputs.insert(name, random.next());
-            }
-            let (mut stiffness, mut damping) = ([0.0; $size * $size], [0.0; $size * $size]);
-            kernels::$tangent(&row, &frame, &mut stiffness, &mut damping);
-            let force = inertia_kernels(&variant, &library).referenced;
-            for (prefix, compiled) in [("", stiffness), ("v_", damping)] {
-                let names = variant.component_names(&library, prefix).concat();
-                assert_close(
-                    stringify!($test),
-                    &compiled,
-                    &jacobian(&force, &sample.inputs, &names),
-                );
-            }
-        }
-    };
-}
-
-inertia_test!(
-    planar_inertia,
-    rncf_models::spin_up_equations,
-    CablePlanar,
-    cable_planar_inertia_tangent,
-    8,
-    2
-);
-inertia_test!(
-    spatial_inertia,
-    rncf_models::spin_up_spatial_equations,
-    CableSpatial,
-    cable_spatial_inertia_tangent,
-    12,
-    3
 );
 
 #[test]

@@ -8,6 +8,7 @@ mod elements;
 mod generated;
 mod jacobians;
 mod lanes;
+mod masses;
 mod materials;
 mod models;
 mod objectivity;

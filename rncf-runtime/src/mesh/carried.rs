@@ -3,7 +3,6 @@
 
 use super::frame::FrameMotion;
 use super::frames::Direction;
-use super::parts::CarriedTangent;
 use super::scene::MeshScene;
 use crate::system::Tangent;
 use crate::vector::{Vector, cross, dot, subtract};
@@ -12,6 +11,22 @@ use crate::vector::{Vector, cross, dot, subtract};
 const ROWS: usize = 6;
 /// Frame axes of spatial things.
 pub(super) const SPATIAL: &[usize] = &[0, 1, 2];
+
+/// Derivatives of what modes make on their frame, all in frame axes, rows first. A vector has d = 2 or 3 components,
+/// an angular velocity s = 1 or 3; b = d + s are the rows of force and moment on the frame, and q has
+/// n components. e is the origin's acceleration minus gravity.
+#[derive(Clone, Debug, Default)]
+pub(super) struct CarriedTangent {
+    /// d(force, moment)/d(e, w', q''): b x (b + n); its last n columns are also, transposed, the
+    /// derivatives of the q rows with respect to e and w'.
+    pub mass: Vec<f64>,
+    /// d(force, moment)/d(w, q'): b x (s + n).
+    pub damping: Vec<f64>,
+    /// d(q rows)/dw: n x s.
+    pub spin: Vec<f64>,
+    /// d(force, moment)/dq: b x n.
+    pub stiffness: Vec<f64>,
+}
 
 /// The derivatives of what is carried with respect to the unknowns of the frame (k) and q (n), one
 /// block after the other: mass ff, fq; damping ff, fq, qf; stiffness ff, fq, qf.
@@ -103,7 +118,11 @@ fn seen(axes: &[usize], frame: &FrameMotion, e: Vector, direction: &Direction, f
     let shift = frame.direction_to_frame(direction.shift);
     Seen {
         rate: rows_of(axes, shift, direction.turn),
-        change: rows_of(axes, subtract(cross(e, direction.turn), frame.direction_to_frame(field)), [0.0; 3]),
+        change: rows_of(
+            axes,
+            subtract(cross(e, direction.turn), frame.direction_to_frame(field)),
+            [0.0; 3],
+        ),
         shift,
         turn: direction.turn,
     }

@@ -26,10 +26,10 @@ pub struct FrameMotion {
     pub field: [f64; 3],
 }
 
-/// What a moving frame does to a body in it, in the order of the body's axes (planar bodies: spin
+/// What a moving frame does to a body of modes in it, in the order of the body's axes (planar bodies: spin
 /// about the normal first).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct FrameAction {
+pub(super) struct FrameAction {
     /// Acceleration of the origin minus gravity, m/s^2.
     pub acceleration: [f64; 3],
     /// Angular velocity, rad/s.
@@ -104,7 +104,7 @@ impl FrameMotion {
     }
 
     /// What the frame does to a body with the given axes under gravity (m/s^2, inertial axes).
-    pub fn action(&self, axes: &[usize], gravity: [f64; 3]) -> FrameAction {
+    pub(super) fn action(&self, axes: &[usize], gravity: [f64; 3]) -> FrameAction {
         let acceleration = self.felt(gravity);
         let mut action = FrameAction::default();
         for (place, &axis) in axes.iter().enumerate() {

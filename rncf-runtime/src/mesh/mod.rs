@@ -29,6 +29,7 @@ mod mean_axes;
 mod modal;
 mod moments;
 mod neutral;
+mod observed;
 mod one_by_one;
 mod outputs;
 mod parts;
@@ -38,8 +39,8 @@ mod sampling;
 mod scene;
 mod section;
 mod section_spec;
-mod shared;
 mod settle;
+mod shared;
 mod states;
 mod steady;
 mod stress;
@@ -53,7 +54,7 @@ mod whirl;
 pub use checks::{array, array_mut, check_params, inertia, non_negative, poisson, positive};
 pub use configuration::{Configuration, Curve};
 pub use density_sums::{add_lane, declared, lane};
-pub use frame::{FrameAction, FrameMotion};
+pub use frame::FrameMotion;
 pub use free::{FreeSpec, Motions, RigidSpec};
 pub use layout::{Layout, VectorKind};
 pub use line::Line;
@@ -61,8 +62,8 @@ pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
 pub use modal::build;
 pub use one_by_one::{elastic_force_one_by_one, elastic_tangent_one_by_one};
 pub use parts::{
-    BodySpec, Carried, CarriedTangent, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec,
-    NodalSpec, ObservedSpec, Parts, Place, PointQuantity, Prescribed,
+    BodySpec, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec, NodalSpec, ObservedSpec,
+    Parts, Place, PointQuantity, Prescribed,
 };
 pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
 pub use repeated::{DensitySpec, LANES, Reduction, ShareSpec, StartSpec, firsts, instance, reduce, repetitions};

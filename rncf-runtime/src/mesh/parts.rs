@@ -1,16 +1,17 @@
 //! What the generator emits for one model, as the runtime sees it.
 
-use super::evaluate::MAX_SIZE;
-use super::frame::{FrameAction, FrameMotion};
-use super::free::{FreeSpec, RigidSpec};
+use super::frame::FrameMotion;
+use super::free::FreeSpec;
 use super::line::Line;
 use super::markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec};
 use super::one_by_one::{elastic_force_one_by_one, elastic_tangent_one_by_one};
 use super::repeated::{DensitySpec, LANES, ShareSpec, StartSpec};
-use super::section_spec::{SectionQuantity, SectionSpec};
+use super::section_spec::SectionSpec;
 use crate::error::ModelError;
 use crate::system::ConstraintLevel;
 use crate::vector::Vector;
+
+pub use super::observed::{ObservedSpec, PointQuantity};
 
 /// A meshed body.
 #[derive(Clone, Debug)]
@@ -263,118 +264,6 @@ pub struct LoadSpec {
     pub frame: usize,
 }
 
-/// What is observed at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PointQuantity {
-    /// Position, m.
-    Position,
-    /// Velocity relative to the body's frame, m/s.
-    Velocity,
-    /// Slope dp/dx.
-    Slope,
-    /// Derivative of the position along the section's y axis.
-    SectionY,
-    /// Derivative of the position along the section's z axis.
-    SectionZ,
-}
-
-/// Something that outputs read.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ObservedSpec {
-    /// Component of a point, in the body's declared frame.
-    Point {
-        /// Body.
-        body: usize,
-        /// Where.
-        at: Place,
-        /// What.
-        what: PointQuantity,
-        /// Frame axis 0, 1, 2.
-        component: usize,
-    },
-    /// Component of a marker or of its time derivatives, inertial axes.
-    Marker {
-        /// Marker.
-        marker: usize,
-        /// 0 value, 1 velocity, 2 acceleration.
-        derivative: usize,
-        /// 0, 1, 2.
-        component: usize,
-    },
-    /// Component of what a constraint exerts on its first party, inertial axes; the moment is about
-    /// the first point among its markers.
-    ConstraintReaction {
-        /// Constraint.
-        constraint: usize,
-        /// Moment instead of force.
-        moment: bool,
-        /// 0, 1, 2.
-        component: usize,
-    },
-    /// Multiplier of one row of a constraint.
-    Multiplier {
-        /// Constraint.
-        constraint: usize,
-        /// Row.
-        row: usize,
-    },
-    /// What a body carries at a place: what the part beyond it exerts on the part before it.
-    Section {
-        /// Body.
-        body: usize,
-        /// Where.
-        at: Place,
-        /// What.
-        what: SectionQuantity,
-    },
-    /// Component of what a joint exerts on its body, in the joint's frame, about its point.
-    Reaction {
-        /// Joint.
-        joint: usize,
-        /// Moment instead of force.
-        moment: bool,
-        /// Frame axis 0, 1, 2.
-        component: usize,
-    },
-}
-
-/// Something with inertia in a free frame.
-#[derive(Clone, Copy, Debug)]
-pub enum Carried<'a> {
-    /// An element of a body: its nodal vectors are q.
-    Element {
-        /// Body.
-        body: usize,
-    },
-    /// A fixture of a body: position and slope of its place are q, with a section also its axes.
-    Fixture {
-        /// Components of a vector: 2 or 3.
-        dimension: usize,
-        /// Vectors of the place: position and slope (2), with the section's axes 3 or 4.
-        vectors: usize,
-        /// As in [`FixtureSpec::constants`].
-        constants: [f64; 10],
-    },
-    /// Rigid parts of the frame itself; no q, three components.
-    Rigid(&'a RigidSpec),
-}
-
-/// Derivatives of what is carried, all in frame axes, rows first. A vector has d = 2 or 3 components,
-/// an angular velocity s = 1 or 3; b = d + s are the rows of force and moment on the frame, and q has
-/// n components. e is the origin's acceleration minus gravity.
-#[derive(Clone, Debug, Default)]
-pub struct CarriedTangent {
-    /// d(force, moment)/d(e, w', q''): b x (b + n); its last n columns are also, transposed, the
-    /// derivatives of the q rows with respect to e and w'.
-    pub mass: Vec<f64>,
-    /// d(force, moment)/d(w, q'): b x (s + n).
-    pub damping: Vec<f64>,
-    /// d(q rows)/dw: n x s.
-    pub spin: Vec<f64>,
-    /// d(force, moment)/dq: b x n.
-    pub stiffness: Vec<f64>,
-}
-
 /// One model, as emitted: specifications and kernels. Indices follow the order of the declaration;
 /// frame 0 is the inertial one. `absolute` means that the body's vectors are in the inertial frame.
 pub trait Parts: Send + Sync + 'static {
@@ -469,11 +358,7 @@ pub trait Parts: Send + Sync + 'static {
     fn field_gradient(&self, _load: usize, _t: f64, _z: &[Vector], _gradient: &mut [f64]) {}
 
     /// Adds the elastic forces of one element.
-    fn elastic_force(&self, body: usize, element: usize, q: &[f64], v: &[f64], force: &mut [f64]) {
-        let none = [0.0; MAX_SIZE];
-        let rest = FrameAction::default();
-        self.force(body, element, true, &rest, q, v, &none[..q.len()], force);
-    }
+    fn elastic_force(&self, body: usize, element: usize, q: &[f64], v: &[f64], force: &mut [f64]);
     /// Adds their derivatives with respect to q and q', rows first.
     fn elastic_tangent(
         &self,
@@ -483,9 +368,7 @@ pub trait Parts: Send + Sync + 'static {
         v: &[f64],
         stiffness: &mut [f64],
         damping: &mut [f64],
-    ) {
-        self.tangent(body, element, true, &FrameAction::default(), q, v, stiffness, damping);
-    }
+    );
     /// Adds the elastic forces of four elements of one kind of body, one in each lane: (body, element) for
     /// each, components of the nodal vectors.
     fn elastic_force4(
@@ -517,32 +400,6 @@ pub trait Parts: Send + Sync + 'static {
 
     /// Mass matrix of an element's vectors (scalars, rows first).
     fn mass(&self, body: usize, mass: &mut [f64]);
-    /// Adds the elastic and inertia forces of one element.
-    #[allow(clippy::too_many_arguments)]
-    fn force(
-        &self,
-        body: usize,
-        element: usize,
-        absolute: bool,
-        frame: &FrameAction,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        force: &mut [f64],
-    );
-    /// Adds their derivatives with respect to q and q'.
-    #[allow(clippy::too_many_arguments)]
-    fn tangent(
-        &self,
-        body: usize,
-        element: usize,
-        absolute: bool,
-        frame: &FrameAction,
-        q: &[f64],
-        v: &[f64],
-        stiffness: &mut [f64],
-        damping: &mut [f64],
-    );
     /// Strain energy of one element, J.
     fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64;
     /// Weights of an element's nodal vectors in the `order`-th derivative d/dx (0, 1, 2) of an interpolant
@@ -617,49 +474,6 @@ pub trait Parts: Send + Sync + 'static {
     /// Fixtures of flexible bodies.
     fn fixtures(&self) -> Vec<FixtureSpec> {
         Vec::new()
-    }
-
-    /// Adds force and moment about the origin (frame axes; b numbers) that the inertia of something
-    /// carried needs, Eqs. (11), (12): `F = sum c_a R_a`, `T = sum q_a x R_a` for the inertia part.
-    fn carried(&self, _of: Carried, _frame: &FrameAction, _q: &[f64], _v: &[f64], _a: &[f64], _out: &mut [f64]) {}
-    /// Writes its derivatives (THEORY 2.1); every entry is overwritten, after resizing.
-    fn carried_tangent(
-        &self,
-        _of: Carried,
-        _frame: &FrameAction,
-        _q: &[f64],
-        _v: &[f64],
-        _a: &[f64],
-        _out: &mut CarriedTangent,
-    ) {
-    }
-    /// Adds the inertia force of a fixture on the vectors of its place.
-    #[allow(clippy::too_many_arguments)]
-    fn fixture_force(
-        &self,
-        _dimension: usize,
-        _vectors: usize,
-        _constants: [f64; 10],
-        _absolute: bool,
-        _frame: &FrameAction,
-        _q: &[f64],
-        _v: &[f64],
-        _a: &[f64],
-        _force: &mut [f64],
-    ) {
-    }
-    /// Adds its derivatives with respect to q and q', rows first.
-    #[allow(clippy::too_many_arguments)]
-    fn fixture_tangent(
-        &self,
-        _dimension: usize,
-        _vectors: usize,
-        _constants: [f64; 10],
-        _absolute: bool,
-        _frame: &FrameAction,
-        _stiffness: &mut [f64],
-        _damping: &mut [f64],
-    ) {
     }
 
     /// Values of a constraint's rows, or of their total time derivatives (velocity, acceleration,

@@ -1,15 +1,15 @@
-//! The ten-vector beam: generated kernels against the reference's plain loops over run-time sizes.
+//! The ten-vector beam: generated code against the reference's plain loops over run-time sizes.
 
 use std::hint::black_box;
 
-use rncf_models::{curved_upwind_equations as curved, motor_equations as motor};
+use rncf_models::motor_equations as motor;
 use rncf_models::{princeton_beam_equations as straight, roll_up_equations as planar};
 use rncf_tests::element::Weights;
 use rncf_tests::inertia::{Frame, State};
 use rncf_tests::section_beam::{Element, Properties, Section, residual_and_jacobian};
 use rncf_tests::section_inertia::MovingElement;
 
-use super::{action, time};
+use super::{scene, time};
 
 const LENGTH: f64 = 0.255;
 const DAMPING: f64 = 1e-6;
@@ -33,22 +33,23 @@ fn shape<const N: usize>() -> [[f64; N]; 3] {
     [q, q.map(|x| 0.1 * x), q.map(|x| -0.3 * x)]
 }
 
-/// Kernel, nanoseconds of the generated one and of the loops: elastic forces and tangents alone, and with inertia.
+/// What, nanoseconds of the generated code and of the loops: elastic forces and tangents alone, and in a scene with inertia
+/// against loops with it.
 pub fn rows() -> Vec<(&'static str, [f64; 2])> {
     vec![
-        ("ten vectors, elastic", [spatial(false), elastic_loops::<30>(0.0)]),
-        ("ten vectors", [spatial(true), loops::<30>(0.0)]),
+        ("ten vectors, elastic", [spatial(), elastic_loops::<30>(0.0)]),
+        ("ten vectors, in a scene", [scene::strip(), loops::<30>(0.0)]),
+        ("ten vectors, damped, elastic", [damped(), elastic_loops::<30>(DAMPING)]),
         (
-            "ten vectors, damped, elastic",
-            [damped(false), elastic_loops::<30>(DAMPING)],
+            "ten vectors, damped, in a scene",
+            [scene::shaft(), loops::<30>(DAMPING)],
         ),
-        ("ten vectors, damped", [damped(true), loops::<30>(DAMPING)]),
-        ("seven vectors, elastic", [plane(false), elastic_loops::<14>(0.0)]),
-        ("seven vectors", [plane(true), loops::<14>(0.0)]),
+        ("seven vectors, elastic", [plane(), elastic_loops::<14>(0.0)]),
+        ("seven vectors, in a scene", [scene::plane(), loops::<14>(0.0)]),
     ]
 }
 
-/// The motor's shaft; the inertia kernels are the same with and without damping.
+/// The motor's shaft.
 fn damped_row() -> motor::BeamSpatialDamped {
     let section = section();
     let axis = section.structural();
@@ -71,61 +72,52 @@ fn damped_row() -> motor::BeamSpatialDamped {
     }
 }
 
-fn spatial(with_inertia: bool) -> f64 {
-    let inertia = damped_row();
+fn spatial() -> f64 {
+    let shaft = damped_row();
     let row = straight::BeamSpatial {
         length: LENGTH,
-        EA: inertia.EA,
-        kyGA: inertia.kyGA,
-        kzGA: inertia.kzGA,
-        GA: inertia.GA,
-        EIz: inertia.EIz,
-        EIy: inertia.EIy,
-        GJ: inertia.GJ,
-        GIz: inertia.GIz,
-        GIy: inertia.GIy,
-        rhoA: inertia.rhoA,
-        rhoIz: inertia.rhoIz,
-        rhoIy: inertia.rhoIy,
+        EA: shaft.EA,
+        kyGA: shaft.kyGA,
+        kzGA: shaft.kzGA,
+        GA: shaft.GA,
+        EIz: shaft.EIz,
+        EIy: shaft.EIy,
+        GJ: shaft.GJ,
+        GIz: shaft.GIz,
+        GIy: shaft.GIy,
+        rhoA: shaft.rhoA,
+        rhoIz: shaft.rhoIz,
+        rhoIy: shaft.rhoIy,
         damping: 0.0,
     };
-    let ([q, v, a], frame) = (shape::<30>(), action());
-    let (mut force, mut stiffness, mut damping) = ([0.0; 30], [0.0; 900], [0.0; 900]);
+    let [q, ..] = shape::<30>();
+    let (mut force, mut stiffness) = ([0.0; 30], [0.0; 900]);
     time(|| {
         force.fill(0.0);
         stiffness.fill(0.0);
-        damping.fill(0.0);
-        let (row, inertia, frame, q) = (black_box(&row), black_box(&inertia), black_box(&frame), black_box(&q));
+        let (row, q) = (black_box(&row), black_box(&q));
         straight::beam_spatial_elastic_force(row, q, &mut force);
         straight::beam_spatial_elastic_tangent(row, q, &mut stiffness);
-        if with_inertia {
-            motor::beam_spatial_damped_inertia_force(inertia, frame, q, black_box(&v), black_box(&a), &mut force);
-            motor::beam_spatial_damped_inertia_tangent(inertia, frame, &mut stiffness, &mut damping);
-        }
-        black_box((&force, &stiffness, &damping));
+        black_box((&force, &stiffness));
     })
 }
 
-fn damped(with_inertia: bool) -> f64 {
+fn damped() -> f64 {
     let row = damped_row();
-    let ([q, v, a], frame) = (shape::<30>(), action());
+    let [q, v, _] = shape::<30>();
     let (mut force, mut stiffness, mut damping) = ([0.0; 30], [0.0; 900], [0.0; 900]);
     time(|| {
         force.fill(0.0);
         stiffness.fill(0.0);
         damping.fill(0.0);
-        let (row, frame, q, v) = (black_box(&row), black_box(&frame), black_box(&q), black_box(&v));
+        let (row, q, v) = (black_box(&row), black_box(&q), black_box(&v));
         motor::beam_spatial_damped_elastic_force(row, q, v, &mut force);
         motor::beam_spatial_damped_elastic_tangent(row, q, v, &mut stiffness, &mut damping);
-        if with_inertia {
-            motor::beam_spatial_damped_inertia_force(row, frame, q, v, black_box(&a), &mut force);
-            motor::beam_spatial_damped_inertia_tangent(row, frame, &mut stiffness, &mut damping);
-        }
         black_box((&force, &stiffness, &damping));
     })
 }
 
-fn plane(with_inertia: bool) -> f64 {
+fn plane() -> f64 {
     let shaft = damped_row();
     let row = planar::BeamPlanar {
         length: LENGTH,
@@ -137,26 +129,15 @@ fn plane(with_inertia: bool) -> f64 {
         rhoIz: shaft.rhoIz,
         damping: 0.0,
     };
-    let inertia = curved::BeamPlanarCurved {
-        length: LENGTH,
-        rhoA: shaft.rhoA,
-        rhoIz: shaft.rhoIz,
-        ..Default::default()
-    };
-    let ([q, v, a], frame) = (shape::<14>(), action());
-    let (mut force, mut stiffness, mut damping) = ([0.0; 14], [0.0; 196], [0.0; 196]);
+    let [q, ..] = shape::<14>();
+    let (mut force, mut stiffness) = ([0.0; 14], [0.0; 196]);
     time(|| {
         force.fill(0.0);
         stiffness.fill(0.0);
-        damping.fill(0.0);
-        let (row, inertia, frame, q) = (black_box(&row), black_box(&inertia), black_box(&frame), black_box(&q));
+        let (row, q) = (black_box(&row), black_box(&q));
         planar::beam_planar_elastic_force(row, q, &mut force);
         planar::beam_planar_elastic_tangent(row, q, &mut stiffness);
-        if with_inertia {
-            curved::beam_planar_curved_inertia_force(inertia, frame, q, black_box(&v), black_box(&a), &mut force);
-            curved::beam_planar_curved_inertia_tangent(inertia, frame, &mut stiffness, &mut damping);
-        }
-        black_box((&force, &stiffness, &damping));
+        black_box((&force, &stiffness));
     })
 }
 

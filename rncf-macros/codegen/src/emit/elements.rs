@@ -6,7 +6,7 @@ use std::fmt::Write;
 use super::kernel::documentation;
 use super::parts::Parts;
 use crate::lower::{Kernel, camel_case};
-use crate::model::{Body, INERTIAL};
+use crate::model::Body;
 
 /// Arguments of the functions of four elements.
 const FOUR: &str = "elements: &[(usize, usize); 4], q: &[[f64; 4]], v: &[[f64; 4]]";
@@ -129,7 +129,6 @@ impl Parts<'_> {
         let mut text = format!("fn mass(&self, body: usize, mass: &mut [f64]) {{\n{kind}{mass}}}\n");
         text += &self.elastic();
         text += &self.elastic_of_four();
-        text += &self.with_inertia();
         text + &format!(
             "fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {{\n{kind}let mut energy = 0.0;\n{energy}energy\n}}\n\
              fn shapes(&self, body: usize, of: ::rncf::mesh::Interpolant, order: usize, xi: f64, weights: &mut [f64]) {{\n{kind}weights.fill(0.0);\n{shapes}}}\n"
@@ -219,37 +218,6 @@ impl Parts<'_> {
         format!(
             "fn elastic_force4(&self, {FOUR}, force: &mut [[f64; 4]]) {{\n{body}{force}}}\n\
              fn elastic_tangent4(&self, {FOUR}, stiffness: &mut [[f64; 4]], damping: &mut [[f64; 4]]) {{\n{body}{tangent}}}\n"
-        )
-    }
-
-    fn with_inertia(&self) -> String {
-        let kind = self.kind();
-        let force = self.by_body(|index, body| {
-            let (name, row) = (&self.variant(index).name, self.row(body));
-            let size = self.variant(index).variant.size(self.library);
-            let inertial = format!("{name}_absolute_inertia_force(&{row}, frame, a, force);");
-            let inertia = if body.frame == INERTIAL {
-                inertial
-            } else {
-                format!("if absolute {{ {inertial} }} else {{ {name}_inertia_force(&{row}, frame, q, v, a, force); }}")
-            };
-            format!(
-                "let [q, v, a]: [&[f64; {size}]; 3] = [q, v, a].map(::rncf::mesh::array);\nlet force = ::rncf::mesh::array_mut(force);\n{inertia}"
-            )
-        });
-        let tangent = self.by_body(|index, body| {
-            if body.frame == INERTIAL {
-                return String::new();
-            }
-            format!(
-                "if !absolute {{ {}_inertia_tangent(&{}, frame, ::rncf::mesh::array_mut(stiffness), ::rncf::mesh::array_mut(damping)); }}",
-                self.variant(index).name,
-                self.row(body)
-            )
-        });
-        format!(
-            "fn force(&self, body: usize, element: usize, absolute: bool, frame: &::rncf::mesh::FrameAction, q: &[f64], v: &[f64], a: &[f64], force: &mut [f64]) {{\nself.elastic_force(body, element, q, v, force);\n{kind}{force}}}\n\
-             fn tangent(&self, body: usize, element: usize, absolute: bool, frame: &::rncf::mesh::FrameAction, q: &[f64], v: &[f64], stiffness: &mut [f64], damping: &mut [f64]) {{\nself.elastic_tangent(body, element, q, v, stiffness, damping);\n{kind}{tangent}}}\n"
         )
     }
 }

@@ -4,14 +4,13 @@ use super::elements::{rows_side_by_side, side_by_side};
 use super::kernel::{documentation, fits_lanes, function, function_of_lanes};
 use super::moving::document_rows;
 use crate::elements::{Interpolant, Library};
-use crate::lower::carried::{self, CarriedKernels, FixtureKernels};
 use crate::lower::constraints::{ConstraintKernels, constraint_kernels};
 use crate::lower::density::{DensityKernels, FieldKernels, density_kernels, field_kernels};
 use crate::lower::elastic::Form;
 use crate::lower::field_forces::field_forces_kernel;
 use crate::lower::forces::{ForceKernels, force_kernels};
 use crate::lower::free::free_kernel;
-use crate::lower::inertia::{InertiaKernels, inertia_kernels};
+use crate::lower::inertia::mass_kernel;
 use crate::lower::initial::initial_kernel;
 use crate::lower::joints::{JointKernels, joint_kernels};
 pub use crate::lower::loads::Reduced;
@@ -26,18 +25,14 @@ pub struct VariantKernels {
     pub name: String,
     /// Elastic kernels.
     pub elastic: ElasticKernels,
-    /// Inertia kernels.
-    pub inertia: InertiaKernels,
+    /// Mass matrix of the nodal vectors.
+    pub mass: Kernel,
     /// Weights of the nodal vectors in each interpolant and its derivatives.
     pub shapes: Vec<(Interpolant, [Kernel; 3])>,
     /// Forces on the fields at a point.
     pub field_forces: Kernel,
     /// Documentation of the struct with the constants, and the struct's fields.
     pub row: String,
-    /// Whether a body of this variant lives in a moving frame.
-    pub moving: bool,
-    /// What a free frame feels of an element, where a body of this variant lives in one.
-    pub carried: Option<CarriedKernels>,
 }
 
 impl VariantKernels {
@@ -66,10 +61,6 @@ pub struct Equations {
     pub free: Vec<(usize, Kernel)>,
     /// Start of every body that has an initial shape, with its index.
     pub initial: Vec<(usize, Kernel)>,
-    /// What a free frame feels of its rigid parts, where one has any.
-    pub rigid: Option<CarriedKernels>,
-    /// Inertia of fixtures, by dimension, where needed.
-    pub fixtures: Vec<FixtureKernels>,
     /// Conditions of every joint: in the body's frame (`None` where that is the inertial one, or
     /// where the two move relative to each other in an unknown way), and in the inertial frame
     /// (`None` where the joint's frame moves freely).
@@ -114,10 +105,6 @@ impl Equations {
                     variants.push(variant_kernels(variant, library));
                     variants.len() - 1
                 });
-            variants[index].moving |= body.frame != INERTIAL;
-            if is_free(model, body.frame) && variants[index].carried.is_none() {
-                variants[index].carried = Some(carried::element_kernels(&variants[index].variant, library));
-            }
             variant_of.push(index);
         }
         let mut moments: Vec<(usize, [Kernel; 2])> = Vec::new();
@@ -132,23 +119,9 @@ impl Equations {
                 }
             }
         }
-        let mut fixtures: Vec<FixtureKernels> = Vec::new();
-        for fixture in &model.fixtures {
-            let body = &model.bodies[fixture.body.0];
-            let dimension = body.space.dimension();
-            let vectors = fixture_vectors(model, fixture.body, library);
-            let is_it = |other: &FixtureKernels| (other.dimension, other.vectors) == (dimension, vectors);
-            let index = fixtures.iter().position(is_it).unwrap_or_else(|| {
-                fixtures.push(carried::fixture_kernels(dimension, vectors));
-                fixtures.len() - 1
-            });
-            fixtures[index].moving |= body.frame != INERTIAL;
-            fixtures[index].free |= is_free(model, body.frame);
-        }
         let frames = model.frames.iter().enumerate().skip(1);
         let prescribed = frames.clone().filter(|(_, frame)| frame.free.is_none());
         let free = frames.filter_map(|(index, frame)| Some((index, frame, frame.free.as_ref()?)));
-        let parts = free.clone().any(|(_, _, free)| !free.parts.is_empty());
         let bodies = model.bodies.iter().enumerate();
         let initial = bodies.filter_map(|(index, body)| Some((index, initial_kernel(model, body)?)));
         let outputs = loads::outputs_kernel(model);
@@ -164,8 +137,6 @@ impl Equations {
                 .map(|(index, frame, free)| (index, free_kernel(model, frame, free)))
                 .collect(),
             initial: initial.collect(),
-            rigid: parts.then(carried::rigid_kernels),
-            fixtures,
             joints: model
                 .joints
                 .iter()
@@ -211,17 +182,7 @@ impl Equations {
             if let Some((kernel, _)) = &variant.elastic.reference {
                 add(kernel);
             }
-            let inertia = &variant.inertia;
-            add(&inertia.mass);
-            if variant.moving {
-                add(&inertia.referenced);
-                add(&inertia.referenced_tangent);
-            }
-            add(&inertia.absolute);
-            if let Some(carried) = &variant.carried {
-                add(&carried.force);
-                add(&carried.tangent);
-            }
+            add(&variant.mass);
             variant.shapes.iter().flat_map(|(_, orders)| orders).for_each(&mut add);
             add(&variant.field_forces);
         }
@@ -238,18 +199,6 @@ impl Equations {
     /// The functions that belong to no element.
     fn rest(&self) -> Vec<&Kernel> {
         let mut kernels: Vec<&Kernel> = Vec::new();
-        if let Some(carried) = &self.rigid {
-            kernels.extend([&carried.force, &carried.tangent]);
-        }
-        for fixture in &self.fixtures {
-            kernels.push(&fixture.absolute);
-            if fixture.moving {
-                kernels.extend([&fixture.referenced, &fixture.referenced_tangent]);
-            }
-            if fixture.free {
-                kernels.extend([&fixture.carried.force, &fixture.carried.tangent]);
-            }
-        }
         let starts = self.frames.iter().chain(&self.free).chain(&self.initial);
         kernels.extend(starts.map(|(_, kernel)| kernel));
         kernels.extend(self.loads.iter().map(|(_, kernel)| kernel));
@@ -286,15 +235,6 @@ pub fn has_section(model: &Model, body: BodyId, library: &Library) -> bool {
     library.elements[model.bodies[body.0].element.0].has_section()
 }
 
-/// Vectors of a place that a fixture's inertia is on.
-fn fixture_vectors(model: &Model, body: BodyId, library: &Library) -> usize {
-    if has_section(model, body, library) {
-        1 + model.bodies[body.0].space.dimension()
-    } else {
-        2
-    }
-}
-
 /// The conditions of a joint where they are linear in the nodal vectors.
 fn conditions(model: &Model, joint: &Joint, library: &Library) -> (Option<JointKernels>, Option<JointKernels>) {
     let frame = model.bodies[joint.body.0].frame;
@@ -312,14 +252,12 @@ fn variant_kernels(variant: Variant, library: &Library) -> VariantKernels {
     let name = variant.name(library);
     let row = row(&variant, &name, &elastic, library);
     VariantKernels {
-        inertia: inertia_kernels(&variant, library),
+        mass: mass_kernel(&variant, library),
         shapes: loads::shape_kernels(&variant, library),
         field_forces: field_forces_kernel(&variant, library),
         elastic,
         name,
         row,
-        moving: false,
-        carried: None,
         variant,
     }
 }

@@ -1,22 +1,18 @@
 //! The methods of `Parts` for what moves freely: free frames, markers with their constraints and
-//! forces, fixtures, and the inertia of what free frames carry. A model without any of these gets
+//! forces, and fixtures. A model without any of these gets
 //! none of them.
 
 use std::fmt::Write;
 
-use super::equations::is_free;
 use super::expression::inline;
 use super::parts::Parts;
 use crate::check::fold;
 use crate::lower::Kernel;
 use crate::lower::camel_case;
-use crate::lower::carried::{CarriedKernels, FixtureKernels};
 use crate::lower::constraints::ConstraintKernels;
 use crate::lower::joints::LEVELS;
 use crate::model::{Expr, Marker, Model, Motions};
 
-const ACTION: &str = "frame: &::rncf::mesh::FrameAction";
-const STATES: &str = "q: &[f64], v: &[f64], a: &[f64]";
 const VECTORS: &str = "&[[f64; 3]]";
 
 /// Formulas longer than this are not repeated in the documentation.
@@ -323,7 +319,7 @@ impl Parts<'_> {
         text
     }
 
-    /// Fixtures of flexible bodies and their inertia.
+    /// Fixtures of flexible bodies.
     pub fn fixtures(&self) -> String {
         if self.model.fixtures.is_empty() {
             return String::new();
@@ -338,128 +334,7 @@ impl Parts<'_> {
             );
             (fixture.repeat, entry)
         });
-        let mut text = self.list("fixtures", "FixtureSpec", &entries.collect::<Vec<_>>());
-        let by_kind = |arm: &dyn Fn(&FixtureKernels) -> String| -> String {
-            let arms = self.equations.fixtures.iter();
-            arms.map(|kernels| {
-                format!(
-                    "({}, {}) => {{\n{}}}\n",
-                    kernels.dimension,
-                    kernels.vectors,
-                    arm(kernels)
-                )
-            })
-            .collect()
-        };
-        let array = "::rncf::mesh::array";
-        let force = by_kind(&|kernels| {
-            let absolute = format!(
-                "{}(constants, frame, {array}(a), {array}_mut(force));",
-                kernels.absolute.name
-            );
-            if !kernels.moving {
-                return absolute;
-            }
-            let name = &kernels.referenced.name;
-            let moving = format!("{name}(constants, frame, {array}(q), {array}(v), {array}(a), {array}_mut(force));");
-            format!("if absolute {{ {absolute} }} else {{ {moving} }}\n")
-        });
-        let tangent = by_kind(&|kernels| {
-            if !kernels.moving {
-                return String::new();
-            }
-            let name = &kernels.referenced_tangent.name;
-            let call = format!("{name}(constants, frame, {array}_mut(stiffness), {array}_mut(damping));");
-            format!("if !absolute {{ {call} }}\n")
-        });
-        let _ = writeln!(
-            text,
-            "fn fixture_force(&self, dimension: usize, vectors: usize, constants: [f64; 10], absolute: bool, {ACTION}, {STATES}, force: &mut [f64]) {{\nmatch (dimension, vectors) {{\n{force}_ => {{}}\n}}\n}}\n\
-             fn fixture_tangent(&self, dimension: usize, vectors: usize, constants: [f64; 10], absolute: bool, {ACTION}, stiffness: &mut [f64], damping: &mut [f64]) {{\nmatch (dimension, vectors) {{\n{tangent}_ => {{}}\n}}\n}}"
-        );
-        text
-    }
-
-    /// What free frames feel of what they carry.
-    pub fn carried(&self) -> String {
-        if self.equations.free.is_empty() {
-            return String::new();
-        }
-        let array = "::rncf::mesh::array";
-        let force = self.carried_arms(&|kernels, first| {
-            let states = if first == "rigid" {
-                String::new()
-            } else {
-                format!("{array}(q), {array}(v), {array}(a), ")
-            };
-            format!("{}({first}, frame, {states}{array}_mut(out))", kernels.force.name)
-        });
-        let tangent = self.carried_arms(&|kernels, first| {
-            let (states, blocks): (_, &[&str]) = if first == "rigid" {
-                (String::new(), &["mass", "damping"])
-            } else {
-                let states = format!("{array}(q), {array}(v), {array}(a), ");
-                (states, &["mass", "damping", "spin", "stiffness"])
-            };
-            let blocks: Vec<String> = blocks
-                .iter()
-                .map(|block| format!("{array}_mut(&mut out.{block})"))
-                .collect();
-            format!(
-                "{}({first}, frame, {states}{})",
-                kernels.tangent.name,
-                blocks.join(", ")
-            )
-        });
-        let dimensions: Vec<usize> = self.model.bodies.iter().map(|body| body.space.dimension()).collect();
-        let arguments = format!("&self, of: ::rncf::mesh::Carried, {ACTION}, {STATES}");
-        let of = if self.has_loops() {
-            "let (of, instance) = match of {\n::rncf::mesh::Carried::Element { body } => {\nlet (body, instance) = self.kind(body);\n(::rncf::mesh::Carried::Element { body }, instance)\n}\nother => (other, 0),\n};\n"
-        } else {
-            ""
-        };
-        format!(
-            "fn carried({arguments}, out: &mut [f64]) {{\n{of}match of {{\n{force}_ => {{}}\n}}\n}}\n\
-             fn carried_tangent({arguments}, out: &mut ::rncf::mesh::CarriedTangent) {{\n{of}\
-             const DIMENSIONS: [usize; {}] = {dimensions:?};\n\
-             let (d, n) = match of {{\n\
-             ::rncf::mesh::Carried::Element {{ body }} => (DIMENSIONS[body], q.len()),\n\
-             ::rncf::mesh::Carried::Fixture {{ dimension, .. }} => (dimension, q.len()),\n\
-             ::rncf::mesh::Carried::Rigid(_) => (3, 0),\n}};\n\
-             let s = if d == 2 {{ 1 }} else {{ 3 }};\n\
-             let b = d + s;\n\
-             for (block, size) in [(&mut out.mass, b * (b + n)), (&mut out.damping, b * (s + n)), (&mut out.spin, n * s), (&mut out.stiffness, b * n)] {{\n\
-             block.clear();\nblock.resize(size, 0.0);\n}}\n\
-             match of {{\n{tangent}_ => {{}}\n}}\n}}\n",
-            dimensions.len()
-        )
-    }
-
-    /// Arms over what a model's free frames carry; `call` gets the kernels and their first argument.
-    fn carried_arms(&self, call: &dyn Fn(&CarriedKernels, &str) -> String) -> String {
-        let mut arms = String::new();
-        for (index, body) in self.model.bodies.iter().enumerate() {
-            let kernels = self.variant(index).carried.as_ref();
-            if let Some(kernels) = kernels.filter(|_| is_free(self.model, body.frame)) {
-                let call = call(kernels, &format!("&{}", self.row(body)));
-                let _ = writeln!(arms, "::rncf::mesh::Carried::Element {{ body: {index} }} => {call},");
-            }
-        }
-        for fixture in self.equations.fixtures.iter().filter(|fixture| fixture.free) {
-            let (dimension, vectors, call) = (fixture.dimension, fixture.vectors, call(&fixture.carried, "constants"));
-            let _ = writeln!(
-                arms,
-                "::rncf::mesh::Carried::Fixture {{ dimension: {dimension}, vectors: {vectors}, constants }} => {call},"
-            );
-        }
-        if let Some(kernels) = &self.equations.rigid {
-            let _ = writeln!(
-                arms,
-                "::rncf::mesh::Carried::Rigid(rigid) => {},",
-                call(kernels, "rigid")
-            );
-        }
-        arms
+        self.list("fixtures", "FixtureSpec", &entries.collect::<Vec<_>>())
     }
 }
 

@@ -79,7 +79,6 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     text += &writer.densities();
     text += &writer.fields();
     text += &writer.fixtures();
-    text += &writer.carried();
     text + "}\n"
 }
 

@@ -349,45 +349,24 @@ impl Signature<'_> {
         out
     }
 
-    /// Wraps the expressions of an inertia kernel.
-    pub fn inertia(&self, suffix: &str, doc: Vec<String>, graph: Graph, outputs: Vec<(String, Id)>) -> Kernel {
-        let size = self.variant.size(self.library);
-        let mut arguments = vec![format!("row: &{}", self.row())];
-        let mut bindings = self.bindings(false, &[]);
-        let assign = suffix == "mass";
-        if assign {
-            let count = self.variant.vectors(self.library).len();
-            arguments.push(format!("mass: &mut [f64; {}]", count * count));
-        } else {
-            arguments.push("frame: &::rncf::mesh::FrameAction".to_string());
-            bindings.extend(frame_bindings(self.variant.dimension, suffix));
-            if suffix.ends_with("tangent") {
-                arguments.push(format!("stiffness: &mut [f64; {}]", size * size));
-                arguments.push(format!("damping_matrix: &mut [f64; {}]", size * size));
-            } else {
-                let states: &[(&str, &str)] = if suffix.starts_with("absolute") {
-                    &[("a", "a_")]
-                } else {
-                    &[("q", ""), ("v", "v_"), ("a", "a_")]
-                };
-                for (argument, prefix) in states {
-                    arguments.push(format!("{argument}: &[f64; {size}]"));
-                    let names = self.variant.component_names(self.library, prefix).concat();
-                    bindings.push(format!("let [{}] = *{argument};", names.join(", ")));
-                }
-                arguments.push(format!("force: &mut [f64; {size}]"));
-            }
-        }
-        let name = format!("{}_{suffix}", self.variant.name(self.library));
+    /// Wraps the expressions of the mass matrix.
+    pub fn mass(&self, graph: Graph, outputs: Vec<(String, Id)>) -> Kernel {
+        let count = self.variant.vectors(self.library).len();
         Kernel {
-            name,
-            doc,
-            arguments,
-            bindings,
+            name: format!("{}_mass", self.variant.name(self.library)),
+            doc: vec![
+                "Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).".to_string(),
+                "Mass tensors integrated exactly.".to_string(),
+            ],
+            arguments: vec![
+                format!("row: &{}", self.row()),
+                format!("mass: &mut [f64; {}]", count * count),
+            ],
+            bindings: self.bindings(false, &[]),
             graph,
             points: None,
             outputs,
-            assign,
+            assign: true,
         }
     }
 
@@ -426,28 +405,6 @@ impl Signature<'_> {
             }
         }
     }
-}
-
-/// Statements that bind what a frame does to the names of its symbols.
-pub(super) fn frame_bindings(dimension: usize, suffix: &str) -> Vec<String> {
-    let acceleration = if dimension == 2 {
-        "let [e_x, e_y, _] = frame.acceleration;"
-    } else {
-        "let [e_x, e_y, e_z] = frame.acceleration;"
-    };
-    let spin = if dimension == 2 {
-        "let ([w, ..], [dw, ..]) = (frame.spin, frame.spin_rate);"
-    } else {
-        "let ([w_x, w_y, w_z], [dw_x, dw_y, dw_z]) = (frame.spin, frame.spin_rate);"
-    };
-    let mut bindings = Vec::new();
-    if !suffix.ends_with("tangent") {
-        bindings.push(acceleration.to_string());
-    }
-    if !suffix.starts_with("absolute") {
-        bindings.push(spin.to_string());
-    }
-    bindings
 }
 
 /// `cable_planar` to `CablePlanar`.

@@ -1,8 +1,7 @@
 //! A model for tests of modal scenes.
 
-use super::invariants::{Action, Invariants, Motion};
+use super::Elements;
 use super::tests::{Cable, element_mass};
-use super::{Elements, picked};
 use crate::mesh::tests::scenery::{NODAL, along_slope};
 use crate::mesh::*;
 use crate::model::{Formulation, Joints};
@@ -53,44 +52,6 @@ impl Arm {
 
     pub fn scene(&self) -> MeshScene {
         MeshScene::new(Box::new(self.clone()), Formulation::Rncf, Joints::Eliminated).unwrap()
-    }
-
-    /// Constants of something whose components are its own modes.
-    fn inertia(&self, of: Carried) -> Invariants {
-        let d = self.d();
-        if let Carried::Rigid(_) = of {
-            // Equal masses at the corners of a tetrahedron.
-            let mass: Vec<f64> = (0..16)
-                .map(|entry| if entry % 5 == 0 { HUB / 4.0 } else { 0.0 })
-                .collect();
-            let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
-            return Invariants::new(&mass, &[1.0; 4], &corners.map(|corner| corner.map(|x| 0.1 * x)), &[]);
-        }
-        let (mass, whole) = match of {
-            Carried::Fixture {
-                constants: [m, s, _, _, j, ..],
-                ..
-            } => (vec![m, s, s, j], vec![1.0, 0.0]),
-            _ => (element_mass(self.cable.length).concat(), vec![1.0, 0.0, 1.0, 0.0]),
-        };
-        let unit = |place: usize| -> Vec<Vector> {
-            let vector = |a: usize| std::array::from_fn(|c| if a * d + c == place && c < d { 1.0 } else { 0.0 });
-            (0..whole.len()).map(vector).collect()
-        };
-        let modes: Vec<Vec<Vector>> = (0..whole.len() * d).map(unit).collect();
-        Invariants::new(&mass, &whole, &vec![[0.0; 3]; whole.len()], &modes)
-    }
-
-    /// Components of something carried, and its rows of force and moment.
-    fn shape_of(&self, of: Carried) -> (usize, &'static [usize]) {
-        match of {
-            Carried::Rigid(_) => (3, &[0, 1, 2, 3, 4, 5]),
-            _ => (self.d(), self.rows()),
-        }
-    }
-
-    fn rows(&self) -> &'static [usize] {
-        if self.d() == 2 { &[0, 1, 5] } else { &[0, 1, 2, 3, 4, 5] }
     }
 }
 
@@ -192,35 +153,19 @@ impl Parts for Arm {
     fn mass(&self, _body: usize, mass: &mut [f64]) {
         mass.copy_from_slice(&element_mass(self.cable.length).concat());
     }
-    fn force(
-        &self,
-        body: usize,
-        element: usize,
-        _absolute: bool,
-        frame: &FrameAction,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        force: &mut [f64],
-    ) {
+    fn elastic_force(&self, _body: usize, element: usize, q: &[f64], v: &[f64], force: &mut [f64]) {
         self.cable.force(element, q, v, force);
-        let inertia = self.inertia(Carried::Element { body });
-        inertia.modal_force(&Action::new(frame, self.d()), Motion { p: q, v, a }, force);
     }
-    fn tangent(
+    fn elastic_tangent(
         &self,
-        body: usize,
+        _body: usize,
         element: usize,
-        _absolute: bool,
-        frame: &FrameAction,
         q: &[f64],
         v: &[f64],
         stiffness: &mut [f64],
         damping: &mut [f64],
     ) {
         self.cable.tangent(element, q, v, stiffness, damping);
-        let inertia = self.inertia(Carried::Element { body });
-        inertia.modal_tangent(&Action::new(frame, self.d()), stiffness, damping);
     }
     fn energy(&self, _body: usize, _element: usize, _q: &[f64]) -> f64 {
         0.0
@@ -373,74 +318,6 @@ impl Parts for Arm {
             constants: along_slope(TIP[0], TIP[1], TIP[2]),
         };
         if self.linked { vec![unit] } else { Vec::new() }
-    }
-    fn carried(&self, of: Carried, frame: &FrameAction, q: &[f64], v: &[f64], a: &[f64], out: &mut [f64]) {
-        let (d, rows) = self.shape_of(of);
-        let action = Action::new(frame, d);
-        let all = self.inertia(of).frame_force(&action, Motion { p: q, v, a }).concat();
-        for (value, &row) in out.iter_mut().zip(rows) {
-            *value += all[row];
-        }
-    }
-    fn carried_tangent(
-        &self,
-        of: Carried,
-        frame: &FrameAction,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        out: &mut CarriedTangent,
-    ) {
-        let (d, rows) = self.shape_of(of);
-        let action = Action::new(frame, d);
-        self.inertia(of)
-            .frame_tangent(&action, Motion { p: q, v, a }, true, out);
-        if d == 2 {
-            let n = q.len();
-            let columns = |first: &[usize], before: usize| -> Vec<usize> {
-                first.iter().copied().chain(before..before + n).collect()
-            };
-            out.mass = picked(&out.mass, 6 + n, rows, &columns(rows, 6));
-            out.damping = picked(&out.damping, 3 + n, rows, &columns(&[2], 3));
-            out.stiffness = picked(&out.stiffness, n, rows, &columns(&[], 0));
-            out.spin = out.spin.iter().skip(2).step_by(3).copied().collect();
-        }
-    }
-    fn fixture_force(
-        &self,
-        dimension: usize,
-        vectors: usize,
-        constants: [f64; 10],
-        _absolute: bool,
-        frame: &FrameAction,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        force: &mut [f64],
-    ) {
-        let inertia = self.inertia(Carried::Fixture {
-            dimension,
-            vectors,
-            constants,
-        });
-        inertia.modal_force(&Action::new(frame, dimension), Motion { p: q, v, a }, force);
-    }
-    fn fixture_tangent(
-        &self,
-        dimension: usize,
-        vectors: usize,
-        constants: [f64; 10],
-        _absolute: bool,
-        frame: &FrameAction,
-        stiffness: &mut [f64],
-        damping: &mut [f64],
-    ) {
-        let inertia = self.inertia(Carried::Fixture {
-            dimension,
-            vectors,
-            constants,
-        });
-        inertia.modal_tangent(&Action::new(frame, dimension), stiffness, damping);
     }
     fn marker_constraint(
         &self,

@@ -1,7 +1,7 @@
 //! Inertia of a modal body from constants, THEORY 3.2, Eqs. (15)-(17).
 
+use crate::mesh::carried::CarriedTangent;
 use crate::mesh::frame::FrameAction;
-use crate::mesh::parts::CarriedTangent;
 use crate::vector::{
     Matrix, Vector, add, apply, apply_transposed, cross, dot, identity, multiply, scale, skew, subtract, transpose,
 };

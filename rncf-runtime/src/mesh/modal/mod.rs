@@ -21,8 +21,9 @@ use elastic::Elastic;
 use invariants::{Action, Invariants, Motion};
 
 use super::assembly::Connectivity;
+use super::carried::CarriedTangent;
 use super::frame::FrameAction;
-use super::parts::{CarriedTangent, Fidelity};
+use super::parts::Fidelity;
 use crate::error::ModelError;
 use crate::linalg::{Cholesky, natural_modes};
 use crate::vector::Vector;

@@ -3,7 +3,6 @@
 use super::{Elements, Nodal};
 use crate::error::ModelError;
 use crate::mesh::assembly::Connectivity;
-use crate::mesh::frame::FrameAction;
 use crate::mesh::parts::Parts;
 use crate::mesh::scene::MeshScene;
 
@@ -20,14 +19,11 @@ pub struct Kernels<'a> {
 
 impl Elements for Kernels<'_> {
     fn force(&self, element: usize, q: &[f64], v: &[f64], force: &mut [f64]) {
-        let (still, rest) = (FrameAction::default(), vec![0.0; q.len()]);
-        self.parts.force(self.body, element, true, &still, q, v, &rest, force);
+        self.parts.elastic_force(self.body, element, q, v, force);
     }
 
     fn tangent(&self, element: usize, q: &[f64], v: &[f64], stiffness: &mut [f64], damping: &mut [f64]) {
-        let still = FrameAction::default();
-        self.parts
-            .tangent(self.body, element, true, &still, q, v, stiffness, damping);
+        self.parts.elastic_tangent(self.body, element, q, v, stiffness, damping);
     }
 }
 

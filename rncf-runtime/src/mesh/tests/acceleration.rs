@@ -3,7 +3,8 @@
 use super::super::free::{Motions, RigidSpec};
 use super::super::parts::{JointKind, LoadKind, LoadSpec, ObservedSpec, Place};
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, MeshScene, When};
-use super::model::{Hand, Law, Quadratic};
+use super::law::Law;
+use super::model::{Hand, Quadratic};
 use super::random::Random;
 use super::scenery::{along_slope, body, everything, free, hold, joint, stone};
 use crate::linalg::{Lu, Pattern};

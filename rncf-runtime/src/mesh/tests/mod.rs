@@ -4,6 +4,7 @@ mod acceleration;
 mod density;
 mod differences;
 mod inertia;
+mod law;
 mod levels;
 mod model;
 mod modes;

@@ -2,15 +2,14 @@
 
 use super::super::free::FreeSpec;
 use super::super::parts::{
-    BodySpec, Carried, CarriedTangent, Interpolant, JointData, JointKind, JointSpec, LoadSpec, NodalSpec, ObservedSpec,
-    Parts, Prescribed,
+    BodySpec, Interpolant, JointData, JointKind, JointSpec, LoadSpec, ObservedSpec, Parts, Prescribed,
 };
 use super::super::{
-    ConstraintSpec, DensitySpec, FixtureSpec, ForceSpec, FrameAction, FrameMotion, LANES, MarkerSpec, MeshScene,
-    SectionShape, SectionSpec, ShareSpec,
+    ConstraintSpec, DensitySpec, FixtureSpec, ForceSpec, FrameMotion, LANES, MarkerSpec, MeshScene, SectionShape,
+    SectionSpec, ShareSpec,
 };
 use super::density;
-use super::inertia::{self, Inertia};
+use super::law::Law;
 use super::sections;
 use crate::error::ModelError;
 use crate::model::{Formulation, Joints};
@@ -25,17 +24,6 @@ pub struct Quadratic {
     pub linear: Vec<(usize, Vector)>,
     pub constant: f64,
     pub sine: f64,
-}
-
-/// What a force on markers is.
-#[derive(Clone, Copy, Debug)]
-pub enum Law {
-    /// Between two points, by the square of their distance and their speed: stiffness, length, damping.
-    Spring(f64, f64, f64),
-    /// Along the second marker on the first: size.
-    Along(f64),
-    /// Against the velocity of one marker: damping.
-    Drag(f64),
 }
 
 /// Everything declared.
@@ -146,33 +134,6 @@ impl Hand {
         let value: f64 = gradient.iter().zip(q).map(|(g, q)| 0.5 * g * q).sum();
         (value - zero, gradient)
     }
-
-    fn inertia(&self, body: usize, run: impl FnOnce(Inertia)) {
-        let spec = &self.bodies[body];
-        let count = |vector: &NodalSpec| f64::from(u8::from(vector.is_position()));
-        let counts: Vec<f64> = spec.nodal.iter().map(count).collect();
-        run(Inertia {
-            mass: &self.masses(body),
-            counts: &counts,
-            dimension: spec.dimension(),
-        });
-    }
-
-    fn with_inertia(&self, of: Carried, run: impl FnOnce(Inertia)) {
-        match of {
-            Carried::Element { body } => self.inertia(body, run),
-            Carried::Fixture {
-                dimension,
-                vectors,
-                constants,
-            } => run(Inertia {
-                mass: &fixture_mass(vectors, constants),
-                counts: &[1.0, 0.0, 0.0, 0.0][..vectors],
-                dimension,
-            }),
-            Carried::Rigid(_) => {}
-        }
-    }
 }
 
 /// Hermite's shape functions of an element of length l and their derivatives d/dx.
@@ -204,11 +165,6 @@ pub fn hermite(l: f64, order: usize, xi: f64) -> [f64; 4] {
 /// Entries of a square matrix.
 pub fn table(size: usize, entry: &dyn Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
     (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect()
-}
-
-fn fixture_mass(vectors: usize, [m, x, y, z, xx, yy, zz, xy, xz, yz]: [f64; 10]) -> Vec<f64> {
-    let all = [[m, x, y, z], [x, xx, xy, xz], [y, xy, yy, yz], [z, xz, yz, zz]];
-    all[..vectors].iter().flat_map(|row| row[..vectors].to_vec()).collect()
 }
 
 /// Derivatives of `sin(2 t)`.
@@ -294,43 +250,22 @@ impl Parts for Hand {
     fn mass(&self, body: usize, mass: &mut [f64]) {
         mass.copy_from_slice(&self.masses(body));
     }
-    fn force(
-        &self,
-        body: usize,
-        _element: usize,
-        absolute: bool,
-        frame: &FrameAction,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        force: &mut [f64],
-    ) {
+    fn elastic_force(&self, body: usize, _element: usize, q: &[f64], _v: &[f64], force: &mut [f64]) {
         for (k, form, zero) in self.strains(body) {
             let (strain, gradient) = self.strain(q, &form, zero);
             for (force, gradient) in force.iter_mut().zip(gradient) {
                 *force += k * strain * gradient;
             }
         }
-        let action = if absolute {
-            FrameAction {
-                acceleration: frame.acceleration,
-                ..FrameAction::default()
-            }
-        } else {
-            *frame
-        };
-        self.inertia(body, |inertia| inertia.force(&action, q, v, a, force));
     }
-    fn tangent(
+    fn elastic_tangent(
         &self,
         body: usize,
         _element: usize,
-        absolute: bool,
-        frame: &FrameAction,
         q: &[f64],
         _v: &[f64],
         stiffness: &mut [f64],
-        damping: &mut [f64],
+        _damping: &mut [f64],
     ) {
         let (size, d) = (q.len(), self.bodies[body].dimension());
         for (k, form, zero) in self.strains(body) {
@@ -341,9 +276,6 @@ impl Parts for Hand {
                     stiffness[i * size + j] += k * (gradient[i] * gradient[j] + strain * second);
                 }
             }
-        }
-        if !absolute {
-            self.inertia(body, |inertia| inertia.tangent(frame, stiffness, damping));
         }
     }
     fn energy(&self, body: usize, _element: usize, q: &[f64]) -> f64 {
@@ -545,63 +477,6 @@ impl Parts for Hand {
     fn fixtures(&self) -> Vec<FixtureSpec> {
         self.fixtures.clone()
     }
-    fn carried(&self, of: Carried, frame: &FrameAction, q: &[f64], v: &[f64], a: &[f64], out: &mut [f64]) {
-        if let Carried::Rigid(spec) = of {
-            inertia::rigid(spec, frame, out);
-        }
-        self.with_inertia(of, |inertia| inertia.carried(frame, q, v, a, out));
-    }
-    fn carried_tangent(
-        &self,
-        of: Carried,
-        frame: &FrameAction,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        out: &mut CarriedTangent,
-    ) {
-        if let Carried::Rigid(spec) = of {
-            inertia::rigid_tangent(spec, frame, out);
-        }
-        self.with_inertia(of, |inertia| inertia.carried_tangent(frame, q, v, a, out));
-    }
-    fn fixture_force(
-        &self,
-        dimension: usize,
-        vectors: usize,
-        constants: [f64; 10],
-        absolute: bool,
-        frame: &FrameAction,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        force: &mut [f64],
-    ) {
-        assert!(!absolute || frame.spin == [0.0; 3]);
-        let of = Carried::Fixture {
-            dimension,
-            vectors,
-            constants,
-        };
-        self.with_inertia(of, |inertia| inertia.force(frame, q, v, a, force));
-    }
-    fn fixture_tangent(
-        &self,
-        dimension: usize,
-        vectors: usize,
-        constants: [f64; 10],
-        _absolute: bool,
-        frame: &FrameAction,
-        stiffness: &mut [f64],
-        damping: &mut [f64],
-    ) {
-        let of = Carried::Fixture {
-            dimension,
-            vectors,
-            constants,
-        };
-        self.with_inertia(of, |inertia| inertia.tangent(frame, stiffness, damping));
-    }
 
     fn marker_constraint(
         &self,
@@ -678,18 +553,7 @@ impl Parts for Hand {
         }
     }
     fn marker_force(&self, force: usize, _t: f64, z: &[Vector], velocity: &[Vector], out: &mut [f64]) {
-        match self.forces[force].1 {
-            Law::Spring(k, length, c) => {
-                let (d, rate) = (subtract(z[1], z[0]), subtract(velocity[1], velocity[0]));
-                let pull = add(scale(k * (dot(d, d) - length * length), d), scale(c, rate));
-                for i in 0..3 {
-                    out[i] += pull[i];
-                    out[3 + i] -= pull[i];
-                }
-            }
-            Law::Along(size) => out.iter_mut().zip(z[1]).for_each(|(out, z)| *out += size * z),
-            Law::Drag(c) => out.iter_mut().zip(velocity[0]).for_each(|(out, v)| *out -= c * v),
-        }
+        self.forces[force].1.force(z, velocity, out);
     }
     fn marker_force_tangent(
         &self,
@@ -700,33 +564,9 @@ impl Parts for Hand {
         by_value: &mut [f64],
         by_velocity: &mut [f64],
     ) {
-        let width = 3 * z.len();
-        match self.forces[force].1 {
-            Law::Spring(k, length, c) => {
-                let d = subtract(z[1], z[0]);
-                let size = dot(d, d) - length * length;
-                for (m, n, sign) in [(0, 0, -1.0), (0, 1, 1.0), (1, 0, 1.0), (1, 1, -1.0)] {
-                    for i in 0..3 {
-                        for j in 0..3 {
-                            let unit = if i == j { 1.0 } else { 0.0 };
-                            let place = (3 * m + i) * width + 3 * n + j;
-                            by_value[place] += sign * k * (size * unit + 2.0 * d[i] * d[j]);
-                            by_velocity[place] += sign * c * unit;
-                        }
-                    }
-                }
-            }
-            Law::Along(size) => (0..3).for_each(|i| by_value[i * width + 3 + i] += size),
-            Law::Drag(c) => (0..3).for_each(|i| by_velocity[i * width + i] -= c),
-        }
+        self.forces[force].1.tangent(z, by_value, by_velocity);
     }
     fn marker_energy(&self, force: usize, _t: f64, z: &[Vector]) -> f64 {
-        match self.forces[force].1 {
-            Law::Spring(k, length, _) => {
-                let d = subtract(z[1], z[0]);
-                0.25 * k * (dot(d, d) - length * length).powi(2)
-            }
-            Law::Along(_) | Law::Drag(_) => 0.0,
-        }
+        self.forces[force].1.energy(z)
     }
 }

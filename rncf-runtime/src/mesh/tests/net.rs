@@ -7,7 +7,7 @@ use super::super::inertia_tangent::Combination;
 use super::super::parts::{
     BodySpec, Interpolant, JointData, JointKind, JointSpec, LoadSpec, ObservedSpec, Parts, Prescribed,
 };
-use super::super::{FrameAction, FrameMotion, LANES, MeshScene, SectionShape, SectionSpec};
+use super::super::{FrameMotion, LANES, MeshScene, SectionShape, SectionSpec};
 use super::model::hermite;
 use super::random::Random;
 use super::scenery::{body, free, joint, stone};
@@ -193,25 +193,13 @@ impl Parts for Net {
             }
         });
     }
-    fn force(
-        &self,
-        _body: usize,
-        _element: usize,
-        _absolute: bool,
-        _frame: &FrameAction,
-        _q: &[f64],
-        _v: &[f64],
-        _a: &[f64],
-        _force: &mut [f64],
-    ) {
+    fn elastic_force(&self, _body: usize, _element: usize, _q: &[f64], _v: &[f64], _force: &mut [f64]) {
         unreachable!("there are four elements at least");
     }
-    fn tangent(
+    fn elastic_tangent(
         &self,
         _body: usize,
         _element: usize,
-        _absolute: bool,
-        _frame: &FrameAction,
         _q: &[f64],
         _v: &[f64],
         _stiffness: &mut [f64],

@@ -1,9 +1,12 @@
-//! Inertia of nodal vectors against loops over elements and fixtures, the matrix of the iteration against its
+//! Inertia of nodal vectors against loops over elements and over particles of fixtures and rigid parts, the matrix of the iteration against its
 //! parts, and the same bits on any number of threads.
 
 use super::super::MeshScene;
+use super::super::frame::FrameAction;
+use super::super::free::RigidSpec;
 use super::super::inertia::Transport;
 use super::super::parts::LoadKind;
+use super::super::scene::{MeshPoint, PlaceVector};
 use super::super::{FixtureSpec, Motions};
 use super::differences::dense;
 use super::inertia::{Inertia, rigid};
@@ -15,7 +18,7 @@ use super::sections::everything_with_sections;
 use crate::model::{Formulation, Joints, Scene};
 use crate::rotation::inverse_tangent_map;
 use crate::system::{State, System, Tangent};
-use crate::vector::{add, dot};
+use crate::vector::{Vector, add, dot, scale};
 
 fn shaken(scene: &mut MeshScene, seed: u64) -> State {
     let mut state = scene.rest(0.3);
@@ -60,6 +63,38 @@ fn add_local(scene: &mut MeshScene, index: usize, element: usize, mass: &[f64], 
     }
 }
 
+/// Particles of a fixture: mass, and place X, Y, Z along slope and section axes.
+const PARTICLES: [(f64, Vector); 3] = [
+    (0.3, [0.2, -0.1, 0.3]),
+    (0.5, [-0.1, 0.25, 0.1]),
+    (0.2, [0.3, 0.1, -0.2]),
+];
+
+/// What a fixture knows of them (THEORY 5.4); `count` of the places are there.
+fn constants(count: usize) -> [f64; 10] {
+    PARTICLES.iter().fold([0.0; 10], |sum, (mass, place)| {
+        let mut place = *place;
+        place[count..].fill(0.0);
+        let [x, y, z] = place;
+        let own = [1.0, x, y, z, x * x, y * y, z * z, x * y, x * z, y * z];
+        std::array::from_fn(|i| sum[i] + mass * own[i])
+    })
+}
+
+/// Masses of the particles of a fixture, and weights of an element's vectors in their places.
+fn particles(point: &MeshPoint) -> Vec<(f64, Vec<f64>)> {
+    let along = [PlaceVector::Slope, PlaceVector::SectionY, PlaceVector::SectionZ];
+    let weights = |place: &Vector| {
+        let mut weights = point.weights(PlaceVector::Position).to_vec();
+        for (&of, distance) in along.iter().zip(place) {
+            let part = weights.iter_mut().zip(point.weights(of));
+            part.for_each(|(sum, weight)| *sum += distance * weight);
+        }
+        weights
+    };
+    PARTICLES.iter().map(|(mass, place)| (*mass, weights(place))).collect()
+}
+
 /// The inertia forces of all elements, fixtures and rigid parts, one after the other.
 fn by_loops(scene: &mut MeshScene, gravity: [f64; 3]) -> Vec<f64> {
     scene.buffers.force.fill(0.0);
@@ -70,8 +105,13 @@ fn by_loops(scene: &mut MeshScene, gravity: [f64; 3]) -> Vec<f64> {
         }
     }
     for index in 0..scene.fixtures.len() {
-        let (point, mass) = (&scene.fixtures[index].point, scene.fixtures[index].mass());
-        add_local(scene, point.body, point.element, &mass, gravity);
+        let point = &scene.fixtures[index].point;
+        let (body, element) = (point.body, point.element);
+        for (mass, weights) in particles(point) {
+            let products = weights.iter().flat_map(|a| weights.iter().map(move |b| mass * a * b));
+            let products: Vec<f64> = products.collect();
+            add_local(scene, body, element, &products, gravity);
+        }
     }
     for free in 0..scene.free.len() {
         let spec = scene.free[free].spec.clone();
@@ -83,7 +123,13 @@ fn by_loops(scene: &mut MeshScene, gravity: [f64; 3]) -> Vec<f64> {
     scene.buffers.force.clone()
 }
 
-fn check_forces(hand: Hand, formulation: Formulation, seed: u64) {
+fn check_forces(mut hand: Hand, formulation: Formulation, seed: u64) {
+    for fixture in &mut hand.fixtures {
+        let body = &hand.bodies[fixture.body];
+        // Of the slope, and of the axes where there are any.
+        let axes = if body.has_section() { body.dimension() } else { 1 };
+        fixture.constants = constants(axes);
+    }
     let mut scene = hand.scene(formulation);
     let state = shaken(&mut scene, seed);
     scene.load_state(&state);
@@ -106,6 +152,45 @@ fn inertia_forces_are_those_of_elements_fixtures_and_rigid_parts() {
     for formulation in [Formulation::Rncf, Formulation::Ancf] {
         check_forces(everything(), formulation, 31);
         check_forces(everything_with_sections(), formulation, 32);
+    }
+}
+
+/// Rigid parts weigh and turn as the particles that they are made of.
+#[test]
+fn rigid_parts_are_sums_over_particles() {
+    let mut random = Random(8);
+    let mut vector = || -> Vector { std::array::from_fn(|_| random.number()) };
+    let action = FrameAction {
+        acceleration: vector(),
+        spin: vector(),
+        spin_rate: vector(),
+    };
+    let mut rigid = RigidSpec::default();
+    let mut expected = [0.0; 6];
+    for (mass, p) in [1.0, 2.0, 0.5, 0.7].map(|mass| (mass, vector())) {
+        let particle = Inertia {
+            mass: &[mass],
+            counts: &[1.0],
+            dimension: 3,
+        };
+        particle.carried(&action, &p, &[0.0; 3], &[0.0; 3], &mut expected);
+        rigid.mass += mass;
+        rigid.moment = add(rigid.moment, scale(mass, p));
+        for i in 0..3 {
+            for j in 0..3 {
+                let square = if i == j { dot(p, p) } else { 0.0 };
+                rigid.inertia[i][j] += mass * (square - p[i] * p[j]);
+            }
+        }
+    }
+    let transport = Transport {
+        e: action.acceleration,
+        spin: action.spin,
+        spin_rate: action.spin_rate,
+    };
+    let found = transport.of_rigid(&rigid).concat();
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-14, "{found} instead of {expected}");
     }
 }
 

@@ -5,7 +5,8 @@ use super::super::parts::{
     BodySpec, Fidelity, Interpolant, JointKind, JointSpec, LoadKind, LoadSpec, NodalSpec, Place,
 };
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, When};
-use super::model::{Hand, Law, Quadratic};
+use super::law::Law;
+use super::model::{Hand, Quadratic};
 use crate::vector::{Vector, scale};
 
 /// Nodal vectors of a centre line with slopes at both ends.

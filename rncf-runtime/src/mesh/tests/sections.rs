@@ -3,7 +3,8 @@
 use super::super::parts::{BodySpec, Interpolant, JointKind, LoadKind, LoadSpec, NodalSpec, ObservedSpec, Place};
 use super::super::scene::MeshScene;
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, Motions, SectionQuantity, When};
-use super::model::{Hand, Law, Quadratic, hermite, table};
+use super::law::Law;
+use super::model::{Hand, Quadratic, hermite, table};
 use super::scenery::{DEAD, body, everything, free, hold, joint};
 use crate::model::{Formulation, Joints, Scene};
 use crate::system::{ConstraintLevel, System};

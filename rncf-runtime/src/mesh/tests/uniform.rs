@@ -4,7 +4,8 @@
 use super::super::free::{FreeSpec, Motions, RigidSpec};
 use super::super::parts::{LoadKind, LoadSpec};
 use super::super::{ConstraintSpec, ForceSpec, MarkerSpec, MeshScene, When};
-use super::model::{Hand, Law, Quadratic};
+use super::law::Law;
+use super::model::{Hand, Quadratic};
 use super::random::{Random, moved};
 use super::scenery::{everything, free};
 use crate::equilibrium::{Kind, Spin, Uniform, continue_from, follow};

@@ -1,7 +1,6 @@
 //! Kernels of what moves freely against complex steps, differences in time and sums written out.
 
 mod beam;
-mod carried;
 mod constraints;
 mod density;
 mod emitted;
