@@ -15,6 +15,10 @@ pub mod curved_upwind;
 #[rustfmt::skip]
 pub mod elastica;
 #[rustfmt::skip]
+pub mod esail;
+#[rustfmt::skip]
+pub mod esail_slack;
+#[rustfmt::skip]
 pub mod flyball_governor;
 #[rustfmt::skip]
 pub mod four_bar;
