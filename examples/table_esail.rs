@@ -114,7 +114,7 @@ fn compare<'a>(cases: impl Iterator<Item = &'a Case>) {
         } else {
             let options = Options {
                 // Torques of 1e-5 N m show what Newton's iteration leaves.
-                rtol: 1e-10,
+                rtol: 1e-12,
                 step: StepSize::Fixed(case.step),
                 ..Options::default()
             };
