@@ -32,7 +32,7 @@ fn main() -> Outcome {
     write(
         "esail_radial.svg",
         "Radial displacement of the core",
-        over_time(&short, "radial [m]", &["radial"], 1.0),
+        over_time(&short, "radial [m]", &["radial"]),
     )?;
     write("esail_shape.svg", "Tethers after 200 s", shapes(&short))?;
     write(
@@ -40,7 +40,7 @@ fn main() -> Outcome {
         "Tensions at the roots and in the ring",
         tensions(&short),
     )?;
-    let torques = over_time(&short, "torque_x, torque_y [N m]", &["torque_x", "torque_y"], 1.0);
+    let torques = over_time(&short, "torque_x, torque_y [N m]", &["torque_x", "torque_y"]);
     write("esail_torque.svg", "Torques that point the sail at the Sun", torques)?;
     let long = runs(2000.0, 8);
     write(
@@ -126,13 +126,13 @@ fn chart(x: &str, y: &str, lines: Vec<Line>) -> Chart {
 }
 
 /// Both sails; a colour for each spin, all outputs in it.
-fn over_time(runs: &[[Motion; 3]; 2], axis: &str, outputs: &[&str], factor: f64) -> Figure {
+fn over_time(runs: &[[Motion; 3]; 2], axis: &str, outputs: &[&str]) -> Figure {
     let mut figure = Figure::default();
     for ((name, _), motions) in SAILS.iter().zip(runs) {
         let lines = motions.iter().enumerate().flat_map(|(color, motion)| {
             outputs
                 .iter()
-                .map(move |output| line(motion, output, color, |value| factor * value))
+                .map(move |output| line(motion, output, color, |value| value))
         });
         figure.add(name, &NAMES, chart("t [s]", axis, lines.collect()));
     }
@@ -144,9 +144,8 @@ fn spins(runs: &[[Motion; 3]; 2]) -> Figure {
     let mut figure = Figure::default();
     for ((name, _), motions) in SAILS.iter().zip(runs) {
         let lines = motions.iter().zip(SPINS).enumerate();
-        let lines = lines.map(|(color, (motion, spin))| {
-            line(motion, "spin", color, |value| 1e4 * (value.to_degrees() / spin - 1.0))
-        });
+        let lines =
+            lines.map(|(color, (motion, spin))| line(motion, "spin", color, |value| 1e4 * (value / spin - 1.0)));
         figure.add(
             name,
             &NAMES,
@@ -156,15 +155,18 @@ fn spins(runs: &[[Motion; 3]; 2]) -> Figure {
     figure
 }
 
+/// Greatest tension at the roots, greatest and least of the ring; of the slowest 10 km sail once more by itself.
 fn tensions(runs: &[[Motion; 3]; 2]) -> Figure {
+    let lines = |motion: &Motion, color: usize| {
+        let kinds = [("tension_main", 0), ("tension_aux_max", 1), ("tension_aux_min", 1)];
+        kinds.map(|(output, kind)| line(motion, output, color + kind, |value| value))
+    };
     let mut figure = Figure::default();
     for ((name, _), motions) in SAILS.iter().zip(runs) {
-        let lines = motions.iter().enumerate().flat_map(|(spin, motion)| {
-            ["tension_main", "tension_aux_max", "tension_aux_min"]
-                .iter()
-                .enumerate()
-                .map(move |(kind, output)| line(motion, output, 2 * spin + kind.min(1), |value| value))
-        });
+        let all = motions
+            .iter()
+            .enumerate()
+            .flat_map(|(spin, motion)| lines(motion, 2 * spin));
         let names = [
             "0.5 deg/s: roots",
             "ring",
@@ -173,8 +175,14 @@ fn tensions(runs: &[[Motion; 3]; 2]) -> Figure {
             "1.5 deg/s: roots",
             "ring",
         ];
-        figure.add(name, &names, chart("t [s]", "tension [N]", lines.collect()));
+        figure.add(name, &names, chart("t [s]", "tension [N]", all.collect()));
     }
+    let slowest = lines(&runs[0][0], 0).into_iter().collect();
+    figure.add(
+        "10 km, 0.5 deg/s",
+        &["roots", "ring"],
+        chart("t [s]", "tension [N]", slowest),
+    );
     figure
 }
 

@@ -275,35 +275,33 @@ impl<'m> Shape<'m> {
 
 /// T6: statistics from 200 s on of the buckled sail, with tethers that carry compression and that do not.
 fn buckling() {
-    println!("\n10 km, 0.25 deg/s, 4 elements, 2000 s, asymmetry 1e-6: mean (standard deviation) of t > 200 s\n");
     println!(
-        "| tethers | rtol | steps | CPU s | radial at 2000 s | z max - z min | T ring min | T ring max | T root max |"
+        "\n10 km, 0.25 deg/s, 4 elements, 2000 s, asymmetry 1e-6, generalized-alpha with rtol 1e-4: mean (standard deviation) of t > 200 s\n"
     );
-    println!("|---|---|---|---|---|---|---|---|---|");
+    println!("| tethers | steps | CPU s | radial at 2000 s | z max - z min | T ring min | T ring max | T root max |");
+    println!("|---|---|---|---|---|---|---|---|");
     let spin = 0.25f64.to_radians();
-    for rtol in [1e-4, 1e-5] {
-        let options = Options {
-            rtol,
-            max_step: 1.0,
-            ..Options::default()
-        };
-        let taut = Esail {
-            spin,
-            elements: 4,
-            asymmetry: 1e-6,
-            ..Esail::default()
-        };
-        statistics("push and pull", rtol, &integrate(&taut, METHOD, options, 2000.0));
-        let slack = EsailSlack {
-            spin,
-            elements: 4,
-            ..EsailSlack::default()
-        };
-        statistics("pull only", rtol, &integrate(&slack, METHOD, options, 2000.0));
-    }
+    let options = Options {
+        rtol: 1e-4,
+        max_step: 1.0,
+        ..Options::default()
+    };
+    let taut = Esail {
+        spin,
+        elements: 4,
+        asymmetry: 1e-6,
+        ..Esail::default()
+    };
+    statistics("push and pull", &integrate(&taut, METHOD, options, 2000.0));
+    let slack = EsailSlack {
+        spin,
+        elements: 4,
+        ..EsailSlack::default()
+    };
+    statistics("pull only", &integrate(&slack, METHOD, options, 2000.0));
 }
 
-fn statistics(name: &str, rtol: f64, result: &RunResult) {
+fn statistics(name: &str, result: &RunResult) {
     let history = &result.history;
     let column = |name: &str| -> Vec<f64> {
         let index = history.find(name).unwrap_or_else(|| panic!("no output {name}"));
@@ -328,7 +326,7 @@ fn statistics(name: &str, rtol: f64, result: &RunResult) {
         .collect();
     let radial = column("radial");
     println!(
-        "| {name} | {rtol:e} | {} | {:.1} | {:.0} | {} | {} | {} | {} |",
+        "| {name} | {} | {:.1} | {:.0} | {} | {} | {} | {} |",
         result.statistics.steps,
         result.seconds.cpu,
         radial[radial.len() - 1],

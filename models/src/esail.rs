@@ -95,8 +95,8 @@ rncf::model! {
         output torque_x = sun_x.multiplier;
         output torque_y = sun_y.multiplier;
 
-        caution point_hub = "with a point hub the torques are made by the mesh: they halve with every refinement; give a hub_radius"
-            on torque_x, torque_y if hub_radius <= 0 m;
+        caution point_hub = "with a hub smaller than an element the torques are made by the mesh: they halve with every refinement"
+            on torque_x, torque_y if hub_radius < length / elements;
         caution long = "a point hub carries the spin axis round the orbit, which a real sail does not: beyond a day give a hub_radius" if t_end > 1 day;
 
         run { t_end = 200 s; every = 1 s; }

@@ -131,13 +131,18 @@ fn the_start_is_the_spinning_equilibrium_with_consistent_multipliers() {
         .multiply_add(1.0, &jacobian, &state.lambda, &mut residual);
     let worst = residual.iter().fold(0.0f64, |worst, r| worst.max(r.abs()));
     assert!(worst < 1e-10, "{worst:e} N");
-    for level in [
-        ConstraintLevel::Position,
-        ConstraintLevel::Velocity,
-        ConstraintLevel::Acceleration,
+    for (level, rates) in [
+        (ConstraintLevel::Position, None),
+        (ConstraintLevel::Velocity, Some(&state.v)),
+        (ConstraintLevel::Acceleration, Some(&state.a)),
     ] {
-        let mut c = [0.0; 2];
+        let mut c = vec![0.0; 2];
         scene.constraint(level, &state, &mut c);
+        if let Some(rates) = rates {
+            scene
+                .constraint_pattern()
+                .transpose_multiply_add(1.0, &jacobian, rates, &mut c);
+        }
         assert!(c.iter().all(|c| c.abs() < 1e-14), "{level:?}: {c:?}");
     }
 }
@@ -168,13 +173,13 @@ fn two_hundred_seconds_are_those_of_the_reference() {
     assert_near(states[1].lambda[1], -0.168458871091, 2e-6);
 }
 
-/// T6: least and greatest tension of the ring and the heights of the tips over rows from 60 s to 110 s.
-fn slow(model: &impl Model) -> [f64; 3] {
+/// T6: least and greatest tension of the ring and the spread of the tips over rows from 60 s to 110 s.
+fn slow(model: &impl Model, rtol: f64) -> [f64; 3] {
     let mut scene = scene(model);
     let start = scene.rest(0.0);
     let times: Vec<f64> = (0..51).map(|i| 60.0 + f64::from(i)).collect();
     let options = Options {
-        rtol: 1e-4,
+        rtol,
         ..Options::default()
     };
     let (states, _) = states_at(scene.as_mut(), start, Method::Radau, options, &times);
@@ -194,19 +199,22 @@ fn slow(model: &impl Model) -> [f64; 3] {
 #[test]
 fn at_low_spin_the_ring_buckles_unless_it_may_go_slack() {
     let (spin, elements, asymmetry) = (0.25f64.to_radians(), 4, 1e-6);
-    let [low, high, spread] = slow(&Esail {
+    let taut = Esail {
         spin,
         elements,
         asymmetry,
         ..Esail::default()
-    });
+    };
+    let [low, high, spread] = slow(&taut, 1e-4);
     assert!(low < -0.1 && high > 0.05, "ring between {low} N and {high} N");
-    assert!(spread > 0.01);
-    let [low, high, _] = slow(&EsailSlack {
+    assert!(spread > 0.5, "tips within {spread} m");
+    let slack = EsailSlack {
         spin,
         elements,
         asymmetry,
         ..EsailSlack::default()
-    });
-    assert!(low > -1e-3 && high < 0.02, "slack ring between {low} N and {high} N");
+    };
+    let [low, high, spread] = slow(&slack, 1e-6);
+    assert!(low > -1e-4 && high < 1e-4, "slack ring between {low} N and {high} N");
+    assert!(spread < 0.3, "tips within {spread} m");
 }
