@@ -17,7 +17,7 @@ pub mod elastica;
 #[rustfmt::skip]
 pub mod esail;
 #[rustfmt::skip]
-pub mod esail_tilted;
+pub mod esail_slack;
 #[rustfmt::skip]
 pub mod flyball_governor;
 #[rustfmt::skip]

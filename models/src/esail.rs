@@ -22,6 +22,8 @@ rncf::model! {
         param core_mass = 90 kg;
         /// Distance of the tethers' roots from the core.
         param hub_radius = 0 m;
+        /// Relative differences of the remote units' masses, without a pattern: what a real sail buckles from.
+        param asymmetry = 0;
 
         const distance = 1.5e11 m;
         const solar_gravity = 5.93e-3 m/s^2;
@@ -49,7 +51,7 @@ rncf::model! {
                 mesh elements * tether(wire, aluminium);
             }
             joint hub[a] = clamp(main[a].start, sail);
-            fixture remote[a] on main[a].end { mass = remote_mass; }
+            fixture remote[a] on main[a].end { mass = remote_mass * (1 + asymmetry * cos(a^2)); }
             /// Thrust of the solar wind, across the tether.
             load thrust[a] = density(main[a], thrust_factor * (voltage - wind) * distance / dot(sail.position, sail.position)
                 * (slope * dot(slope, inertial.in(sail)) - dot(slope, slope) * inertial.in(sail)));
@@ -77,18 +79,24 @@ rncf::model! {
 
         /// Distance of the core from the Sun beyond that at the start.
         output radial = norm(sail.position) - distance;
-        /// Lowest tip across the plane of the spin.
+        /// How far the tips are out of the plane of the spin, away from the Sun: the least of all.
         output z_tip_min = min(a in 0..tethers, main[a].end.z);
+        /// The same: the greatest of all.
         output z_tip_max = max(a in 0..tethers, main[a].end.z);
+        /// Angular velocity about the axis of the spin.
         output spin: deg/s = sail.angular_velocity.z;
+        /// Tension at the roots of the main tethers: the greatest of all.
         output tension_main = max(a in 0..tethers, main[a].start.axial_force);
+        /// Tension of the ring in the middle of its pieces: the least of all.
         output tension_aux_min = min(a in 0..tethers, aux[a].at(pi*(hub_radius + length)/tethers).axial_force);
+        /// The same: the greatest of all.
         output tension_aux_max = max(a in 0..tethers, aux[a].at(pi*(hub_radius + length)/tethers).axial_force);
+        /// Torques that keep the axis of the spin pointing at the Sun, Eq. (26).
         output torque_x = sun_x.multiplier;
         output torque_y = sun_y.multiplier;
 
-        caution point_hub = "with a point hub the torques are made by the mesh: they halve with every refinement; give a hub_radius"
-            on torque_x, torque_y if hub_radius <= 0 m;
+        caution point_hub = "with a hub smaller than an element the torques are made by the mesh: they halve with every refinement"
+            on torque_x, torque_y if hub_radius < length / elements;
         caution long = "a point hub carries the spin axis round the orbit, which a real sail does not: beyond a day give a hub_radius" if t_end > 1 day;
 
         run { t_end = 200 s; every = 1 s; }

@@ -10,13 +10,14 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// A chart of lines over a common axis.
-pub(super) struct Chart {
+pub struct Chart {
     /// Name and unit of the horizontal axis.
     pub x: String,
     /// Name and unit of the vertical axis.
     pub y: String,
     /// Whether the vertical axis is logarithmic; all values are then positive.
     pub logarithmic: bool,
+    /// The lines, later ones above earlier ones.
     pub lines: Vec<Line>,
     /// Vertical lines at values of x, with what they are.
     pub marks: Vec<(f64, String)>,
@@ -27,16 +28,17 @@ pub(super) struct Chart {
 }
 
 /// A line of a chart.
-pub(super) struct Line {
+pub struct Line {
     /// Ascending or descending in x, all finite.
     pub points: Vec<(f64, f64)>,
-    /// Index of the colour in [`LINES`].
+    /// Number of the colour: blue, orange, green, purple, ochre, grey, and again from the start.
     pub color: usize,
     /// What is written at its end of a dashed, grey line, which does not count in the vertical range.
     pub guide: Option<String>,
 }
 
 impl Line {
+    /// A line through points in one of the colours.
     pub fn new(points: impl IntoIterator<Item = (f64, f64)>, color: usize) -> Self {
         Self {
             points: points.into_iter().collect(),
@@ -45,6 +47,7 @@ impl Line {
         }
     }
 
+    /// A dashed, grey line with its name at the end.
     pub fn guide(points: impl IntoIterator<Item = (f64, f64)>, label: &str) -> Self {
         Self {
             guide: Some(label.into()),
@@ -68,10 +71,10 @@ pub(super) const INK: RGBColor = RGBColor(0x33, 0x33, 0x33);
 pub(super) const GRID: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
 
 // The backend rounds to whole units: a drawing four times as large as shown keeps curves smooth.
-const WIDTH: u32 = 3840;
-const HEIGHT: u32 = 1280;
-const TALL: u32 = 2200;
-const TEXT: u32 = 64;
+pub(super) const WIDTH: u32 = 3840;
+pub(super) const HEIGHT: u32 = 1280;
+pub(super) const TALL: u32 = 2200;
+pub(super) const TEXT: u32 = 64;
 const STROKE: u32 = 7;
 // More points than this are not told apart in the drawing.
 const BUCKETS: usize = 1500;

@@ -3,6 +3,7 @@
 mod dense;
 mod determinism;
 mod equilibria;
+mod esail;
 mod free_flight;
 mod gravity;
 mod heavy_top;
