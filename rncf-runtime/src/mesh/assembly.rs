@@ -131,24 +131,6 @@ impl Scatter {
         self.add_by(element, |entry| local[entry], values);
     }
 
-    /// Calls for every entry of one element's matrix with its place, its number, rows first, and its factor.
-    #[inline]
-    pub fn each(&self, element: usize, mut call: impl FnMut(usize, usize, f64)) {
-        let own = |starts: &[u32]| starts[element] as usize..starts[element + 1] as usize;
-        for run in &self.runs[own(&self.run_starts)] {
-            for place in 0..usize::from(run.length) {
-                call(
-                    run.place as usize + place,
-                    usize::from(run.local) + place * self.size,
-                    1.0,
-                );
-            }
-        }
-        for odd in &self.odd[own(&self.odd_starts)] {
-            call(odd.place as usize, usize::from(odd.local), odd.factor);
-        }
-    }
-
     /// Adds the matrix of one element, given by its entries, rows first.
     #[inline]
     pub fn add_by(&self, element: usize, local: impl Fn(usize) -> f64, values: &mut [f64]) {

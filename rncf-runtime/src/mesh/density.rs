@@ -4,7 +4,7 @@
 
 use super::batches::in_order;
 use super::density_lanes::Batches;
-use super::density_sums::{Axes, Total, on_frame};
+use super::density_sums::{Axes, ROWS, Total, on_frame};
 use super::evaluate::MAX_SIZE;
 use super::parts::Fidelity;
 use super::repeated::{DensitySpec, LANES};
@@ -13,6 +13,8 @@ use crate::error::ModelError;
 use crate::system::Sums;
 use crate::vector::{Vector, add, cross, dot, scale};
 
+/// Unknowns that are dealt with at a time; a frame has fewer.
+const TOGETHER: usize = 8;
 /// Marks an entry that belongs to no unknown.
 const NOWHERE: u32 = u32::MAX;
 
@@ -418,17 +420,17 @@ impl MeshScene {
                         axes.matrix(&mut by_q, of.size);
                         axes.rows(&mut by_values, of.values);
                         total.add_values(places, load_scale, |entry| by_values[entry]);
-                        body.scatter.each(element, |entry, local, factor| {
-                            out.stiffness(entry, -factor * load_scale * by_q[local]);
-                        });
+                        let (stiffness, factor) = out.all_stiffness();
+                        let factor = -factor * load_scale;
+                        body.scatter.add_by(element, |entry| factor * by_q[entry], stiffness);
                     } else {
                         if scene.free_of[body.frame].is_some() {
                             total.add_frame(places, &result, load_scale, lane);
                         }
                         total.add_values(places, load_scale, |entry| result.by_values[entry][lane]);
-                        body.scatter.each(element, |entry, local, factor| {
-                            out.stiffness(entry, -factor * load_scale * result.by_q[local][lane]);
-                        });
+                        let (stiffness, factor) = out.all_stiffness();
+                        let factor = -factor * load_scale;
+                        body.scatter.add_by(element, |entry| factor * result.by_q[entry][lane], stiffness);
                     }
                 }
             };
@@ -445,26 +447,27 @@ impl MeshScene {
         let density = &self.densities[index];
         let (k, width) = (density.spec.values, density.driving);
         self.driven(index, t, shared);
-        let (by_unknowns, row) = (&shared.by_unknowns, &mut shared.row);
-        row.resize(width.max(row.len()), 0.0);
-        let row = &mut row[..width];
-        // A row of derivatives by the values as one by the unknowns that these depend on.
-        let drive = |values: &[f64], row: &mut [f64]| {
-            row.fill(0.0);
-            for (value, by_unknowns) in values.iter().zip(by_unknowns.chunks_exact(width.max(1))) {
-                row.iter_mut().zip(by_unknowns).for_each(|(sum, by)| *sum += value * by);
-            }
-        };
-        if width > 0 && k > 0 {
+        let by_unknowns = &shared.by_unknowns[..];
+        let (stiffness, of_all) = out.all_stiffness();
+        // By several unknowns at a time.
+        for from in (0..width).step_by(TOGETHER) {
+            let here = TOGETHER.min(width - from);
+            let block = by_unknowns.chunks_exact(width).map(|row| {
+                let mut own = [0.0; TOGETHER];
+                own[..here].copy_from_slice(&row[from..from + here]);
+                own
+            });
+            let block: Vec<[f64; TOGETHER]> = block.collect();
             let components = density.factors.iter().zip(density.upper.chunks_exact(width));
             for ((&factor, entries), values) in components.zip(total.by_values.chunks_exact(k)) {
                 if factor == 0.0 {
                     continue;
                 }
-                drive(values, row);
-                for (&entry, value) in entries.iter().zip(row.iter()) {
+                let sums = weighted(values, &block);
+                let factor = -of_all * factor;
+                for (&entry, value) in entries[from..from + here].iter().zip(sums) {
                     if entry != NOWHERE {
-                        out.stiffness(entry as usize, -factor * value);
+                        stiffness[entry as usize] += factor * value;
                     }
                 }
             }
@@ -480,18 +483,28 @@ impl MeshScene {
         let along = |[shift, turn]: &[Vector; 2], [fx, fy, fz, mx, my, mz]: [f64; 6]| {
             dot(*shift, [fx, fy, fz]) + dot(*turn, [mx, my, mz])
         };
+        let mut by_rows = [[0.0; TOGETHER]; ROWS];
+        for (i, seen) in seen.iter().enumerate() {
+            for (row, by_row) in by_rows.iter_mut().enumerate() {
+                by_row[i] = seen[row / 3][row % 3];
+            }
+        }
         for ((&factor, &entry), rows) in density.factors.iter().zip(&density.lower).zip(&total.frame_by_q) {
             if entry != NOWHERE && factor != 0.0 {
-                for (i, seen) in seen.iter().enumerate() {
-                    out.stiffness(entry as usize + i, -factor * along(seen, *rows));
-                }
+                let sums = weighted(rows, &by_rows);
+                let factor = -of_all * factor;
+                let own = &mut stiffness[entry as usize..][..seen.len()];
+                own.iter_mut().zip(sums).for_each(|(value, sum)| *value += factor * sum);
             }
         }
         for (i, seen_i) in seen.iter().enumerate() {
             let by_values: Vec<f64> = total.frame_by_values.iter().map(|rows| along(seen_i, *rows)).collect();
-            drive(&by_values, row);
+            let driven = |column: usize| -> f64 {
+                let by_unknowns = by_unknowns.iter().skip(column).step_by(width.max(1));
+                by_values.iter().zip(by_unknowns).map(|(value, by)| value * by).sum()
+            };
             for (column, &unknown) in density.outer.iter().enumerate() {
-                let mut value = row.get(column).copied().unwrap_or(0.0);
+                let mut value = if column < width { driven(column) } else { 0.0 };
                 if let Some(other) = unknown.checked_sub(first).and_then(|place| directions.get(place)) {
                     // The force turns with the frame: d(A F) = A (dpi x F).
                     value += dot(seen_i[0], cross(other.turn, total.rows[0]));
@@ -512,5 +525,16 @@ struct Shared {
     changes: Vec<(usize, usize, Vector)>,
     gradient: Vec<f64>,
     by_unknowns: Vec<f64>,
-    row: Vec<f64>,
+}
+
+/// Sum of rows with these weights.
+#[inline(always)]
+fn weighted(weights: &[f64], rows: &[[f64; TOGETHER]]) -> [f64; TOGETHER] {
+    let mut sums = [0.0; TOGETHER];
+    for (weight, row) in weights.iter().zip(rows) {
+        for (sum, value) in sums.iter_mut().zip(row) {
+            *sum += weight * value;
+        }
+    }
+    sums
 }

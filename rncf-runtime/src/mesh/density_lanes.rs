@@ -26,8 +26,7 @@ pub(super) struct Batches {
 
 /// Values and nodal vectors of four elements, and what was computed with them.
 pub(super) struct Evaluated<'a> {
-    /// Nodal vectors in the axes of the body's frame.
-    pub q: &'a [Lanes],
+    /// Generalised forces on the nodal vectors, axes of the body's frame.
     pub force: &'a [Lanes],
     /// Derivatives of the force by q, n x n, and by the values, n x k, rows first; empty where only forces are wanted.
     pub by_q: &'a [Lanes],
@@ -80,15 +79,13 @@ impl Batches {
     /// Takes the results of a unit apart.
     pub fn evaluated<'a>(&self, result: &'a [Lanes]) -> Evaluated<'a> {
         let (n, k) = (self.size, self.values);
-        let (q, rest) = result[k..].split_at(n);
-        let (force, rest) = rest.split_at(n);
+        let (force, rest) = result[k + n..].split_at(n);
         let (rows, rest) = rest.split_at(ROWS);
         let length = |length: usize| if rest.is_empty() { 0 } else { length };
         let (by_q, rest) = rest.split_at(length(n * n));
         let (by_values, rest) = rest.split_at(rest.len().min(n * k));
         let (rows_by_q, rows_by_values) = rest.split_at(rest.len().min(ROWS * n));
         Evaluated {
-            q,
             force,
             by_q,
             by_values,
