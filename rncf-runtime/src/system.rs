@@ -88,6 +88,8 @@ pub trait Sums {
     fn damping(&mut self, entry: usize, value: f64);
     /// Adds to the derivative with respect to x.
     fn stiffness(&mut self, entry: usize, value: f64);
+    /// What [`Sums::stiffness`] adds to, and what it multiplies values by: for many at once.
+    fn all_stiffness(&mut self) -> (&mut [f64], f64);
 }
 
 impl Sums for Tangent {
@@ -101,6 +103,10 @@ impl Sums for Tangent {
 
     fn stiffness(&mut self, entry: usize, value: f64) {
         self.stiffness[entry] += value;
+    }
+
+    fn all_stiffness(&mut self) -> (&mut [f64], f64) {
+        (&mut self.stiffness, 1.0)
     }
 }
 

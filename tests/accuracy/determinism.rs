@@ -1,7 +1,7 @@
 //! What holds whatever the accuracy: the same bits, kinks as step boundaries, energy.
 
 use rncf::{Formulation, Integrator, Joints, Method, Model, Options, Scene, State, Stop};
-use rncf_models::SpinUp;
+use rncf_models::{Esail, SpinUp};
 
 use crate::models::{Conservative, Hanging};
 use crate::runs::{WAYS, adaptive, fixed, grid, history, orders, short, states_at};
@@ -43,6 +43,31 @@ fn threads_do_not_change_a_bit() {
             assert!(one == with(1, method, way), "{way:?} {method:?}: again");
         }
     }
+}
+
+/// Repeated bodies, loads per length and a free frame: elements of all bodies are evaluated together.
+#[test]
+fn threads_do_not_change_a_bit_of_a_sail() {
+    let model = Esail {
+        tethers: 40,
+        elements: 8,
+        ..Esail::default()
+    };
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let mut scene = model.build(Formulation::Rncf, Joints::Eliminated).unwrap();
+            let start = scene.rest(0.0);
+            let (states, _) = states_at(scene.as_mut(), start, METHODS[1], fixed(1.0), &[3.0]);
+            let State { x, v, a, lambda, .. } = &states[0];
+            let bits = [x, v, a, lambda].into_iter().flatten().map(|value| value.to_bits());
+            bits.collect::<Vec<u64>>()
+        })
+    };
+    let one = with(1);
+    assert!(one.len() > 3 * 2000 && one.iter().filter(|&&bits| bits != 0).count() > 3 * 2000);
+    assert!(one == with(2), "two threads");
+    assert!(one == with(1), "again");
 }
 
 #[test]

@@ -358,9 +358,6 @@ impl Newton {
             self.combine(system, state, factors);
         }
         statistics.jacobian_evaluations += 1;
-        if !self.block.iter().all(|value| value.is_finite()) {
-            return Err(Failure::Failed(Cause::NotFinite));
-        }
         if !self.dlambda.is_empty() {
             system.constraint_jacobian(state, &mut self.jacobian);
         }
@@ -371,9 +368,12 @@ impl Newton {
                 worst: row(singular, state.x.len()),
             })
         };
-        self.saddle
-            .factor_symmetric(&self.block, &self.jacobian)
-            .map_err(singular)?;
+        let factored = self.saddle.factor_symmetric(&self.block, &self.jacobian);
+        // A value that is not finite makes a matrix singular, or solutions that are not finite.
+        factored.map_err(|other| match self.block.iter().all(|value| value.is_finite()) {
+            true => singular(other),
+            false => Failure::Failed(Cause::NotFinite),
+        })?;
         if let Some(stabiliser) = &mut self.stabiliser {
             let (tools, values) = (
                 (&mut self.saddle, &self.charts),

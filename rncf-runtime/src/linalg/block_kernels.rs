@@ -9,7 +9,7 @@ use pulp::{Arch, Simd, WithSimd};
 use super::scalar::Scalar;
 
 /// Something that is computed the same way on all processors but with the instructions each has.
-pub(super) trait Vectorised {
+pub(crate) trait Vectorised {
     type Output;
 
     /// Must be inlined, with all that it calls, to be compiled for the processor.
@@ -32,7 +32,7 @@ impl<V: Vectorised> WithSimd for Operation<V> {
 }
 
 /// Runs with the instructions of `arch`.
-pub(super) fn dispatch<V: Vectorised>(arch: Arch, what: V) -> V::Output {
+pub(crate) fn dispatch<V: Vectorised>(arch: Arch, what: V) -> V::Output {
     arch.dispatch(Operation(what))
 }
 

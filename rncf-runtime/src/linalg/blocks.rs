@@ -12,6 +12,9 @@ use super::scalar::Scalar;
 /// suffice: the backward error is about `f64::EPSILON` times the growth.
 const LARGEST_GROWTH: f64 = 1e6;
 
+/// How far the largest entry of a column may be from 1 before the matrix is equilibrated anew.
+const ABOUT_ONE: std::ops::RangeInclusive<f64> = 1.0 / 16.0..=16.0;
+
 /// Right sides that are solved at once.
 const TOGETHER: usize = 8;
 
@@ -35,6 +38,8 @@ pub(super) struct Blocks<T> {
     pivots: Vec<u32>,
     row_scale: Vec<f64>,
     column_scale: Vec<f64>,
+    /// Whether the scales are those of an earlier matrix, which serve as long as they are about right.
+    is_scaled: bool,
     /// Sums, then scales, of the rows of a node's columns, which are equal.
     of_rows: Vec<f64>,
     right: Vec<[T; 1]>,
@@ -106,6 +111,7 @@ impl<T: Scalar> Blocks<T> {
             pivots: vec![0; size],
             row_scale: vec![1.0; size],
             column_scale: vec![1.0; size],
+            is_scaled: false,
             of_rows: vec![0.0; longest.unwrap_or(0)],
             right: vec![[T::default(); 1]; size],
             right_together: Vec::new(),
@@ -145,9 +151,22 @@ impl<T: Scalar> Blocks<T> {
         kernels::dispatch(self.arch, SolveMany(self, x, count));
     }
 
-    /// Sizes of the rows, then copies of the values, both equilibrated, into the places of the factors.
+    /// Copies the values, equilibrated by rows and columns, into the places of the factors.
     #[inline(always)]
     fn load(&mut self, pattern: &Pattern, values: &[T], starts: &[usize]) -> Result<(), Failure> {
+        if self.is_scaled && self.copy::<true>(pattern, values, starts).is_ok() {
+            return Ok(());
+        }
+        self.is_scaled = false;
+        self.scale_rows(pattern, values, starts)?;
+        self.copy::<false>(pattern, values, starts)?;
+        self.is_scaled = true;
+        Ok(())
+    }
+
+    /// Scales of the rows: the inverse sums of their sizes.
+    #[inline(always)]
+    fn scale_rows(&mut self, pattern: &Pattern, values: &[T], starts: &[usize]) -> Result<(), Failure> {
         self.row_scale.fill(0.0);
         for node in &self.nodes {
             let columns = &self.unknowns[node.first..][..node.size];
@@ -171,6 +190,13 @@ impl<T: Scalar> Blocks<T> {
                 return Err(Failure::Line(row));
             }
         }
+        Ok(())
+    }
+
+    /// Copies the values, with the scales of an earlier matrix (`KEPT`), if these are about right, or new ones of the
+    /// columns.
+    #[inline(always)]
+    fn copy<const KEPT: bool>(&mut self, pattern: &Pattern, values: &[T], starts: &[usize]) -> Result<(), Failure> {
         self.values.fill(T::default());
         for node in &self.nodes {
             let columns = &self.unknowns[node.first..][..node.size];
@@ -181,11 +207,18 @@ impl<T: Scalar> Blocks<T> {
             }
             for &column in columns {
                 let values = &values[starts[column as usize]..][..rows.len()];
-                let scale = 1.0 / largest_scaled(values, scales);
-                if !scale.is_finite() {
-                    return Err(Failure::Line(column as usize));
+                let largest = largest_scaled(values, scales);
+                let mut scale = self.column_scale[column as usize];
+                if KEPT && !ABOUT_ONE.contains(&(largest * scale)) {
+                    return Err(Failure::Unsuited);
                 }
-                self.column_scale[column as usize] = scale;
+                if !KEPT {
+                    scale = 1.0 / largest;
+                    if !scale.is_finite() {
+                        return Err(Failure::Line(column as usize));
+                    }
+                    self.column_scale[column as usize] = scale;
+                }
                 let slots = &self.slots[pattern.starts()[column as usize]..][..rows.len()];
                 for ((&value, &of_row), &slot) in values.iter().zip(scales.iter()).zip(slots) {
                     self.values[slot as usize] = value.times(of_row * scale);

@@ -15,6 +15,7 @@ mod saddle;
 mod scalar;
 mod sparse;
 
+pub(crate) use block_kernels::{Vectorised, dispatch};
 pub use dense::Dense;
 pub use eigen::{
     Cholesky, Indefinite, NaturalModes, general_eigen, natural_modes, negative_eigenvalues, product, solve_full,

@@ -235,7 +235,7 @@ impl Group {
 
 /// Evaluates `count` units into `width` lanes each and adds them one after the other, by blocks in parallel where
 /// there are many.
-fn in_order(
+pub(super) fn in_order(
     count: usize,
     width: usize,
     results: &mut Vec<Lanes>,

@@ -2,7 +2,8 @@
 //! `F = A sum c_a Q^a` and `M = sum q_a x Q^a` on a free frame, and their derivatives (THEORY 2.1, column dq and
 //! the rows with Q).
 
-use super::assembly::evaluate;
+use super::batches::in_order;
+use super::density_lanes::Batches;
 use super::density_sums::{Axes, ROWS, Total, on_frame};
 use super::evaluate::MAX_SIZE;
 use super::parts::Fidelity;
@@ -10,8 +11,10 @@ use super::repeated::{DensitySpec, LANES};
 use super::scene::{MeshBody, MeshScene};
 use crate::error::ModelError;
 use crate::system::Sums;
-use crate::vector::{Vector, add, cross, dot};
+use crate::vector::{Vector, add, cross, dot, scale};
 
+/// Unknowns that are dealt with at a time; a frame has fewer.
+const TOGETHER: usize = 8;
 /// Marks an entry that belongs to no unknown.
 const NOWHERE: u32 = u32::MAX;
 
@@ -22,33 +25,18 @@ pub(super) struct Density {
     components: Vec<usize>,
     /// Places among them, one element after the other.
     places: Vec<usize>,
-    /// Entries and factors of the elements' matrices, rows first.
-    own: Vec<(u32, f64)>,
     /// Unknowns that its values depend on, then those of the body's free frame that are not among them.
     outer: Vec<usize>,
     /// Number of unknowns that its values depend on.
     driving: usize,
-    /// For every component its factor and the entry of (component, outer unknown), components first.
-    upper: Vec<Option<(f64, usize)>>,
-    /// For every unknown of the frame factor and entry of (frame, component), unknowns first.
-    lower: Vec<Option<(f64, usize)>>,
+    /// For every component the factor of its unknown; zero where there is none.
+    factors: Vec<f64>,
+    /// For every component the entries of (component, outer unknown).
+    upper: Vec<u32>,
+    /// For every component the entry of (first unknown of the frame, component); the others of the frame follow.
+    lower: Vec<u32>,
     /// For every unknown of the frame the entry of (frame, outer unknown), unknowns first.
     square: Vec<Option<usize>>,
-}
-
-/// Elements of one kind of density, four by four.
-pub(super) struct Batches {
-    /// Degrees of freedom of an element.
-    size: usize,
-    /// Number of values.
-    values: usize,
-    batches: Vec<Batch>,
-}
-
-/// Elements side by side: density and element; the last batch is filled up with its last one.
-struct Batch {
-    lanes: [(usize, usize); LANES],
-    count: usize,
 }
 
 impl MeshScene {
@@ -95,7 +83,7 @@ impl MeshScene {
             self.densities.push(Density {
                 places: places.collect(),
                 components,
-                own: Vec::new(),
+                factors: Vec::new(),
                 outer: Vec::new(),
                 driving: 0,
                 upper: Vec::new(),
@@ -164,17 +152,12 @@ impl MeshScene {
                 continue;
             };
             let spec = &self.densities[first].spec;
-            all.push(Batches {
-                size: self.bodies[spec.body].spec.element_size(),
-                values: spec.values,
-                batches: elements
-                    .chunks(LANES)
-                    .map(|chunk| Batch {
-                        lanes: std::array::from_fn(|lane| chunk[lane.min(chunk.len() - 1)]),
-                        count: chunk.len(),
-                    })
-                    .collect(),
-            });
+            let sizes = [self.bodies[spec.body].spec.element_size(), spec.values];
+            let components = |(density, element): (usize, usize)| {
+                let body: usize = self.densities[density].spec.body;
+                self.bodies[body].connectivity.element(element)
+            };
+            all.push(Batches::new(&elements, sizes, components));
         }
         all
     }
@@ -204,41 +187,19 @@ impl MeshScene {
 
     fn tabulate_density(&self, density: &mut Density) {
         let frame = self.frame_unknowns(density.spec.body);
-        let (components, outer) = (&density.components, &density.outer);
-        let (own, find) = (
-            |component| self.layout.unknown(component),
-            |i, j| self.pattern.find(i, j),
-        );
-        let elements = &self.bodies[density.spec.body].connectivity;
-        let both = |row: usize, column: usize| {
-            let ((i, a), (j, b)) = (own(row)?, own(column)?);
-            Some((find(i, j)? as u32, a * b))
-        };
-        let entries = (0..elements.count()).flat_map(|element| {
-            let components = elements.element(element);
-            let row = move |row: usize| components.iter().map(move |&column| (row, column));
-            components.iter().flat_map(move |&component| row(component))
-        });
-        let entries = entries.map(|(row, column)| both(row, column).unwrap_or((NOWHERE, 0.0)));
-        let upper = components.iter().flat_map(|&component| {
-            let driving = outer[..density.driving].iter();
-            driving.map(move |&outer| {
-                let (row, factor) = own(component)?;
-                Some((factor, find(row, outer)?))
-            })
-        });
-        let lower = frame.clone().flat_map(|row| {
-            components.iter().map(move |&component| {
-                let (column, factor) = own(component)?;
-                Some((factor, find(row, column)?))
-            })
-        });
-        let square = frame
-            .clone()
-            .flat_map(|row| outer.iter().map(move |&outer| find(row, outer)));
-        let (upper, lower, square) = (upper.collect(), lower.collect(), square.collect());
-        let entries = entries.collect();
-        (density.own, density.upper, density.lower, density.square) = (entries, upper, lower, square);
+        let driving = &density.outer[..density.driving];
+        let find = |i: usize, j: usize| self.pattern.find(i, j).map_or(NOWHERE, |entry| entry as u32);
+        let (mut factors, mut upper, mut lower) = (Vec::new(), Vec::new(), Vec::new());
+        for &component in &density.components {
+            let own = self.layout.unknown(component);
+            factors.push(own.map_or(0.0, |(_, factor)| factor));
+            upper.extend(driving.iter().map(|&outer| own.map_or(NOWHERE, |(row, _)| find(row, outer))));
+            // The rows of a frame stand together at the end of a column.
+            lower.push(own.map_or(NOWHERE, |(column, _)| find(frame.start, column)));
+        }
+        let square = frame.flat_map(|row| density.outer.iter().map(move |&outer| self.pattern.find(row, outer)));
+        density.square = square.collect();
+        (density.factors, density.upper, density.lower) = (factors, upper, lower);
     }
 
     /// Values and velocities of the markers of a density at the loaded state.
@@ -257,38 +218,52 @@ impl MeshScene {
         values
     }
 
-    /// Their derivatives by the unknowns that they depend on: values x unknowns, rows first.
-    fn driven(&self, index: usize, t: f64) -> Vec<f64> {
-        let density = &self.densities[index];
-        let (spec, width) = (&density.spec, density.driving);
-        let mut by_unknowns = vec![0.0; spec.values * width];
-        if by_unknowns.is_empty() {
-            return by_unknowns;
-        }
-        let [z, velocity] = self.density_arguments(spec);
-        let mut gradient = vec![0.0; spec.values * 3 * z.len()];
-        self.parts
-            .density_values_gradient(index, t, &z, &velocity, &mut gradient);
-        for (place, &marker) in spec.markers.iter().enumerate() {
+    /// How the markers of a density depend on its unknowns: marker, place among the unknowns, change of the marker.
+    fn driving(&self, density: &Density) -> Vec<(usize, usize, Vector)> {
+        let mut changes = Vec::new();
+        let driving = &density.outer[..density.driving];
+        for (place, &marker) in density.spec.markers.iter().enumerate() {
             for column in self.columns(&self.markers[marker]) {
                 let Some((unknown, factor)) = self.layout.unknown(column.component) else {
                     continue;
                 };
-                let driving = &density.outer[..width];
-                let Ok(at) = driving.binary_search(&unknown) else {
-                    continue;
-                };
-                for value in 0..spec.values {
-                    let row = &gradient[(value * z.len() + place) * 3..][..3];
-                    by_unknowns[value * width + at] += factor * dot([row[0], row[1], row[2]], column.value);
+                if let Ok(at) = driving.binary_search(&unknown) {
+                    changes.push((place, at, scale(factor, column.value)));
                 }
             }
         }
-        by_unknowns
+        changes
+    }
+
+    /// Their derivatives by the unknowns that they depend on: values x unknowns, rows first.
+    fn driven(&self, index: usize, t: f64, shared: &mut Shared) {
+        let spec = &self.densities[index].spec;
+        let width = self.densities[index].driving;
+        shared.by_unknowns.clear();
+        shared.by_unknowns.resize(spec.values * width, 0.0);
+        if shared.by_unknowns.is_empty() {
+            return;
+        }
+        if shared.markers != Some(spec.markers) {
+            shared.markers = Some(spec.markers);
+            shared.arguments = self.density_arguments(spec);
+            shared.changes = self.driving(&self.densities[index]);
+        }
+        let [z, velocity] = &shared.arguments;
+        let gradient = &mut shared.gradient;
+        gradient.clear();
+        gradient.resize(spec.values * 3 * z.len(), 0.0);
+        self.parts.density_values_gradient(index, t, z, velocity, gradient);
+        for &(place, at, change) in &shared.changes {
+            for value in 0..spec.values {
+                let row = &gradient[(value * z.len() + place) * 3..][..3];
+                shared.by_unknowns[value * width + at] += dot([row[0], row[1], row[2]], change);
+            }
+        }
     }
 
     /// Nodal vectors of an element in the axes of its body's frame.
-    fn in_body_axes(&self, body: &MeshBody, element: usize) -> [f64; MAX_SIZE] {
+    pub(super) fn in_body_axes(&self, body: &MeshBody, element: usize) -> [f64; MAX_SIZE] {
         let mut q = [0.0; MAX_SIZE];
         let size = body.spec.element_size();
         body.connectivity.gather(element, &self.buffers.q, &mut q[..size]);
@@ -307,7 +282,7 @@ impl MeshScene {
     }
 
     /// Axes of a prescribed frame in absolute coordinates, where they differ from those of the nodal vectors.
-    fn axes_of(&self, body: &MeshBody) -> Option<Axes> {
+    pub(super) fn axes_of(&self, body: &MeshBody) -> Option<Axes> {
         let (axes, frame) = (body.spec.axes, &self.buffers.frames[body.spec.frame]);
         let entry = |i: usize, j: usize| match (axes.get(i), axes.get(j)) {
             (Some(&i), Some(&j)) => frame.rotation[i][j],
@@ -319,30 +294,20 @@ impl MeshScene {
         })
     }
 
-    /// Bodies, elements, values and nodal vectors of a batch, lane by lane.
-    fn lanes(&self, of: &Batches, batch: &Batch, values: &[Vec<f64>]) -> Lanes {
-        let mut lanes = Lanes {
-            elements: [(0, 0); LANES],
-            values: vec![[0.0; LANES]; of.values],
-            q: [[0.0; LANES]; MAX_SIZE],
-        };
-        for (lane, &(density, element)) in batch.lanes.iter().enumerate() {
-            let body = self.densities[density].spec.body;
-            lanes.elements[lane] = (body, element);
-            for (to, from) in lanes.values.iter_mut().zip(&values[density]) {
-                to[lane] = *from;
-            }
-            for (to, from) in lanes.q.iter_mut().zip(self.in_body_axes(&self.bodies[body], element)) {
-                to[lane] = from;
-            }
-        }
-        lanes
-    }
-
     fn all_values(&self, t: f64) -> Vec<Vec<f64>> {
-        (0..self.densities.len())
-            .map(|index| self.density_values(index, t))
-            .collect()
+        let (mut of, mut arguments) = (None, [Vec::new(), Vec::new()]);
+        let values = self.densities.iter().enumerate().map(|(index, density)| {
+            let spec = &density.spec;
+            if of != Some(spec.markers) {
+                of = Some(spec.markers);
+                arguments = self.density_arguments(spec);
+            }
+            let mut values = vec![0.0; spec.values];
+            let [z, velocity] = &arguments;
+            self.parts.density_values(index, t, z, velocity, &mut values);
+            values
+        });
+        values.collect()
     }
 
     /// Adds the densities at the loaded state (to the left side, where they are negative) to the forces of nodal
@@ -352,48 +317,42 @@ impl MeshScene {
             return;
         }
         let values = self.all_values(t);
-        let mut on_frames = vec![[[0.0; 3]; 2]; self.densities.len()];
-        let mut results = std::mem::take(&mut self.buffers.densities);
-        let kinds = std::mem::take(&mut self.density_batches);
-        for of in &kinds {
-            let (scene, size) = (&*self, of.size);
-            evaluate(of.batches.len(), size * LANES, &mut results, |place, result| {
-                let batch = &of.batches[place];
-                let lanes = scene.lanes(of, batch, &values);
-                let force = result.as_chunks_mut::<LANES>().0;
-                scene.density_force(batch, &lanes, size, force);
-            });
-            for (batch, result) in of.batches.iter().zip(results.chunks_exact(size * LANES)) {
-                for lane in 0..batch.count {
-                    let (density, element) = batch.lanes[lane];
-                    let body = &self.bodies[self.densities[density].spec.body];
-                    let mut force: [f64; MAX_SIZE] = std::array::from_fn(|i| {
-                        let value = result.get(i * LANES + lane);
-                        value.map_or(0.0, |value| load_scale * value)
-                    });
-                    let q = self.in_body_axes(body, element);
-                    let rows = on_frame(body, &q, &force);
-                    on_frames[density] = std::array::from_fn(|i| add(on_frames[density][i], rows[i]));
-                    if let Some(axes) = self.axes_of(body) {
-                        let vectors = force[..size].chunks_exact_mut(axes.d);
-                        vectors.for_each(|vector| axes.vector(vector, false));
+        let mut on_frames = vec![[[0.0; 3]; 2]; self.free.len()];
+        let mut results = std::mem::take(&mut self.buffers.lanes);
+        let mut forces = std::mem::take(&mut self.buffers.force);
+        let scene = &*self;
+        for of in &scene.density_batches {
+            let evaluate = |unit: usize, result: &mut [[f64; LANES]]| scene.evaluate_density(of, unit, &values, result);
+            let add_unit = |unit: usize, result: &[[f64; LANES]]| {
+                let result = of.evaluated(result);
+                for (lane, &(density, element)) in of.units[unit].iter().enumerate().take(of.used(unit)) {
+                    let body = &scene.bodies[scene.densities[density].spec.body];
+                    let components = body.connectivity.element(element);
+                    if let Some(free) = scene.free_of[body.frame] {
+                        for (i, rows) in on_frames[free].iter_mut().enumerate() {
+                            *rows = std::array::from_fn(|j| rows[j] + load_scale * result.rows[3 * i + j][lane]);
+                        }
                     }
-                    for (&component, value) in body.connectivity.element(element).iter().zip(force) {
-                        self.buffers.force[component] -= value;
+                    if let Some(axes) = scene.axes_of(body) {
+                        let mut force: [f64; MAX_SIZE] =
+                            std::array::from_fn(|i| result.force.get(i).map_or(0.0, |force| force[lane]));
+                        let vectors = force[..of.size].chunks_exact_mut(axes.d);
+                        vectors.for_each(|vector| axes.vector(vector, false));
+                        for (&component, value) in components.iter().zip(force) {
+                            forces[component] -= load_scale * value;
+                        }
+                    } else {
+                        for (&component, force) in components.iter().zip(result.force) {
+                            forces[component] -= load_scale * force[lane];
+                        }
                     }
                 }
-            }
+            };
+            in_order(of.units.len(), of.width(false), &mut results, evaluate, add_unit);
         }
-        (self.buffers.densities, self.density_batches) = (results, kinds);
-        for (density, [force, moment]) in on_frames.into_iter().enumerate() {
-            let frame = self.bodies[self.densities[density].spec.body].frame;
-            let Some(free) = self.free_of[frame] else { continue };
-            let frame = &self.free[free];
-            let force = self.buffers.frames[frame.spec.frame].direction_to_inertial(force);
-            let first = self.layout.vector_components() + frame.first;
-            for (place, direction) in frame.directions.iter().enumerate() {
-                self.buffers.force[first + place] -= dot(direction.shift, force) + dot(direction.turn, moment);
-            }
+        (self.buffers.lanes, self.buffers.force) = (results, forces);
+        for (free, rows) in on_frames.into_iter().enumerate() {
+            self.add_to_unknowns(free, rows.map(|row| scale(-1.0, row)));
         }
     }
 
@@ -412,19 +371,14 @@ impl MeshScene {
             if self.densities[index].spec.body != body {
                 continue;
             }
-            let batch = Batch {
-                lanes: [(index, element); LANES],
-                count: 1,
-            };
-            let mut lanes = Lanes {
-                elements: [(body, element); LANES],
-                values: values.iter().map(|&value| [value; LANES]).collect(),
-                q: [[0.0; LANES]; MAX_SIZE],
-            };
+            let of_all: Vec<[f64; LANES]> = values.iter().map(|&value| [value; LANES]).collect();
+            let mut lanes = [[0.0; LANES]; MAX_SIZE];
             let q = self.in_body_axes(at, element);
-            lanes.q.iter_mut().zip(q).for_each(|(to, from)| *to = [from; LANES]);
+            lanes.iter_mut().zip(q).for_each(|(to, from)| *to = [from; LANES]);
             let mut force = [[0.0; LANES]; MAX_SIZE];
-            self.density_force(&batch, &lanes, n, &mut force[..n]);
+            let elements = [(body, element); LANES];
+            self.parts
+                .density_force4(index, &elements, &of_all, &lanes[..n], &mut force[..n]);
             let mut force = force.map(|lanes| self.buffers.density_scale * lanes[0]);
             if let Some(axes) = self.axes_of(at) {
                 force[..n]
@@ -436,133 +390,124 @@ impl MeshScene {
         sum
     }
 
-    fn density_force(&self, batch: &Batch, lanes: &Lanes, size: usize, force: &mut [[f64; LANES]]) {
-        self.parts.density_force4(
-            batch.lanes[0].0,
-            &lanes.elements,
-            &lanes.values,
-            &lanes.q[..size],
-            force,
-        );
-    }
-
     /// Adds the derivatives of [`MeshScene::add_density_forces`] at the loaded state.
     pub(super) fn add_density_tangents(&mut self, t: f64, load_scale: f64, out: &mut (impl Sums + ?Sized)) {
         if self.densities.is_empty() {
             return;
         }
         let values = self.all_values(t);
-        let mut totals: Vec<Total> = self.densities.iter().map(Density::total).collect();
-        let mut results = std::mem::take(&mut self.buffers.densities);
-        for of in &self.density_batches {
-            let (n, k) = (of.size, of.values);
-            let width = (n + n * n + n * k) * LANES;
-            evaluate(of.batches.len(), width, &mut results, |place, result| {
-                let batch = &of.batches[place];
-                let lanes = self.lanes(of, batch, &values);
-                let (force, rest) = result.as_chunks_mut::<LANES>().0.split_at_mut(n);
-                let (by_q, by_values) = rest.split_at_mut(n * n);
-                self.density_force(batch, &lanes, n, force);
-                let density = batch.lanes[0].0;
-                let (elements, values, q) = (&lanes.elements, &lanes.values, &lanes.q[..n]);
-                self.parts
-                    .density_tangent4(density, elements, values, q, by_q, by_values);
-            });
-            let mut local = vec![0.0; width / LANES];
-            for (batch, result) in of.batches.iter().zip(results.chunks_exact(width)) {
-                for lane in 0..batch.count {
-                    let all = result.iter().skip(lane).step_by(LANES);
-                    local.iter_mut().zip(all).for_each(|(to, from)| *to = load_scale * from);
-                    let (density, element) = batch.lanes[lane];
-                    self.add_element(density, element, &mut local, &mut totals[density], out);
+        let mut results = std::mem::take(&mut self.buffers.lanes);
+        let (scene, mut shared) = (&*self, Shared::default());
+        for of in &scene.density_batches {
+            // Elements of one density follow each other: one sum at a time.
+            let (mut total, mut summed) = (Total::default(), None);
+            let evaluate = |unit: usize, result: &mut [[f64; LANES]]| scene.evaluate_density(of, unit, &values, result);
+            let add_unit = |unit: usize, result: &[[f64; LANES]]| {
+                let result = of.evaluated(result);
+                for (lane, &(density, element)) in of.units[unit].iter().enumerate().take(of.used(unit)) {
+                    if summed != Some(density) {
+                        if let Some(before) = summed {
+                            scene.add_total(before, t, &total, &mut shared, out);
+                        }
+                        summed = Some(density);
+                        total.clear(scene.densities[density].components.len(), of.values);
+                    }
+                    let body = &scene.bodies[scene.densities[density].spec.body];
+                    let places = &scene.densities[density].places[element * of.size..(element + 1) * of.size];
+                    if let Some(axes) = scene.axes_of(body) {
+                        let own = |all: &[[f64; LANES]]| -> Vec<f64> { all.iter().map(|all| all[lane]).collect() };
+                        let (mut by_q, mut by_values) = (own(result.by_q), own(result.by_values));
+                        axes.matrix(&mut by_q, of.size);
+                        axes.rows(&mut by_values, of.values);
+                        total.add_values(places, load_scale, |entry| by_values[entry]);
+                        let (stiffness, factor) = out.all_stiffness();
+                        let factor = -factor * load_scale;
+                        body.scatter.add_by(element, |entry| factor * by_q[entry], stiffness);
+                    } else {
+                        if scene.free_of[body.frame].is_some() {
+                            total.add_frame(places, &result, load_scale, lane);
+                        }
+                        total.add_values(places, load_scale, |entry| result.by_values[entry][lane]);
+                        let (stiffness, factor) = out.all_stiffness();
+                        let factor = -factor * load_scale;
+                        body.scatter.add_by(element, |entry| factor * result.by_q[entry][lane], stiffness);
+                    }
                 }
+            };
+            in_order(of.units.len(), of.width(true), &mut results, evaluate, add_unit);
+            if let Some(last) = summed {
+                scene.add_total(last, t, &total, &mut shared, out);
             }
         }
-        self.buffers.densities = results;
-        for (index, total) in totals.iter().enumerate() {
-            self.add_total(index, t, total, out);
-        }
-    }
-
-    /// Adds the block of one element, and to the sums of its density; `local` are its force and both derivatives.
-    fn add_element(
-        &self,
-        index: usize,
-        element: usize,
-        local: &mut [f64],
-        total: &mut Total,
-        out: &mut (impl Sums + ?Sized),
-    ) {
-        let density = &self.densities[index];
-        let body = &self.bodies[density.spec.body];
-        let (n, k) = (body.spec.element_size(), density.spec.values);
-        let (force, rest) = local.split_at_mut(n);
-        let (by_q, by_values) = rest.split_at_mut(n * n);
-        let places = &density.places[element * n..(element + 1) * n];
-        if self.free_of[body.frame].is_some() {
-            let q = self.in_body_axes(body, element);
-            total.add_frame(body, &q, places, [force, by_q, by_values]);
-        }
-        if let Some(axes) = self.axes_of(body) {
-            axes.matrix(by_q, n);
-            axes.rows(by_values, k);
-        }
-        for (row, &place) in places.iter().enumerate() {
-            let own = &by_values[row * k..(row + 1) * k];
-            let sums = total.by_values[place * k..(place + 1) * k].iter_mut();
-            sums.zip(own).for_each(|(sum, value)| *sum += value);
-        }
-        let entries = &density.own[element * n * n..(element + 1) * n * n];
-        for (&(entry, factor), value) in entries.iter().zip(by_q) {
-            if entry != NOWHERE {
-                out.stiffness(entry as usize, -factor * *value);
-            }
-        }
+        self.buffers.lanes = results;
     }
 
     /// Adds what a density does between its body, its frame, and what its values depend on.
-    fn add_total(&self, index: usize, t: f64, total: &Total, out: &mut (impl Sums + ?Sized)) {
+    fn add_total(&self, index: usize, t: f64, total: &Total, shared: &mut Shared, out: &mut (impl Sums + ?Sized)) {
         let density = &self.densities[index];
-        let (k, width, count) = (density.spec.values, density.driving, density.components.len());
-        let by_unknowns = self.driven(index, t);
-        let driven = |row: &[f64], column: usize| -> f64 {
-            let values = row.iter().enumerate();
-            values.map(|(value, by)| by * by_unknowns[value * width + column]).sum()
-        };
-        for (place, entry) in density.upper.iter().enumerate() {
-            if let Some((factor, entry)) = entry {
-                let (component, column) = (place / width, place % width);
-                let row = &total.by_values[component * k..(component + 1) * k];
-                out.stiffness(*entry, -factor * driven(row, column));
+        let (k, width) = (density.spec.values, density.driving);
+        self.driven(index, t, shared);
+        let by_unknowns = &shared.by_unknowns[..];
+        let (stiffness, of_all) = out.all_stiffness();
+        // By several unknowns at a time.
+        for from in (0..width).step_by(TOGETHER) {
+            let here = TOGETHER.min(width - from);
+            let block = by_unknowns.chunks_exact(width).map(|row| {
+                let mut own = [0.0; TOGETHER];
+                own[..here].copy_from_slice(&row[from..from + here]);
+                own
+            });
+            let block: Vec<[f64; TOGETHER]> = block.collect();
+            let components = density.factors.iter().zip(density.upper.chunks_exact(width));
+            for ((&factor, entries), values) in components.zip(total.by_values.chunks_exact(k)) {
+                if factor == 0.0 {
+                    continue;
+                }
+                let sums = weighted(values, &block);
+                let factor = -of_all * factor;
+                for (&entry, value) in entries[from..from + here].iter().zip(sums) {
+                    if entry != NOWHERE {
+                        stiffness[entry as usize] += factor * value;
+                    }
+                }
             }
         }
         let frame = self.bodies[density.spec.body].frame;
         let Some(free) = self.free_of[frame] else { return };
         let (motion, directions) = (&self.buffers.frames[frame], &self.free[free].directions);
         let first = self.frame_unknowns(density.spec.body).start;
-        for (i, direction) in directions.iter().enumerate() {
-            let shift = motion.direction_to_frame(direction.shift);
-            let weights = [shift, direction.turn].concat();
-            let weighted = |matrix: &[f64], columns: usize| -> Vec<f64> {
-                let column = |c: usize| (0..ROWS).map(|row| weights[row] * matrix[row * columns + c]).sum();
-                (0..columns).map(column).collect()
-            };
-            let by_q = weighted(&total.frame_by_q, count);
-            for (entry, value) in density.lower[i * count..(i + 1) * count].iter().zip(by_q) {
-                if let Some((factor, entry)) = entry {
-                    out.stiffness(*entry, -factor * value);
-                }
+        let seen: Vec<[Vector; 2]> = directions
+            .iter()
+            .map(|direction| [motion.direction_to_frame(direction.shift), direction.turn])
+            .collect();
+        let along = |[shift, turn]: &[Vector; 2], [fx, fy, fz, mx, my, mz]: [f64; 6]| {
+            dot(*shift, [fx, fy, fz]) + dot(*turn, [mx, my, mz])
+        };
+        let mut by_rows = [[0.0; TOGETHER]; ROWS];
+        for (i, seen) in seen.iter().enumerate() {
+            for (row, by_row) in by_rows.iter_mut().enumerate() {
+                by_row[i] = seen[row / 3][row % 3];
             }
-            let by_values = weighted(&total.frame_by_values, k);
+        }
+        for ((&factor, &entry), rows) in density.factors.iter().zip(&density.lower).zip(&total.frame_by_q) {
+            if entry != NOWHERE && factor != 0.0 {
+                let sums = weighted(rows, &by_rows);
+                let factor = -of_all * factor;
+                let own = &mut stiffness[entry as usize..][..seen.len()];
+                own.iter_mut().zip(sums).for_each(|(value, sum)| *value += factor * sum);
+            }
+        }
+        for (i, seen_i) in seen.iter().enumerate() {
+            let by_values: Vec<f64> = total.frame_by_values.iter().map(|rows| along(seen_i, *rows)).collect();
+            let driven = |column: usize| -> f64 {
+                let by_unknowns = by_unknowns.iter().skip(column).step_by(width.max(1));
+                by_values.iter().zip(by_unknowns).map(|(value, by)| value * by).sum()
+            };
             for (column, &unknown) in density.outer.iter().enumerate() {
-                let mut value = if column < width {
-                    driven(&by_values, column)
-                } else {
-                    0.0
-                };
+                let mut value = if column < width { driven(column) } else { 0.0 };
                 if let Some(other) = unknown.checked_sub(first).and_then(|place| directions.get(place)) {
                     // The force turns with the frame: d(A F) = A (dpi x F).
-                    value += dot(shift, cross(other.turn, total.rows[0]));
+                    value += dot(seen_i[0], cross(other.turn, total.rows[0]));
                 }
                 if let Some(entry) = density.square[i * density.outer.len() + column] {
                     out.stiffness(entry, -value);
@@ -572,15 +517,24 @@ impl MeshScene {
     }
 }
 
-/// Four elements side by side.
-struct Lanes {
-    elements: [(usize, usize); LANES],
-    values: Vec<[f64; LANES]>,
-    q: [[f64; LANES]; MAX_SIZE],
+/// What densities with the same markers share, and memory.
+#[derive(Default)]
+struct Shared {
+    markers: Option<&'static [usize]>,
+    arguments: [Vec<Vector>; 2],
+    changes: Vec<(usize, usize, Vector)>,
+    gradient: Vec<f64>,
+    by_unknowns: Vec<f64>,
 }
 
-impl Density {
-    fn total(&self) -> Total {
-        Total::new(self.components.len(), self.spec.values)
+/// Sum of rows with these weights.
+#[inline(always)]
+fn weighted(weights: &[f64], rows: &[[f64; TOGETHER]]) -> [f64; TOGETHER] {
+    let mut sums = [0.0; TOGETHER];
+    for (weight, row) in weights.iter().zip(rows) {
+        for (sum, value) in sums.iter_mut().zip(row) {
+            *sum += weight * value;
+        }
     }
+    sums
 }

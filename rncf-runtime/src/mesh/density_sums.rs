@@ -1,6 +1,6 @@
 //! What loads per length do to a body and its frame, summed over elements; their axes, and lanes of numbers.
 
-use super::evaluate::MAX_SIZE;
+use super::density_lanes::Evaluated;
 use super::repeated::LANES;
 use super::scene::MeshBody;
 use crate::vector::{Vector, add, cross};
@@ -8,16 +8,17 @@ use crate::vector::{Vector, add, cross};
 /// Rows of force and moment, frame axes.
 pub(super) const ROWS: usize = 6;
 
-/// What one density does to its body and frame, summed over the elements; frame axes, rows first.
+/// What one density does to its body and frame, summed over the elements; frame axes.
+#[derive(Default)]
 pub(super) struct Total {
     /// Force and moment on the frame.
     pub rows: [Vector; 2],
-    /// dQ/dvalues, components x values.
+    /// dQ/dvalues, components x values, rows first.
     pub by_values: Vec<f64>,
-    /// d(force, moment)/dq, 6 x components.
-    pub frame_by_q: Vec<f64>,
-    /// d(force, moment)/dvalues, 6 x values.
-    pub frame_by_values: Vec<f64>,
+    /// d(force, moment)/dq for every component.
+    pub frame_by_q: Vec<[f64; ROWS]>,
+    /// d(force, moment)/dvalues for every value.
+    pub frame_by_values: Vec<[f64; ROWS]>,
 }
 
 /// Force and moment of generalised forces on the frame, frame axes.
@@ -41,41 +42,41 @@ fn vector_of(body: &MeshBody, all: &[f64], a: usize) -> Vector {
 
 impl Total {
     /// Nothing yet, of so many components and values.
-    pub fn new(count: usize, k: usize) -> Self {
-        Self {
-            rows: [[0.0; 3]; 2],
-            by_values: vec![0.0; count * k],
-            frame_by_q: vec![0.0; ROWS * count],
-            frame_by_values: vec![0.0; ROWS * k],
+    pub fn clear(&mut self, count: usize, k: usize) {
+        self.rows = [[0.0; 3]; 2];
+        self.by_values.clear();
+        self.by_values.resize(count * k, 0.0);
+        self.frame_by_q.clear();
+        self.frame_by_q.resize(count, [0.0; ROWS]);
+        self.frame_by_values.clear();
+        self.frame_by_values.resize(k, [0.0; ROWS]);
+    }
+
+    /// Adds force and moment of one of four elements and their derivatives.
+    pub fn add_frame(&mut self, places: &[usize], of: &Evaluated, factor: f64, lane: usize) {
+        for (i, rows) in self.rows.iter_mut().enumerate() {
+            *rows = std::array::from_fn(|j| rows[j] + factor * of.rows[3 * i + j][lane]);
+        }
+        let n = places.len();
+        for (c, &place) in places.iter().enumerate() {
+            for (row, sum) in self.frame_by_q[place].iter_mut().enumerate() {
+                *sum += factor * of.rows_by_q[row * n + c][lane];
+            }
+        }
+        let k = self.frame_by_values.len();
+        for (c, sums) in self.frame_by_values.iter_mut().enumerate() {
+            for (row, sum) in sums.iter_mut().enumerate() {
+                *sum += factor * of.rows_by_values[row * k + c][lane];
+            }
         }
     }
 
-    /// Adds force and moment of one element and their derivatives: `dF = c_a dQ^a`,
-    /// `dM = q_a x dQ^a + dq_a x Q^a`.
-    pub fn add_frame(&mut self, body: &MeshBody, q: &[f64], places: &[usize], [force, by_q, by_values]: [&[f64]; 3]) {
-        let (n, d) = (force.len(), body.spec.dimension());
-        let k = by_values.len() / n;
-        let count = self.frame_by_q.len() / ROWS;
-        let rows = on_frame(body, q, force);
-        self.rows = std::array::from_fn(|i| add(self.rows[i], rows[i]));
-        let column = |matrix: &[f64], width: usize, column: usize| -> [f64; MAX_SIZE] {
-            std::array::from_fn(|row| matrix.get(row * width + column).map_or(0.0, |value| *value))
-        };
-        for (c, &place) in places.iter().enumerate() {
-            let [by_force, mut moment] = on_frame(body, q, &column(by_q, n, c));
-            let mut unit = [0.0; 3];
-            unit[body.spec.axes[c % d]] = 1.0;
-            moment = add(moment, cross(unit, vector_of(body, force, c / d)));
-            for i in 0..3 {
-                self.frame_by_q[i * count + place] += by_force[i];
-                self.frame_by_q[(3 + i) * count + place] += moment[i];
-            }
-        }
-        for value in 0..k {
-            let [by_force, moment] = on_frame(body, q, &column(by_values, k, value));
-            for i in 0..3 {
-                self.frame_by_values[i * k + value] += by_force[i];
-                self.frame_by_values[(3 + i) * k + value] += moment[i];
+    /// Adds derivatives of forces by values, n x k, rows first.
+    pub fn add_values(&mut self, places: &[usize], factor: f64, by_values: impl Fn(usize) -> f64) {
+        let k = self.frame_by_values.len();
+        for (row, &place) in places.iter().enumerate() {
+            for (value, sum) in self.by_values[place * k..(place + 1) * k].iter_mut().enumerate() {
+                *sum += factor * by_values(row * k + value);
             }
         }
     }

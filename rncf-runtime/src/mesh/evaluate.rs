@@ -90,6 +90,10 @@ impl Sums for Combined<'_> {
     fn stiffness(&mut self, entry: usize, value: f64) {
         self.values[entry] += self.combination.factors[2] * value;
     }
+
+    fn all_stiffness(&mut self) -> (&mut [f64], f64) {
+        (self.values, self.combination.factors[2])
+    }
 }
 
 impl MeshScene {

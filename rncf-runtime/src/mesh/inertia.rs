@@ -10,11 +10,14 @@
 //! The sums run over eliminated vectors, too, and hold before elastic forces are added, which drop out of them.
 //! Planar bodies are taken in space, with vectors in their plane.
 
+use pulp::Arch;
+
 use super::carried::SPATIAL;
 use super::frame::FrameMotion;
 use super::free::RigidSpec;
 use super::parts::BodySpec;
 use super::scene::{Buffers, MeshBody, MeshScene};
+use crate::linalg::{Vectorised, dispatch};
 use crate::vector::{Matrix, Vector, add, apply, cross, dot, multiply, scale, skew};
 
 /// Three components, and one more for the width of the machine.
@@ -290,7 +293,15 @@ impl MeshScene {
             let first = self.layout.offset(body.first_vector);
             let own = first..first + mass.vectors() * axes.len();
             let at = [&q[own.clone()], &v[own.clone()], &a[own.clone()]];
-            let sums = forces(mass, axes, &transport, at, nodal, &mut force[own]);
+            let forces = Forces {
+                mass,
+                axes,
+                transport: &transport,
+                at,
+                scratch: nodal,
+                out: &mut force[own],
+            };
+            let sums = dispatch(Arch::new(), forces);
             if let Some(free) = self.free_of[body.frame] {
                 for (sum, value) in on_frames[free].iter_mut().zip(sums) {
                     *sum = add(*sum, value);
@@ -313,7 +324,27 @@ impl MeshScene {
     }
 }
 
+/// [`forces`] with the instructions of the processor.
+struct Forces<'a> {
+    mass: &'a NodalMass,
+    axes: &'a [usize],
+    transport: &'a Transport,
+    at: [&'a [f64]; 3],
+    scratch: &'a mut Vec<[Padded; 1]>,
+    out: &'a mut [f64],
+}
+
+impl Vectorised for Forces<'_> {
+    type Output = [Vector; 2];
+
+    #[inline(always)]
+    fn run<const F: bool>(self) -> [Vector; 2] {
+        forces(self.mass, self.axes, self.transport, self.at, self.scratch, self.out)
+    }
+}
+
 /// Adds the inertia forces of a body on its vectors; their force and moment about the frame's origin.
+#[inline(always)]
 fn forces(
     mass: &NodalMass,
     axes: &[usize],

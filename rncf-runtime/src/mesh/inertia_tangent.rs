@@ -9,9 +9,12 @@
 //! row a by a unknown's derivatives:   u_ia,   2 t_i x Mq'_a + t_i x (w x Mq_a) + w x (t_i x Mq_a),   d_a e x t_i
 //! ```
 
+use pulp::Arch;
+
 use super::carried::SPATIAL;
-use super::inertia::{Columns, Padded, Total, Transport, add_scaled, spread, vector};
+use super::inertia::{Columns, NodalMass, Padded, Total, Transport, add_scaled, spread, vector};
 use super::scene::{Buffers, MeshScene};
+use crate::linalg::{Vectorised, dispatch};
 use crate::rotation::inverse_tangent_map;
 use crate::system::State;
 use crate::vector::{Matrix, Vector, add, apply, cross, dot, multiply, scale, skew, subtract};
@@ -97,6 +100,7 @@ struct Sums {
 }
 
 /// `sum -= factor [a][b]`, where `[a][b] = b a^T - (a.b) I`.
+#[inline(always)]
 fn subtract_product(sum: &mut Matrix, factor: f64, a: Vector, b: Vector) {
     let inner = dot(a, b);
     for (i, row) in sum.iter_mut().enumerate() {
@@ -173,6 +177,40 @@ impl Border {
         let upper = &self.upper[component * width..(component + 1) * width];
         for (&place, [_, upper]) in upper.iter().zip(beside) {
             values[place as usize] += factor * upper[axis & 3];
+        }
+    }
+}
+
+/// Adds what the vectors of one body make beside its frame.
+struct Beside<'a> {
+    mass: &'a NodalMass,
+    axes: &'a [usize],
+    arms: &'a [Arms],
+    border: &'a Border,
+    /// Places, velocities and accelerations of the vectors.
+    at: &'a [[Padded; 3]],
+    sums: &'a mut Sums,
+    values: &'a mut [f64],
+}
+
+impl Vectorised for Beside<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const F: bool>(self) {
+        let (count, mut beside) = (self.arms.len(), [[[0.0; 4]; 2]; MOST_UNKNOWNS]);
+        for place in 0..self.mass.vectors() {
+            let products = self.mass.product(place, self.at);
+            let d = self.mass.first(place);
+            self.sums
+                .add(d, self.mass.is_position(place), &self.at[place], &products);
+            for (both, arms) in beside.iter_mut().zip(self.arms) {
+                *both = arms.beside(d, &products);
+            }
+            for (c, &axis) in self.axes.iter().enumerate() {
+                let component = place * self.axes.len() + c;
+                self.border.add(component, axis, &beside[..count], self.values);
+            }
         }
     }
 }
@@ -288,18 +326,16 @@ impl MeshScene {
                 let [q, v, a] = [&*q, &*v, &*a].map(|values| spread(axes, &values[first..], place));
                 [q, v, total.acceleration(mass.is_position(place), [&q, &v, &a])]
             }));
-            let (sums, mut beside) = (&mut carried[free], [[[0.0; 4]; 2]; MOST_UNKNOWNS]);
-            for place in 0..mass.vectors() {
-                let products = mass.product(place, scratch);
-                let d = mass.first(place);
-                sums.add(d, mass.is_position(place), &scratch[place], &products);
-                for (both, arms) in beside.iter_mut().zip(&arms) {
-                    *both = arms.beside(d, &products);
-                }
-                for (c, &axis) in axes.iter().enumerate() {
-                    border.add(place * axes.len() + c, axis, &beside[..arms.len()], values);
-                }
-            }
+            let beside = Beside {
+                mass,
+                axes,
+                arms: &arms,
+                border,
+                at: scratch,
+                sums: &mut carried[free],
+                values,
+            };
+            dispatch(Arch::new(), beside);
         }
         for (free, sums) in carried.iter().enumerate() {
             let motion = &self.buffers.frames[self.free[free].spec.frame];

@@ -11,6 +11,7 @@ mod checks;
 mod conditions;
 mod configuration;
 mod density;
+mod density_lanes;
 mod density_sums;
 mod evaluate;
 mod fields;

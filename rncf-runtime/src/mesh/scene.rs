@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::assembly::{Connectivity, Numbering, Scatter};
 use super::batches::Group;
 use super::conditions::Condition;
-use super::density::{Batches, Density};
+use super::density::Density;
+use super::density_lanes::Batches;
 use super::evaluate::{TurnedColumns, weighted};
 use super::fixtures::Fixture;
 use super::frame::FrameMotion;
@@ -133,8 +134,6 @@ pub(super) struct Buffers {
     pub nodal_rates: Vec<[Padded; 3]>,
     /// Gravity of the loads that are applied, m/s^2, inertial axes; for section forces.
     pub gravity: Vector,
-    /// Forces of densities and their derivatives, batch by batch.
-    pub densities: Vec<f64>,
     /// Values of densities and the part of them that is applied, for section forces.
     pub density_values: Vec<Vec<f64>>,
     pub density_scale: f64,
@@ -156,7 +155,6 @@ impl Buffers {
             nodal: Vec::new(),
             nodal_rates: Vec::new(),
             gravity: [0.0; 3],
-            densities: Vec::new(),
             density_values: Vec::new(),
             density_scale: 0.0,
             field_changes: Vec::new(),
