@@ -112,7 +112,7 @@ impl ::rncf::Model for EsailTilted {
         }
         joint hub[a] = clamp(main[a].start, sail);
         fixture remote[a] on main[a].end { mass = remote_mass; }
-        load thrust[a] = density(main[a], thrust_factor * (voltage - wind) * distance / dot(sail.position, sail.position)
+        load thrust[a] = density(main[a], thrust_factor * (if voltage > wind { voltage - wind } else { 0 kV }) * distance / dot(sail.position, sail.position)
             * (1 + (1 - ring_share) * dot(
                 sin(2*pi*a/tethers) * sail.ex - cos(2*pi*a/tethers) * sail.ey,
                 turning * cross([0, 0, 1], sail.ez)
@@ -130,7 +130,7 @@ impl ::rncf::Model for EsailTilted {
             ];
         }
         // Moments about the core: a main tether's thrust acts half way out, the ring's at the tips.
-        load ring_thrust[a] = density(aux[a], thrust_factor * (voltage - wind) * distance / dot(sail.position, sail.position)
+        load ring_thrust[a] = density(aux[a], thrust_factor * (if voltage > wind { voltage - wind } else { 0 kV }) * distance / dot(sail.position, sail.position)
             * (if ring_share > 0 { 1 } else { 0 })
             * (ring_bias + ring_share * tethers / (4*pi) * dot(
                 sin(2*pi*(a + 0.5)/tethers) * sail.ex - cos(2*pi*(a + 0.5)/tethers) * sail.ey,
@@ -1375,7 +1375,7 @@ pub mod esail_tilted_equations {
     ///
     /// Of `thrust`: `z[0]` a point of `sail`; `z[1]` a direction of `sail`; `z[2]` a direction of `sail`; `z[3]` a direction of `sail`; `z[4]` a point of `inertial` (inertial axes).
     ///
-    /// Operations: 23 additions, 36 multiplications, 5 divisions, 5 function calls.
+    /// Operations: 24 additions, 36 multiplications, 5 divisions, 5 function calls.
     pub fn density_values_thrust(
         model: &super::EsailTilted,
         t: f64,
@@ -1399,18 +1399,20 @@ pub mod esail_tilted_equations {
                 + model.gain * (z[0][1] * t38 + z[0][0] * t39) / t40);
         let t43 = t41 + t42
             + (z[1][2] * t36 - z[2][2] * t37) * (model.gain * (z[0][2] * t38) / t40);
-        let t44 = z[4][0] - z[0][0];
-        let t45 = z[4][1] - z[0][1];
-        let t46 = z[4][2] - z[0][2];
-        values[0] = z[1][0] * t44 + z[1][1] * t45 + z[1][2] * t46;
-        values[1] = z[2][0] * t44 + z[2][1] * t45 + z[2][2] * t46;
-        values[2] = z[3][0] * t44 + z[3][1] * t45 + z[3][2] * t46;
-        values[3] = 2.4e-11 * (model.voltage - 1000.0) * 150000000000.0 / t34
-            * (1.0 + (1.0 - model.ring_share) * t43);
+        let t44 = 2.4e-11
+            * (if model.voltage > 1000.0 { model.voltage - 1000.0 } else { 0.0 })
+            * 150000000000.0 / t34 * (1.0 + (1.0 - model.ring_share) * t43);
+        let t45 = z[4][0] - z[0][0];
+        let t46 = z[4][1] - z[0][1];
+        let t47 = z[4][2] - z[0][2];
+        values[0] = z[1][0] * t45 + z[1][1] * t46 + z[1][2] * t47;
+        values[1] = z[2][0] * t45 + z[2][1] * t46 + z[2][2] * t47;
+        values[2] = z[3][0] * t45 + z[3][1] * t46 + z[3][2] * t47;
+        values[3] = t44;
     }
     /// Load per length `thrust`: writes the derivatives of its values with respect to z, rows first; entries that are always zero are left alone.
     ///
-    /// Operations: 31 additions, 89 multiplications, 18 divisions, 5 function calls.
+    /// Operations: 32 additions, 89 multiplications, 18 divisions, 5 function calls.
     pub fn density_gradient_thrust(
         model: &super::EsailTilted,
         t: f64,
@@ -1420,7 +1422,9 @@ pub mod esail_tilted_equations {
         gradient: &mut [f64],
     ) {
         let t34 = z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2];
-        let t35 = 2.4e-11 * (model.voltage - 1000.0) * 150000000000.0 / t34;
+        let t35 = 2.4e-11
+            * (if model.voltage > 1000.0 { model.voltage - 1000.0 } else { 0.0 })
+            * 150000000000.0 / t34;
         let t36 = 1.0 - model.ring_share;
         let t37 = index * 6.283185307179586 / (model.tethers as f64);
         let t38 = t37.sin();
@@ -2367,7 +2371,7 @@ pub mod esail_tilted_equations {
     ///
     /// Of `ring_thrust`: `z[0]` a point of `sail`; `z[1]` a direction of `sail`; `z[2]` a direction of `sail`; `z[3]` a direction of `sail`; `z[4]` a point of `inertial` (inertial axes).
     ///
-    /// Operations: 24 additions, 38 multiplications, 6 divisions, 5 function calls.
+    /// Operations: 25 additions, 38 multiplications, 6 divisions, 5 function calls.
     pub fn density_values_ring_thrust(
         model: &super::EsailTilted,
         t: f64,
@@ -2391,8 +2395,9 @@ pub mod esail_tilted_equations {
                 + model.gain * (z[0][1] * t39 + z[0][0] * t40) / t41);
         let t44 = t42 + t43
             + (z[1][2] * t37 - z[2][2] * t38) * (model.gain * (z[0][2] * t39) / t41);
-        let t45 = 2.4e-11 * (model.voltage - 1000.0) * 150000000000.0 / t35
-            * (if model.ring_share > 0.0 { 1.0 } else { 0.0 })
+        let t45 = 2.4e-11
+            * (if model.voltage > 1000.0 { model.voltage - 1000.0 } else { 0.0 })
+            * 150000000000.0 / t35 * (if model.ring_share > 0.0 { 1.0 } else { 0.0 })
             * (model.ring_bias
                 + model.ring_share * (model.tethers as f64) / 12.566370614359172 * t44);
         let t46 = z[4][0] - z[0][0];
@@ -2405,7 +2410,7 @@ pub mod esail_tilted_equations {
     }
     /// Load per length `ring_thrust`: writes the derivatives of its values with respect to z, rows first; entries that are always zero are left alone.
     ///
-    /// Operations: 32 additions, 94 multiplications, 19 divisions, 5 function calls.
+    /// Operations: 33 additions, 94 multiplications, 19 divisions, 5 function calls.
     pub fn density_gradient_ring_thrust(
         model: &super::EsailTilted,
         t: f64,
@@ -2415,7 +2420,9 @@ pub mod esail_tilted_equations {
         gradient: &mut [f64],
     ) {
         let t35 = z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2];
-        let t36 = 2.4e-11 * (model.voltage - 1000.0) * 150000000000.0 / t35;
+        let t36 = 2.4e-11
+            * (if model.voltage > 1000.0 { model.voltage - 1000.0 } else { 0.0 })
+            * 150000000000.0 / t35;
         let t37 = (if model.ring_share > 0.0 { 1.0 } else { 0.0 });
         let t38 = t36 * t37;
         let t39 = model.ring_share * (model.tethers as f64) / 12.566370614359172;

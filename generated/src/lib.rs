@@ -19,6 +19,8 @@ pub mod esail;
 #[rustfmt::skip]
 pub mod esail_slack;
 #[rustfmt::skip]
+pub mod esail_tilted;
+#[rustfmt::skip]
 pub mod flyball_governor;
 #[rustfmt::skip]
 pub mod four_bar;

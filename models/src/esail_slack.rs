@@ -51,7 +51,7 @@ rncf::model! {
             joint hub[a] = clamp(main[a].start, sail);
             fixture remote[a] on main[a].end { mass = remote_mass * (1 + asymmetry * cos(a^2)); }
             /// Thrust of the solar wind, across the tether.
-            load thrust[a] = density(main[a], thrust_factor * (voltage - wind) * distance / dot(sail.position, sail.position)
+            load thrust[a] = density(main[a], thrust_factor * (if voltage > wind { voltage - wind } else { 0 kV }) * distance / dot(sail.position, sail.position)
                 * (slope * dot(slope, inertial.in(sail)) - dot(slope, slope) * inertial.in(sail)));
 
             // One element between two tips, of the length of the arc.

@@ -62,7 +62,7 @@ rncf::model! {
             }
             joint hub[a] = clamp(main[a].start, sail);
             fixture remote[a] on main[a].end { mass = remote_mass; }
-            load thrust[a] = density(main[a], thrust_factor * (voltage - wind) * distance / dot(sail.position, sail.position)
+            load thrust[a] = density(main[a], thrust_factor * (if voltage > wind { voltage - wind } else { 0 kV }) * distance / dot(sail.position, sail.position)
                 * (1 + (1 - ring_share) * dot(
                     sin(2*pi*a/tethers) * sail.ex - cos(2*pi*a/tethers) * sail.ey,
                     turning * cross([0, 0, 1], sail.ez)
@@ -80,7 +80,7 @@ rncf::model! {
                 ];
             }
             // Moments about the core: a main tether's thrust acts half way out, the ring's at the tips.
-            load ring_thrust[a] = density(aux[a], thrust_factor * (voltage - wind) * distance / dot(sail.position, sail.position)
+            load ring_thrust[a] = density(aux[a], thrust_factor * (if voltage > wind { voltage - wind } else { 0 kV }) * distance / dot(sail.position, sail.position)
                 * (if ring_share > 0 { 1 } else { 0 })
                 * (ring_bias + ring_share * tethers / (4*pi) * dot(
                     sin(2*pi*(a + 0.5)/tethers) * sail.ex - cos(2*pi*(a + 0.5)/tethers) * sail.ey,
