@@ -70,7 +70,7 @@ fn by_loops(scene: &mut MeshScene, gravity: [f64; 3]) -> Vec<f64> {
         }
     }
     for index in 0..scene.fixtures.len() {
-        let (point, mass) = (&scene.fixtures[index].point, scene.fixtures[index].mass());
+        let (point, mass) = (&scene.fixtures[index].point, scene.fixtures[index].mass().to_vec());
         add_local(scene, point.body, point.element, &mass, gravity);
     }
     for free in 0..scene.free.len() {
