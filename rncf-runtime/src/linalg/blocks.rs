@@ -29,6 +29,8 @@ pub(super) struct Blocks<T> {
     updates: Vec<Update>,
     /// Place of every entry of the pattern in `values`.
     slots: Vec<u32>,
+    /// Starts and ends of the places in `values` that no entry of the pattern has.
+    fill_in: Vec<[u32; 2]>,
     /// Unknown at every place of the elimination.
     unknowns: Vec<u32>,
     /// Of every node, one after another: its rows from the diagonal on, then the columns below it,
@@ -100,9 +102,11 @@ impl<T: Scalar> Blocks<T> {
         layout.connect(&later);
         let longest = pattern.starts().windows(2).map(|pair| pair[1] - pair[0]).max();
         let size = pattern.columns();
+        let slots = layout.slots(pattern, &members, &later);
         Some(Self {
             arch: Arch::new(),
-            slots: layout.slots(pattern, &members, &later),
+            fill_in: gaps(&slots, layout.length as u32),
+            slots,
             nodes: layout.nodes,
             segments: layout.segments,
             updates: layout.updates,
@@ -197,7 +201,9 @@ impl<T: Scalar> Blocks<T> {
     /// columns.
     #[inline(always)]
     fn copy<const KEPT: bool>(&mut self, pattern: &Pattern, values: &[T], starts: &[usize]) -> Result<(), Failure> {
-        self.values.fill(T::default());
+        for &[start, end] in &self.fill_in {
+            self.values[start as usize..end as usize].fill(T::default());
+        }
         for node in &self.nodes {
             let columns = &self.unknowns[node.first..][..node.size];
             let rows = column(pattern, columns[0] as usize);
@@ -352,6 +358,16 @@ impl<T: Scalar> Vectorised for SolveMany<'_, T> {
         }
         blocks.right_together = right;
     }
+}
+
+/// Starts and ends of what is not among the places below `length`.
+fn gaps(places: &[u32], length: u32) -> Vec<[u32; 2]> {
+    let mut places = places.to_vec();
+    places.sort_unstable();
+    let starts = std::iter::once(0).chain(places.iter().map(|&place| place + 1));
+    let ends = places.iter().copied().chain(std::iter::once(length));
+    let gaps = starts.zip(ends).filter(|(start, end)| start < end);
+    gaps.map(|(start, end)| [start, end]).collect()
 }
 
 /// Rows of a column.

@@ -352,7 +352,7 @@ impl MeshScene {
         }
         for fixture in &self.fixtures {
             let body = &self.bodies[fixture.point.body];
-            let local = spread_mass(&fixture.mass(), &body.spec);
+            let local = spread_mass(fixture.mass(), &body.spec);
             body.scatter.add(fixture.point.element, &local, &mut self.mass);
         }
     }

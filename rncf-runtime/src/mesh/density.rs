@@ -193,7 +193,11 @@ impl MeshScene {
         for &component in &density.components {
             let own = self.layout.unknown(component);
             factors.push(own.map_or(0.0, |(_, factor)| factor));
-            upper.extend(driving.iter().map(|&outer| own.map_or(NOWHERE, |(row, _)| find(row, outer))));
+            upper.extend(
+                driving
+                    .iter()
+                    .map(|&outer| own.map_or(NOWHERE, |(row, _)| find(row, outer))),
+            );
             // The rows of a frame stand together at the end of a column.
             lower.push(own.map_or(NOWHERE, |(column, _)| find(frame.start, column)));
         }
@@ -430,7 +434,8 @@ impl MeshScene {
                         total.add_values(places, load_scale, |entry| result.by_values[entry][lane]);
                         let (stiffness, factor) = out.all_stiffness();
                         let factor = -factor * load_scale;
-                        body.scatter.add_by(element, |entry| factor * result.by_q[entry][lane], stiffness);
+                        body.scatter
+                            .add_by(element, |entry| factor * result.by_q[entry][lane], stiffness);
                     }
                 }
             };

@@ -14,6 +14,8 @@ pub(super) struct Fixture {
     pub spec: FixtureSpec,
     pub point: MeshPoint,
     vectors: &'static [PlaceVector],
+    /// Mass of an element's vectors that the fixture adds, rows first.
+    mass: Vec<f64>,
 }
 
 /// Most components of the vectors of a place.
@@ -33,11 +35,14 @@ fn vectors_of(spec: &BodySpec) -> &'static [PlaceVector] {
 impl Fixture {
     /// A fixture at its place on a body.
     pub fn new(spec: FixtureSpec, point: MeshPoint, body: &BodySpec) -> Self {
-        Self {
+        let mut fixture = Self {
             spec,
             point,
             vectors: vectors_of(body),
-        }
+            mass: Vec::new(),
+        };
+        fixture.mass = fixture.element_mass();
+        fixture
     }
 
     /// Masses of the vectors of the place (THEORY 5.4): mass, first and second moments.
@@ -57,7 +62,11 @@ impl Fixture {
     }
 
     /// Mass of an element's vectors that the fixture adds, rows first.
-    pub fn mass(&self) -> Vec<f64> {
+    pub fn mass(&self) -> &[f64] {
+        &self.mass
+    }
+
+    fn element_mass(&self) -> Vec<f64> {
         let (count, block) = (self.count(), self.block());
         let mut result = vec![0.0; count * count];
         for (i, rows) in self.weights().enumerate() {

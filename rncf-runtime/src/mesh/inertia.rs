@@ -257,7 +257,9 @@ impl MeshScene {
     pub(super) fn nodal_masses(&self, index: usize) -> [NodalMass; 2] {
         let body = &self.bodies[index];
         let on_body = self.fixtures.iter().filter(|fixture| fixture.point.body == index);
-        let fixed: Vec<(usize, Vec<f64>)> = on_body.map(|fixture| (fixture.point.element, fixture.mass())).collect();
+        let fixed: Vec<(usize, Vec<f64>)> = on_body
+            .map(|fixture| (fixture.point.element, fixture.mass().to_vec()))
+            .collect();
         let fixed = || fixed.iter().map(|(element, local)| (*element, &local[..]));
         let elements = (0..body.spec.count).map(|element| (element, &body.mass[..]));
         [

@@ -95,7 +95,7 @@ impl MeshScene {
         };
         (0..spec.count).for_each(|element| add(&mut mass, element, &body.mass));
         for fixture in self.fixtures.iter().filter(|fixture| fixture.point.body == index) {
-            add(&mut fixtures, fixture.point.element, &fixture.mass());
+            add(&mut fixtures, fixture.point.element, fixture.mass());
         }
         let is_position = |vector: usize| spec.nodal[spec.locate(vector).1].is_position();
         let nodal = Nodal {

@@ -61,7 +61,7 @@ impl<'a> Balance<'a> {
         inertias.extend(fixtures.map(|fixture| Inertia {
             body: fixture.point.body,
             element: fixture.point.element,
-            mass: fixture.mass(),
+            mass: fixture.mass().to_vec(),
         }));
         let mut balance = Self {
             mean_axes: mean_axes(scene, &bodies, &layout),
