@@ -232,7 +232,7 @@ fn bodies_with_sections_are_written() {
         "Body `strip` has nodal vectors for the section's y axis (r0y, ry_half, r1y)",
         "yield_stress: Some(200000000.0)",
         "stride: 4",
-        "FixtureSpec { name: \"disc\"",
+        "name: \"disc\"",
         "fn moment_planar(",
         "fn beam_planar_shapes_section_y_1(",
         "fn beam_planar_field_forces(",
