@@ -128,8 +128,7 @@ impl Balance<'_> {
         let n = change.len();
         let longest = change.iter().zip(&self.inverse_sizes);
         let longest = longest.fold(0.0, |most: f64, (change, inverse)| most.max((change * inverse).abs()));
-        // Negated so that what is not a number counts as too long.
-        if !(longest <= LONGEST) {
+        if longest > LONGEST || !change.iter().all(|change| change.is_finite()) {
             return None;
         }
         let slope: f64 = change
