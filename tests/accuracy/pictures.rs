@@ -14,7 +14,14 @@ fn ends_of_curves_are_where_the_outputs_say() {
         ..RunSettings::default()
     };
     let result = run(&FreeFlight::default(), &settings).expect("a run");
-    let Some(Pictures { curves, frames, times, shots, .. }) = &result.pictures else {
+    let Some(Pictures {
+        curves,
+        frames,
+        times,
+        shots,
+        ..
+    }) = &result.pictures
+    else {
         panic!("no pictures");
     };
     assert_eq!((frames.join(" ").as_str(), times.len()), ("inertial f", 5));

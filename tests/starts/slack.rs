@@ -175,7 +175,7 @@ fn a_string_that_goes_slack_is_integrated_and_keeps_its_energy() {
     let (steps, smallest, drift, forces) = fly(Method::Radau, options);
     println!("radau: {steps} steps, smallest {smallest:.1e} s, energy {drift:.1e}, forces {forces:?}");
     assert!(forces[0] < 1e-3 && forces[1] > 1.0, "{forces:?}");
-    assert!(drift < 1e-4, "{drift}");
+    assert!(drift < 5e-4, "{drift}");
     assert!(steps < 20_000 && smallest > 1e-8, "{steps} {smallest}");
     let method = Method::GeneralizedAlpha { rho_inf: 0.8 };
     let (steps, smallest, drift, forces) = fly(method, options);

@@ -179,7 +179,9 @@ impl MeshScene {
         let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
         let mut users = constraints.chain(self.forces.iter().map(|force| force.markers));
         let frame = |marker: usize| self.marker_frame(&self.markers[marker]);
-        !self.free.is_empty() || self.is_marked_elsewhere() || users.any(|markers| markers.iter().any(|&marker| frame(marker) != frame(markers[0])))
+        !self.free.is_empty()
+            || self.is_marked_elsewhere()
+            || users.any(|markers| markers.iter().any(|&marker| frame(marker) != frame(markers[0])))
     }
 
     /// A prescribed frame whose motion is not uniform.

@@ -29,13 +29,20 @@ pub fn page(title: &str, pictures: &Pictures) -> String {
         for (frame, point) in of_frames(pictures).zip(&shot.points) {
             for axis in 0..3 {
                 let range = high[frame][axis] - low[frame][axis];
-                let part = if range > 0.0 { (point[axis] - low[frame][axis]) / range } else { 0.0 };
+                let part = if range > 0.0 {
+                    (point[axis] - low[frame][axis]) / range
+                } else {
+                    0.0
+                };
                 bytes.extend(((part * 65535.0).round() as u16).to_le_bytes());
             }
         }
     }
     let finite = |bounds: &[[f64; 3]]| -> Vec<[f64; 3]> {
-        bounds.iter().map(|all| all.map(|x| if x.is_finite() { x } else { 0.0 })).collect()
+        bounds
+            .iter()
+            .map(|all| all.map(|x| if x.is_finite() { x } else { 0.0 }))
+            .collect()
     };
     let curves: Vec<_> = pictures
         .curves
@@ -47,7 +54,8 @@ pub fn page(title: &str, pictures: &Pictures) -> String {
         .iter()
         .map(|shot| -> Vec<_> {
             let pose = shot.poses.iter();
-            pose.map(|(place, rotation)| json!([place, rotation.matrix()])).collect()
+            pose.map(|(place, rotation)| json!([place, rotation.matrix()]))
+                .collect()
         })
         .collect();
     let data = json!({
@@ -55,7 +63,8 @@ pub fn page(title: &str, pictures: &Pictures) -> String {
         "poses": poses, "followed": pictures.followed(), "points": encode(&bytes),
     });
     // Names are identifiers: no text in the data ends the script.
-    PAGE.replace("{title}", &escape(title)).replace("{data}", &data.to_string())
+    PAGE.replace("{title}", &escape(title))
+        .replace("{data}", &data.to_string())
 }
 
 /// The frame of each point.

@@ -69,7 +69,10 @@ impl Pictures {
     /// Points of a picture relative to the origin of a frame, inertial axes, curve after curve.
     pub(super) fn places<'p>(&'p self, shot: &'p Configuration, followed: usize) -> impl Iterator<Item = Vector> + 'p {
         let origin = shot.poses[followed].0;
-        let frames = self.curves.iter().flat_map(|curve| std::iter::repeat_n(curve.frame, curve.points));
+        let frames = self
+            .curves
+            .iter()
+            .flat_map(|curve| std::iter::repeat_n(curve.frame, curve.points));
         frames.zip(&shot.points).map(move |(frame, &point)| {
             let (place, rotation) = &shot.poses[frame];
             add(subtract(*place, origin), apply(&rotation.matrix(), point))

@@ -20,7 +20,10 @@ pub fn list(pictures: &Pictures) -> String {
     let mut text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n".to_string();
     for (picture, t) in pictures.times.iter().enumerate() {
         let file = name(picture);
-        let _ = writeln!(text, "<DataSet timestep=\"{t:?}\" part=\"0\" file=\"{FOLDER}/{file}\"/>");
+        let _ = writeln!(
+            text,
+            "<DataSet timestep=\"{t:?}\" part=\"0\" file=\"{FOLDER}/{file}\"/>"
+        );
     }
     text + "</Collection>\n</VTKFile>\n"
 }
