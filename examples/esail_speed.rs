@@ -96,7 +96,7 @@ fn parts(scene: &mut dyn Scene, state: &State) {
         saddle.solve(&mut dynamics, &mut constraints);
         lap(4);
     }
-    let medians: Vec<f64> = times.iter_mut().map(median).collect();
+    let medians: Vec<f64> = times.iter_mut().map(|times| median(times)).collect();
     for (name, seconds) in names.iter().zip(&medians) {
         println!("{name:>20} {:8.1} us", 1e6 * seconds);
     }
@@ -106,7 +106,7 @@ fn parts(scene: &mut dyn Scene, state: &State) {
     println!("{:>20} {:8.1} us", "kept factorization", 1e6 * kept);
 }
 
-fn median(times: &mut Vec<f64>) -> f64 {
+fn median(times: &mut [f64]) -> f64 {
     times.sort_by(f64::total_cmp);
     times[times.len() / 2]
 }

@@ -136,7 +136,8 @@ impl ::rncf::Model for EsailSlack {
 
     caution point_hub = "with a hub smaller than an element the torques are made by the mesh: they halve with every refinement"
         on torque_x, torque_y if hub_radius < length / elements;
-    caution long = "a point hub carries the spin axis round the orbit, which a real sail does not: beyond a day give a hub_radius" if t_end > 1 day;
+    caution long = "a hub smaller than an element carries the spin axis round the orbit, which a real sail does not: beyond a day give a hub_radius"
+        if (if hub_radius < length / elements { t_end } else { 0 s }) > 1 day;
 
     run { t_end = 200 s; every = 1 s; }
 }"#;
@@ -303,11 +304,16 @@ impl ::rncf::Model for EsailSlack {
                     outputs: &[7, 8],
                 });
         }
-        if (end_time) > (86400.0) {
+        if ((if model.hub_radius < model.length / (model.elements as f64) {
+            end_time
+        } else {
+            0.0
+        })) > (86400.0)
+        {
             cautions
                 .push(::rncf::Caution {
                     name: "long",
-                    text: "a point hub carries the spin axis round the orbit, which a real sail does not: beyond a day give a hub_radius",
+                    text: "a hub smaller than an element carries the spin axis round the orbit, which a real sail does not: beyond a day give a hub_radius",
                     outputs: &[],
                 });
         }

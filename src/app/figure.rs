@@ -45,7 +45,7 @@ impl Figure {
             // The chart is an element of its own: here it is a group at its place.
             let inside = chart.split_once('>').map_or("", |(_, inside)| inside).trim_end();
             let inside = inside.strip_suffix("</svg>").unwrap_or(inside);
-            let _ = write!(body, "<g transform=\"translate(0 {})\">{inside}</g>\n", top + HEAD);
+            let _ = writeln!(body, "<g transform=\"translate(0 {})\">{inside}</g>", top + HEAD);
             top += HEAD + if panel.chart.is_tall { TALL } else { HEIGHT };
         }
         Ok(format!(

@@ -202,10 +202,7 @@ fn newton_comes_to_its_end_at_one_astronomical_unit() {
 #[test]
 #[ignore = "measurement: cargo test -p rncf-tests --test stability cost -- --ignored --nocapture"]
 fn the_cost_of_a_step_beside_the_model_and_its_solutions() {
-    let model = Pointing {
-        elements: 833,
-        ..Pointing::default()
-    };
+    let model = Pointing { elements: 833 };
     for (step, rtol, end) in [(StepSize::Fixed(0.01), 1e-7, 0.4), (StepSize::Adaptive, 1e-5, 1.0)] {
         let mut scene = model.build(Formulation::Rncf, Joints::Eliminated).unwrap();
         let [solution, factorization] = solution_times(scene.as_mut());
