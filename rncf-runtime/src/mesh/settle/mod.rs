@@ -61,6 +61,12 @@ impl MeshScene {
                 start.name
             )));
         }
+        if norm(spin) == 0.0 {
+            return Err(ModelError::new(format!(
+                "start `{}`: frame `{name}` does not turn, and without rotation its bodies rest undeformed: give it an angular velocity, or leave the start out",
+                start.name
+            )));
+        }
         let planes = self.bodies.iter().filter(|body| body.spec.frame == start.frame);
         let planes = planes.filter_map(|body| match *body.spec.axes {
             [first, second] => Some(3 - first - second),
