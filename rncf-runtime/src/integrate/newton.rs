@@ -141,6 +141,24 @@ pub(super) enum Failure {
     Failed(Cause),
 }
 
+/// The failure after so many uses of the matrix; `None` if it is of an earlier step.
+fn failure(uses: Option<u32>, cause: Cause) -> Failure {
+    match uses {
+        None => Failure::OldMatrix,
+        Some(_) => Failure::Failed(cause),
+    }
+}
+
+/// What an increment did.
+struct Moved {
+    /// Its weighted norm.
+    size: f64,
+    /// Size at which increments are round-off.
+    floor: f64,
+    /// Factor that it was multiplied by for the sake of a matrix of another step size.
+    relaxation: f64,
+}
+
 impl Newton {
     /// An iteration for `system`; `rtol` relative to the sizes of the unknowns is the error
     /// tolerance of a step.
@@ -191,16 +209,7 @@ impl Newton {
         let mut before: Option<f64> = None;
         for _ in 0..PATIENT_ITERATIONS {
             self.refresh(system, h, &iterate.state, statistics)?;
-            self.increment(system, h, &iterate.state, statistics);
-            let size = norm(&self.dx, &self.inverse_weights) + self.shifted();
-            if !size.is_finite() || !self.dlambda.iter().all(|d| d.is_finite()) {
-                return Err(Failure::Failed(Cause::NotFinite));
-            }
-            self.apply(h, iterate);
-            if let worst @ Some(_) = self.charts.overturned(&iterate.state) {
-                return Err(Failure::Failed(Cause::Newton { worst }));
-            }
-            let floor = ROUND_OFF / self.rtol * (1.0 + norm(&iterate.state.x, &self.inverse_sizes));
+            let Moved { size, floor, .. } = self.advance(system, h, iterate, statistics).map_err(Failure::Failed)?;
             let contraction = before.map_or(1.0, |before| size / before);
             let stagnates = contraction > POOR && size <= 1e3 * floor;
             let is_small = contraction < 1.0 && size * contraction / (1.0 - contraction) <= self.converged;
@@ -239,16 +248,13 @@ impl Newton {
         let mut seen: Option<f64> = None;
         for _ in 0..ITERATIONS {
             uses = uses.map(|uses| uses + 1);
-            let relaxation = self.increment(system, h, &iterate.state, statistics);
-            let size = norm(&self.dx, &self.inverse_weights) + self.shifted();
-            if !size.is_finite() || !self.dlambda.iter().all(|d| d.is_finite()) {
-                return Err(self.failure(uses, Cause::NotFinite));
-            }
-            self.apply(h, iterate);
-            if let worst @ Some(_) = self.charts.overturned(&iterate.state) {
-                return Err(self.failure(uses, Cause::Newton { worst }));
-            }
-            let floor = ROUND_OFF / self.rtol * (1.0 + norm(&iterate.state.x, &self.inverse_sizes));
+            let Moved {
+                size,
+                floor,
+                relaxation,
+            } = self
+                .advance(system, h, iterate, statistics)
+                .map_err(|cause| failure(uses, cause))?;
             // Seen now, else expected from earlier steps; never better than a changed step allows.
             let contraction = match before {
                 Some(before) => size / before,
@@ -287,6 +293,30 @@ impl Newton {
             None => Err(Failure::OldMatrix),
             Some(_) => Err(self.diverged()),
         }
+    }
+
+    /// Adds one increment to the iterate.
+    fn advance<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        h: f64,
+        iterate: &mut Iterate,
+        statistics: &mut Statistics,
+    ) -> Result<Moved, Cause> {
+        let relaxation = self.increment(system, h, &iterate.state, statistics);
+        let size = norm(&self.dx, &self.inverse_weights) + self.shifted();
+        if !size.is_finite() || !self.dlambda.iter().all(|d| d.is_finite()) {
+            return Err(Cause::NotFinite);
+        }
+        self.apply(h, iterate);
+        if let worst @ Some(_) = self.charts.overturned(&iterate.state) {
+            return Err(Cause::Newton { worst });
+        }
+        Ok(Moved {
+            size,
+            floor: ROUND_OFF / self.rtol * (1.0 + norm(&iterate.state.x, &self.inverse_sizes)),
+            relaxation,
+        })
     }
 
     /// Filters a derivative `y` at `state` by the matrix of a step of size `h`: smooth parts change by
@@ -333,13 +363,6 @@ impl Newton {
         let weighted = |i: usize| (self.dx[i] * self.inverse_weights[i]).abs();
         let worst = (0..self.dx.len()).max_by(|&i, &j| weighted(i).total_cmp(&weighted(j)));
         Failure::Failed(Cause::Newton { worst })
-    }
-
-    fn failure(&self, uses: Option<u32>, cause: Cause) -> Failure {
-        match uses {
-            None => Failure::OldMatrix,
-            Some(_) => Failure::Failed(cause),
-        }
     }
 
     /// Evaluates and factors `[[(mass M + gamma h D) T^-1 + beta h^2 K, C_x^T], [C_x, 0]]` at `state`.

@@ -148,62 +148,6 @@ impl Scatter {
     }
 }
 
-/// Which components are which unknowns, as blocks to copy: what [`Layout::expand`] and [`Layout::project`] do
-/// component by component.
-#[derive(Clone, Debug, Default)]
-pub struct Numbering {
-    /// First component, first unknown, number.
-    blocks: Vec<[usize; 3]>,
-    /// Component, unknown and factor of the others.
-    odd: Vec<(usize, usize, f64)>,
-}
-
-impl Numbering {
-    /// Of all components that depend on an unknown.
-    pub fn new(layout: &Layout) -> Self {
-        let mut numbering = Self::default();
-        for component in 0..layout.components() {
-            let Some((unknown, factor)) = layout.unknown(component) else {
-                continue;
-            };
-            if factor != 1.0 {
-                numbering.odd.push((component, unknown, factor));
-                continue;
-            }
-            match numbering.blocks.last_mut() {
-                Some([first, start, count]) if *first + *count == component && *start + *count == unknown => {
-                    *count += 1;
-                }
-                _ => numbering.blocks.push([component, unknown, 1]),
-            }
-        }
-        numbering
-    }
-
-    /// `full = E x` on components that depend on an unknown; the others stay.
-    pub fn expand(&self, x: &[f64], full: &mut [f64]) {
-        for &[component, unknown, count] in &self.blocks {
-            full[component..component + count].copy_from_slice(&x[unknown..unknown + count]);
-        }
-        for &(component, unknown, factor) in &self.odd {
-            full[component] = factor * x[unknown];
-        }
-    }
-
-    /// `x = E^T full`: forces on unknowns.
-    pub fn project(&self, full: &[f64], x: &mut [f64]) {
-        x.fill(0.0);
-        for &[component, unknown, count] in &self.blocks {
-            let sums = x[unknown..unknown + count].iter_mut();
-            sums.zip(&full[component..component + count])
-                .for_each(|(sum, value)| *sum += value);
-        }
-        for &(component, unknown, factor) in &self.odd {
-            x[unknown] += factor * full[component];
-        }
-    }
-}
-
 /// Evaluates `count` elements into `results` (`width` numbers each, zeroed before), in parallel
 /// where there are many. The results do not depend on the number of threads.
 pub fn evaluate(count: usize, width: usize, results: &mut Vec<f64>, element: impl Fn(usize, &mut [f64]) + Sync) {

@@ -6,14 +6,12 @@
 use rayon::prelude::*;
 
 use super::assembly::PARALLEL_FROM;
-use super::evaluate::MAX_SIZE;
+use super::one_by_one::{elastic_force_one_by_one, elastic_tangent_one_by_one};
 use super::parts::{Fidelity, Parts};
 use super::repeated::LANES;
 use super::scene::MeshBody;
+use super::units::{Lanes, Units};
 use crate::vector::Matrix;
-
-/// Numbers side by side, one of each element.
-pub(super) type Lanes = [f64; LANES];
 
 /// Units that are evaluated before their results are added.
 const BLOCK: usize = 64;
@@ -23,16 +21,9 @@ const BLOCK: usize = 64;
 pub(super) struct Group {
     /// One of its bodies: all have its frame, axes and nodal vectors.
     pub body: usize,
-    /// Degrees of freedom of an element.
-    size: usize,
-    /// Nodal vectors of an element.
+    /// Number of nodal vectors of an element.
     vectors: usize,
-    /// Number of elements.
-    elements: usize,
-    /// Body and element in every lane; the last unit repeats an element in lanes that it does not need.
-    units: Vec<[(usize, usize); LANES]>,
-    /// Components in the full arrays, unit by unit.
-    components: Vec<[u32; LANES]>,
+    units: Units,
     /// Mass matrices of the elements' vectors, unit by unit.
     masses: Vec<Lanes>,
 }
@@ -71,39 +62,17 @@ fn alike(one: &MeshBody, other: &MeshBody) -> bool {
 
 impl Group {
     fn new(bodies: &[MeshBody], body: usize, elements: &[(usize, usize)]) -> Self {
-        let units: Vec<[(usize, usize); LANES]> = elements
-            .chunks(LANES)
-            .map(|chunk| std::array::from_fn(|lane| chunk[lane.min(chunk.len() - 1)]))
-            .collect();
         let spec = &bodies[body].spec;
-        let (size, vectors) = (spec.element_size(), spec.nodal.len());
-        let places = units.iter().flat_map(|unit| (0..size).map(move |place| (unit, place)));
-        let components = places
-            .map(|(unit, place)| unit.map(|(body, element)| bodies[body].connectivity.element(element)[place] as u32));
-        let pairs = units
-            .iter()
-            .flat_map(|unit| (0..vectors * vectors).map(move |pair| (unit, pair)));
-        let masses = pairs.map(|(unit, pair)| unit.map(|(body, _)| bodies[body].mass[pair]));
+        let vectors = spec.nodal.len();
+        let of = |(body, element): (usize, usize)| bodies[body].connectivity.element(element);
+        let units = Units::new(elements, spec.element_size(), of);
+        let pairs = (0..units.count()).flat_map(|unit| (0..vectors * vectors).map(move |pair| (unit, pair)));
+        let masses = pairs.map(|(unit, pair)| units.all(unit).map(|(body, _)| bodies[body].mass[pair]));
         Self {
             body,
-            size,
             vectors,
-            elements: elements.len(),
-            components: components.collect(),
             masses: masses.collect(),
             units,
-        }
-    }
-
-    /// Number of lanes of a unit whose results count.
-    fn used(&self, unit: usize) -> usize {
-        (self.elements - unit * LANES).min(LANES)
-    }
-
-    fn gather(&self, unit: usize, full: &[f64], local: &mut [Lanes]) {
-        let own = &self.components[unit * self.size..(unit + 1) * self.size];
-        for (values, components) in local.iter_mut().zip(own) {
-            *values = components.map(|component| full[component as usize]);
         }
     }
 
@@ -114,30 +83,18 @@ impl Group {
         at: [&[f64]; 2],
         result: &'a mut [Lanes],
     ) -> ([&'a [Lanes]; 2], &'a mut [Lanes]) {
-        let (q, rest) = result.split_at_mut(self.size);
-        let (v, rest) = rest.split_at_mut(self.size);
-        self.gather(unit, at[0], q);
-        self.gather(unit, at[1], v);
+        let (q, rest) = result.split_at_mut(self.units.size);
+        let (v, rest) = rest.split_at_mut(self.units.size);
+        self.units.gather(unit, at[0], q);
+        self.units.gather(unit, at[1], v);
         ([q, v], rest)
     }
 
-    /// Lane by lane where there are too few elements to fill a unit.
-    fn lone(&self) -> bool {
-        self.elements < LANES
-    }
-
     fn unit_force(&self, parts: &dyn Parts, unit: usize, [q, v]: [&[Lanes]; 2], force: &mut [Lanes]) {
-        let n = self.size;
-        if !self.lone() {
-            parts.elastic_force4(&self.units[unit], q, v, force);
-            return;
-        }
-        for lane in 0..self.used(unit) {
-            let (body, element) = self.units[unit][lane];
-            let [q, v] = [q, v].map(|all| lane_of(all, lane));
-            let mut own = [0.0; MAX_SIZE];
-            parts.elastic_force(body, element, &q[..n], &v[..n], &mut own[..n]);
-            force.iter_mut().zip(own).for_each(|(sum, value)| sum[lane] += value);
+        if self.units.are_few() {
+            elastic_force_one_by_one(parts, self.units.used(unit), q, v, force);
+        } else {
+            parts.elastic_force4(self.units.all(unit), q, v, force);
         }
     }
 
@@ -148,19 +105,10 @@ impl Group {
         [q, v]: [&[Lanes]; 2],
         [stiffness, damping]: [&mut [Lanes]; 2],
     ) {
-        let n = self.size;
-        if !self.lone() {
-            parts.elastic_tangent4(&self.units[unit], q, v, stiffness, damping);
-            return;
-        }
-        for lane in 0..self.used(unit) {
-            let (body, element) = self.units[unit][lane];
-            let [q, v] = [q, v].map(|all| lane_of(all, lane));
-            let [mut k, mut c] = [vec![0.0; n * n], vec![0.0; n * n]];
-            parts.elastic_tangent(body, element, &q[..n], &v[..n], &mut k, &mut c);
-            for (sums, values) in [(&mut *stiffness, k), (&mut *damping, c)] {
-                sums.iter_mut().zip(values).for_each(|(sum, value)| sum[lane] += value);
-            }
+        if self.units.are_few() {
+            elastic_tangent_one_by_one(parts, self.units.used(unit), q, v, stiffness, damping);
+        } else {
+            parts.elastic_tangent4(self.units.all(unit), q, v, stiffness, damping);
         }
     }
 
@@ -170,7 +118,7 @@ impl Group {
             matrix.fill([0.0; LANES]);
             return;
         }
-        let (count, d, n) = (self.vectors, axes.len(), self.size);
+        let (count, d, n) = (self.vectors, axes.len(), self.units.size);
         let masses = &self.masses[unit * count * count..(unit + 1) * count * count];
         for (row, values) in matrix.chunks_exact_mut(n).enumerate() {
             let (a, i) = (row / d, axes[row % d]);
@@ -185,21 +133,21 @@ impl Group {
 
     /// Adds the elastic forces of all elements.
     pub fn add_forces(&self, parts: &dyn Parts, at: [&[f64]; 2], results: &mut Vec<Lanes>, force: &mut [f64]) {
-        let n = self.size;
+        let n = self.units.size;
         let evaluate = |unit: usize, result: &mut [Lanes]| {
             let (local, force) = self.begin_local(unit, at, result);
             force.fill([0.0; LANES]);
             self.unit_force(parts, unit, local, force);
         };
         let add = |unit: usize, result: &[Lanes]| {
-            let own = &self.components[unit * n..(unit + 1) * n];
-            for lane in 0..self.used(unit) {
+            let own = self.units.components(unit);
+            for lane in 0..self.units.used(unit).len() {
                 for (components, values) in own.iter().zip(&result[2 * n..]) {
                     force[components[lane] as usize] += values[lane];
                 }
             }
         };
-        in_order(self.units.len(), 3 * n, results, evaluate, add);
+        in_order(self.units.count(), 3 * n, results, evaluate, add);
     }
 
     /// Evaluates the derivatives of elastic forces by q and by q' of all elements, which start from
@@ -214,7 +162,7 @@ impl Group {
         results: &mut Vec<Lanes>,
         mut call: impl FnMut((usize, usize), [&[Lanes]; 2], usize, bool),
     ) {
-        let square = self.size * self.size;
+        let square = self.units.size * self.units.size;
         let evaluate = |unit: usize, result: &mut [Lanes]| {
             let (local, matrices) = self.begin_local(unit, at, result);
             let (stiffness, damping) = matrices.split_at_mut(square);
@@ -223,13 +171,19 @@ impl Group {
             self.unit_tangent(parts, unit, local, [stiffness, damping]);
         };
         let add = |unit: usize, result: &[Lanes]| {
-            let (stiffness, damping) = result[2 * self.size..].split_at(square);
+            let (stiffness, damping) = result[2 * self.units.size..].split_at(square);
             let damps = damping.iter().flatten().fold(false, |any, &value| any | (value != 0.0));
-            for lane in 0..self.used(unit) {
-                call(self.units[unit][lane], [stiffness, damping], lane, damps);
+            for (lane, &element) in self.units.used(unit).iter().enumerate() {
+                call(element, [stiffness, damping], lane, damps);
             }
         };
-        in_order(self.units.len(), 2 * (self.size + square), results, evaluate, add);
+        in_order(
+            self.units.count(),
+            2 * (self.units.size + square),
+            results,
+            evaluate,
+            add,
+        );
     }
 }
 
@@ -261,13 +215,4 @@ pub(super) fn in_order(
             add(first + unit, result);
         }
     }
-}
-
-/// One lane.
-fn lane_of(all: &[Lanes], lane: usize) -> [f64; MAX_SIZE] {
-    let mut own = [0.0; MAX_SIZE];
-    for (value, lanes) in own.iter_mut().zip(all) {
-        *value = lanes[lane];
-    }
-    own
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::assembly::{Connectivity, Numbering, Scatter};
+use super::assembly::{Connectivity, Scatter};
 use super::batches::groups;
 use super::conditions::{Condition, condition, joint_data, vector_kinds};
 use super::evaluate::TurnedColumns;
@@ -115,7 +115,6 @@ impl MeshScene {
             settled: Vec::new(),
             borders: Vec::new(),
             groups: Vec::new(),
-            numbering: Numbering::new(&layout),
             pattern: Pattern::new(0, 0, []),
             parts,
             conditions,

@@ -9,6 +9,7 @@ use super::evaluate::MAX_SIZE;
 use super::parts::Fidelity;
 use super::repeated::{DensitySpec, LANES};
 use super::scene::{MeshBody, MeshScene};
+use super::units::Units;
 use crate::error::ModelError;
 use crate::system::Sums;
 use crate::vector::{Vector, add, cross, dot, scale};
@@ -152,12 +153,15 @@ impl MeshScene {
                 continue;
             };
             let spec = &self.densities[first].spec;
-            let sizes = [self.bodies[spec.body].spec.element_size(), spec.values];
+            let size = self.bodies[spec.body].spec.element_size();
             let components = |(density, element): (usize, usize)| {
                 let body: usize = self.densities[density].spec.body;
                 self.bodies[body].connectivity.element(element)
             };
-            all.push(Batches::new(&elements, sizes, components));
+            all.push(Batches {
+                values: spec.values,
+                units: Units::new(&elements, size, components),
+            });
         }
         all
     }
@@ -329,7 +333,7 @@ impl MeshScene {
             let evaluate = |unit: usize, result: &mut [[f64; LANES]]| scene.evaluate_density(of, unit, &values, result);
             let add_unit = |unit: usize, result: &[[f64; LANES]]| {
                 let result = of.evaluated(result);
-                for (lane, &(density, element)) in of.units[unit].iter().enumerate().take(of.used(unit)) {
+                for (lane, &(density, element)) in of.units.used(unit).iter().enumerate() {
                     let body = &scene.bodies[scene.densities[density].spec.body];
                     let components = body.connectivity.element(element);
                     if let Some(free) = scene.free_of[body.frame] {
@@ -340,7 +344,7 @@ impl MeshScene {
                     if let Some(axes) = scene.axes_of(body) {
                         let mut force: [f64; MAX_SIZE] =
                             std::array::from_fn(|i| result.force.get(i).map_or(0.0, |force| force[lane]));
-                        let vectors = force[..of.size].chunks_exact_mut(axes.d);
+                        let vectors = force[..of.units.size].chunks_exact_mut(axes.d);
                         vectors.for_each(|vector| axes.vector(vector, false));
                         for (&component, value) in components.iter().zip(force) {
                             forces[component] -= load_scale * value;
@@ -352,7 +356,7 @@ impl MeshScene {
                     }
                 }
             };
-            in_order(of.units.len(), of.width(false), &mut results, evaluate, add_unit);
+            in_order(of.units.count(), of.width(false), &mut results, evaluate, add_unit);
         }
         (self.buffers.lanes, self.buffers.force) = (results, forces);
         for (free, rows) in on_frames.into_iter().enumerate() {
@@ -408,7 +412,7 @@ impl MeshScene {
             let evaluate = |unit: usize, result: &mut [[f64; LANES]]| scene.evaluate_density(of, unit, &values, result);
             let add_unit = |unit: usize, result: &[[f64; LANES]]| {
                 let result = of.evaluated(result);
-                for (lane, &(density, element)) in of.units[unit].iter().enumerate().take(of.used(unit)) {
+                for (lane, &(density, element)) in of.units.used(unit).iter().enumerate() {
                     if summed != Some(density) {
                         if let Some(before) = summed {
                             scene.add_total(before, t, &total, &mut shared, out);
@@ -417,11 +421,12 @@ impl MeshScene {
                         total.clear(scene.densities[density].components.len(), of.values);
                     }
                     let body = &scene.bodies[scene.densities[density].spec.body];
-                    let places = &scene.densities[density].places[element * of.size..(element + 1) * of.size];
+                    let places =
+                        &scene.densities[density].places[element * of.units.size..(element + 1) * of.units.size];
                     if let Some(axes) = scene.axes_of(body) {
                         let own = |all: &[[f64; LANES]]| -> Vec<f64> { all.iter().map(|all| all[lane]).collect() };
                         let (mut by_q, mut by_values) = (own(result.by_q), own(result.by_values));
-                        axes.matrix(&mut by_q, of.size);
+                        axes.matrix(&mut by_q, of.units.size);
                         axes.rows(&mut by_values, of.values);
                         total.add_values(places, load_scale, |entry| by_values[entry]);
                         let (stiffness, factor) = out.all_stiffness();
@@ -439,7 +444,7 @@ impl MeshScene {
                     }
                 }
             };
-            in_order(of.units.len(), of.width(true), &mut results, evaluate, add_unit);
+            in_order(of.units.count(), of.width(true), &mut results, evaluate, add_unit);
             if let Some(last) = summed {
                 scene.add_total(last, t, &total, &mut shared, out);
             }

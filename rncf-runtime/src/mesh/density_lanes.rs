@@ -5,23 +5,15 @@ use super::density_sums::ROWS;
 use super::evaluate::MAX_SIZE;
 use super::repeated::LANES;
 use super::scene::{MeshBody, MeshScene};
+use super::units::{Lanes, Units};
 use crate::lanes::{Kernel, Lanes as Instructions, Real, run};
-
-/// Numbers side by side, one of each element.
-pub(super) type Lanes = [f64; LANES];
 
 /// Elements of one kind of density, four by four.
 pub(super) struct Batches {
-    /// Degrees of freedom of an element.
-    pub size: usize,
     /// Number of values.
     pub values: usize,
-    /// Number of elements.
-    elements: usize,
-    /// Density and element in every lane; the last unit repeats its last one.
-    pub units: Vec<[(usize, usize); LANES]>,
-    /// Components in the full arrays, unit by unit.
-    components: Vec<[u32; LANES]>,
+    /// Density and element.
+    pub units: Units,
 }
 
 /// Values and nodal vectors of four elements, and what was computed with them.
@@ -38,36 +30,9 @@ pub(super) struct Evaluated<'a> {
 }
 
 impl Batches {
-    /// Of elements (density and element) of one kind, whose components `of` gives.
-    pub fn new<'a>(
-        elements: &[(usize, usize)],
-        [size, values]: [usize; 2],
-        of: impl Fn((usize, usize)) -> &'a [usize],
-    ) -> Self {
-        let units: Vec<[(usize, usize); LANES]> = elements
-            .chunks(LANES)
-            .map(|chunk| std::array::from_fn(|lane| chunk[lane.min(chunk.len() - 1)]))
-            .collect();
-        let places = units.iter().flat_map(|unit| (0..size).map(move |place| (unit, place)));
-        Self {
-            size,
-            values,
-            elements: elements.len(),
-            components: places
-                .map(|(unit, place)| unit.map(|element| of(element)[place] as u32))
-                .collect(),
-            units,
-        }
-    }
-
-    /// Number of lanes of a unit whose results count.
-    pub fn used(&self, unit: usize) -> usize {
-        (self.elements - unit * LANES).min(LANES)
-    }
-
     /// Numbers that a unit needs for forces, or with derivatives.
     pub fn width(&self, with_derivatives: bool) -> usize {
-        let (n, k) = (self.size, self.values);
+        let (n, k) = (self.units.size, self.values);
         let forces = k + 2 * n + ROWS;
         if with_derivatives {
             forces + (n + ROWS) * (n + k)
@@ -78,7 +43,7 @@ impl Batches {
 
     /// Takes the results of a unit apart.
     pub fn evaluated<'a>(&self, result: &'a [Lanes]) -> Evaluated<'a> {
-        let (n, k) = (self.size, self.values);
+        let (n, k) = (self.units.size, self.values);
         let (force, rest) = result[k + n..].split_at(n);
         let (rows, rest) = rest.split_at(ROWS);
         let length = |length: usize| if rest.is_empty() { 0 } else { length };
@@ -100,8 +65,8 @@ impl MeshScene {
     /// Evaluates a unit into `result`, with derivatives where there is room for them; `values` are those of all
     /// densities, those of one next to each other.
     pub(super) fn evaluate_density(&self, of: &Batches, unit: usize, values: &[Vec<f64>], result: &mut [Lanes]) {
-        let (n, k) = (of.size, of.values);
-        let lanes = &of.units[unit];
+        let (n, k) = (of.units.size, of.values);
+        let lanes = of.units.all(unit);
         let elements = lanes.map(|(density, element)| (self.density_body(density), element));
         let (own_values, rest) = result.split_at_mut(k);
         for (lane, &(density, _)) in lanes.iter().enumerate() {
@@ -117,10 +82,7 @@ impl MeshScene {
                 q.iter_mut().zip(own).for_each(|(to, from)| to[lane] = from);
             }
         } else {
-            let components = &of.components[unit * n..(unit + 1) * n];
-            for (to, components) in q.iter_mut().zip(components) {
-                *to = components.map(|component| self.buffers.q[component as usize]);
-            }
+            of.units.gather(unit, &self.buffers.q, q);
         }
         rest.fill([0.0; LANES]);
         let (force, rest) = rest.split_at_mut(n);

@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use super::batches::{Blocks, Lanes};
+use super::batches::Blocks;
 use super::conditions::Condition;
 use super::inertia::Transport;
 use super::inertia_tangent::Combination;
 use super::moments::turned_by_moments;
 use super::parts::{LoadKind, Prescribed};
 use super::scene::{Buffers, MeshBody, MeshScene, PlaceVector, Regime};
+use super::units::Lanes;
 use crate::linalg::Pattern;
 use crate::model::Scene;
 use crate::rotation::Rotation;
@@ -106,9 +107,9 @@ impl MeshScene {
                 *frame = frame.steady(scale);
             }
         }
-        self.numbering.expand(x, &mut buffers.q);
-        self.numbering.expand(v, &mut buffers.v);
-        self.numbering.expand(a, &mut buffers.a);
+        self.layout.expand(x, &mut buffers.q);
+        self.layout.expand(v, &mut buffers.v);
+        self.layout.expand(a, &mut buffers.a);
         let border = self.layout.vector_components();
         for frame in &self.free {
             let own = border + frame.first..border + frame.first + frame.count();

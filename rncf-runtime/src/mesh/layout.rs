@@ -15,6 +15,9 @@ pub enum VectorKind {
     Prescribed,
 }
 
+/// Component, unknown and factor.
+type Odd = (usize, usize, f64);
+
 /// Numbering of all nodal vectors.
 #[derive(Clone, Debug)]
 pub struct Layout {
@@ -23,6 +26,9 @@ pub struct Layout {
     offsets: Vec<usize>,
     /// For every component: the unknown it depends on and the factor.
     map: Vec<Option<(usize, f64)>>,
+    /// The same, as blocks to copy: first component, first unknown, number; and components with a factor.
+    blocks: Vec<[usize; 3]>,
+    odd: Vec<Odd>,
     /// For every vector the one whose value is that of all vectors of its node: itself, where it is not shared.
     leaders: Vec<usize>,
     /// Vector and component of every unknown of vectors.
@@ -74,10 +80,13 @@ impl Layout {
             offsets.push(map.len());
         }
         map.extend((unknowns..unknowns + border).map(|unknown| Some((unknown, 1.0))));
+        let (blocks, odd) = in_blocks(&map);
         Self {
             kinds,
             offsets,
             map,
+            blocks,
+            odd,
             leaders,
             origins,
             unknowns: unknowns + border,
@@ -121,20 +130,24 @@ impl Layout {
 
     /// `full = E x` on components that depend on an unknown; the others stay.
     pub fn expand(&self, x: &[f64], full: &mut [f64]) {
-        for (value, entry) in full.iter_mut().zip(&self.map) {
-            if let Some((unknown, factor)) = entry {
-                *value = factor * x[*unknown];
-            }
+        for &[component, unknown, count] in &self.blocks {
+            full[component..component + count].copy_from_slice(&x[unknown..unknown + count]);
+        }
+        for &(component, unknown, factor) in &self.odd {
+            full[component] = factor * x[unknown];
         }
     }
 
     /// `x = E^T full`: forces on unknowns.
     pub fn project(&self, full: &[f64], x: &mut [f64]) {
         x.fill(0.0);
-        for (value, entry) in full.iter().zip(&self.map) {
-            if let Some((unknown, factor)) = entry {
-                x[*unknown] += factor * value;
-            }
+        for &[component, unknown, count] in &self.blocks {
+            let sums = x[unknown..unknown + count].iter_mut();
+            sums.zip(&full[component..component + count])
+                .for_each(|(sum, value)| *sum += value);
+        }
+        for &(component, unknown, factor) in &self.odd {
+            x[unknown] += factor * full[component];
         }
     }
 
@@ -159,6 +172,24 @@ impl Layout {
     pub fn origins(&self) -> &[(usize, usize)] {
         &self.origins
     }
+}
+
+/// Components that follow each other as their unknowns do, and those with a factor.
+fn in_blocks(map: &[Option<(usize, f64)>]) -> (Vec<[usize; 3]>, Vec<Odd>) {
+    let (mut blocks, mut odd): (Vec<[usize; 3]>, Vec<_>) = (Vec::new(), Vec::new());
+    for (component, entry) in map.iter().enumerate() {
+        match (*entry, blocks.last_mut()) {
+            (None, _) => {}
+            (Some((unknown, factor)), _) if factor != 1.0 => odd.push((component, unknown, factor)),
+            (Some((unknown, _)), Some([first, start, count]))
+                if *first + *count == component && *start + *count == unknown =>
+            {
+                *count += 1;
+            }
+            (Some((unknown, _)), _) => blocks.push([component, unknown, 1]),
+        }
+    }
+    (blocks, odd)
 }
 
 /// How many of the first `count` components are not held.

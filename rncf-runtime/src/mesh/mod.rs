@@ -49,6 +49,7 @@ mod symmetry;
 mod system;
 mod undeformed;
 mod uniform;
+mod units;
 mod view;
 mod whirl;
 

@@ -1,4 +1,4 @@
-//! Four elements, one after the other: for kernels that are not written for lanes.
+//! Up to four elements, one after the other: for kernels that are not written for lanes, and where there are fewer.
 
 use super::evaluate::MAX_SIZE;
 use super::parts::Parts;
@@ -16,7 +16,7 @@ fn lane_of(all: &[[f64; LANES]], lane: usize) -> [f64; MAX_SIZE] {
 /// [`Parts::elastic_force4`] by [`Parts::elastic_force`].
 pub fn elastic_force_one_by_one<P: Parts + ?Sized>(
     parts: &P,
-    elements: &[(usize, usize); LANES],
+    elements: &[(usize, usize)],
     q: &[[f64; LANES]],
     v: &[[f64; LANES]],
     force: &mut [[f64; LANES]],
@@ -36,7 +36,7 @@ pub fn elastic_force_one_by_one<P: Parts + ?Sized>(
 /// [`Parts::elastic_tangent4`] by [`Parts::elastic_tangent`].
 pub fn elastic_tangent_one_by_one<P: Parts + ?Sized>(
     parts: &P,
-    elements: &[(usize, usize); LANES],
+    elements: &[(usize, usize)],
     q: &[[f64; LANES]],
     v: &[[f64; LANES]],
     stiffness: &mut [[f64; LANES]],

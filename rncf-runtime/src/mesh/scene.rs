@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::assembly::{Connectivity, Numbering, Scatter};
+use super::assembly::{Connectivity, Scatter};
 use super::batches::Group;
 use super::conditions::Condition;
 use super::density::Density;
@@ -208,7 +208,6 @@ pub struct MeshScene {
     pub(super) borders: Vec<Border>,
     /// Elements that are evaluated side by side.
     pub(super) groups: Vec<Group>,
-    pub(super) numbering: Numbering,
     pub(super) layout: Layout,
     pub(super) pattern: Pattern,
     pub(super) constraint_pattern: Pattern,

@@ -48,7 +48,7 @@ impl System for MeshScene {
     fn residual(&mut self, state: &State, out: &mut [f64]) {
         self.load_state(state);
         self.full_force(state.t, 1.0);
-        self.numbering.project(&self.buffers.force, out);
+        self.layout.project(&self.buffers.force, out);
     }
 
     fn tangent(&mut self, state: &State, out: &mut Tangent) {

@@ -398,8 +398,8 @@ fn vectors_that_are_one_have_the_leaders_value_and_the_sum_of_forces() {
     let mut x = [7.0; 5];
     layout.unknowns_of(&full, &mut x);
     assert_eq!(x, [5.0, 6.0, 3.0, 4.0, 0.0]);
-    let mut spread = full.to_vec();
-    spread.push(0.0);
+    let full = [&full[..], &[0.0]].concat();
+    let mut spread = full.clone();
     layout.expand(&x, &mut spread);
     assert_eq!(spread, [9.0, 9.0, 5.0, 6.0, 3.0, 4.0, 5.0, 6.0, 0.0]);
     layout.project(&full, &mut x);
