@@ -5,9 +5,11 @@ use std::path::PathBuf;
 
 use clap::{Arg, ArgAction, ArgMatches};
 
+use super::advise::{self, AdviseSettings};
+use super::chart::{self, ChartSettings};
 use super::command::{Command, Frequency};
 use super::help::{about, after_help};
-use super::parameters::{angular_velocity, assign, time};
+use super::parameters::{List, angular_velocity, assign, time};
 use super::run::RunSettings;
 use super::sweep::SweepSettings;
 use crate::equilibrium::Spin;
@@ -20,6 +22,10 @@ pub(super) struct Arguments<M> {
     pub model: M,
     pub settings: RunSettings,
     pub sweep: SweepSettings,
+    pub chart: ChartSettings,
+    pub advise: AdviseSettings,
+    /// Parameters of which several values are tried.
+    pub lists: Vec<List>,
     pub frequency: Frequency,
     pub out: PathBuf,
     pub quiet: bool,
@@ -75,13 +81,19 @@ fn read<M: Model>(program: &Program<'_>, matches: &ArgMatches) -> Result<Argumen
         words.remove(0);
     }
     let mut model = M::default();
-    let range = assign(&mut model, &words)?;
+    let assigned = assign(&mut model, &words)?;
     let command = command.unwrap_or(program.default);
     refuse(command, matches)?;
-    if let (Command::Run, Some(range)) = (command, range) {
-        let name = M::params()[range.param].name;
+    if let (true, Some(range)) = (command.runs(), assigned.range) {
+        let (name, command) = (M::params()[range.param].name, command.name());
         return Err(format!(
-            "`{name}` is given as a range, which `run` does not take: give one value, or use steady, campbell or static"
+            "`{name}` is given as a range, which `{command}` does not take: give one value, or use steady, campbell or static"
+        ));
+    }
+    if let (false, [list, ..]) = (command.takes_lists(), &assigned.lists[..]) {
+        let (name, command) = (M::params()[list.param].name, command.name());
+        return Err(format!(
+            "`{name}` is given as a list, which `{command}` does not take: give one value, or use chart or advise"
         ));
     }
     let out = matches.get_one::<PathBuf>("out").cloned();
@@ -90,9 +102,12 @@ fn read<M: Model>(program: &Program<'_>, matches: &ArgMatches) -> Result<Argumen
         model,
         settings: settings(matches)?,
         sweep: SweepSettings {
-            range,
+            range: assigned.range,
             ..sweep(matches)?
         },
+        chart: chart::settings::<M>(matches)?,
+        advise: advise::settings::<M>(matches)?,
+        lists: assigned.lists,
         frequency: text(matches, "frequency").map_or_else(Frequency::default, Frequency::named),
         out: out.unwrap_or_else(|| program.out.clone()),
         quiet: matches.get_flag("quiet"),
@@ -110,7 +125,7 @@ fn refuse(command: Command, matches: &ArgMatches) -> Result<(), String> {
             return Err(refusal);
         }
     }
-    if command != Command::Run && text(matches, "formulation") == Some("ancf") {
+    if !command.runs() && text(matches, "formulation") == Some("ancf") {
         return Err(
             "`--formulation ancf` belongs to `run`: an equilibrium is one of referenced coordinates, with the same result"
                 .into(),
@@ -241,11 +256,11 @@ fn method(matches: &ArgMatches) -> Result<Method, String> {
     })
 }
 
-fn text<'m>(matches: &'m ArgMatches, name: &str) -> Option<&'m str> {
+pub(super) fn text<'m>(matches: &'m ArgMatches, name: &str) -> Option<&'m str> {
     matches.get_one::<String>(name).map(String::as_str)
 }
 
-fn number(matches: &ArgMatches, name: &str) -> Result<Option<f64>, String> {
+pub(super) fn number(matches: &ArgMatches, name: &str) -> Result<Option<f64>, String> {
     let read = |text: &str| match text.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         _ => Err(format!("`--{name} {text}`: a number without a unit is needed")),
@@ -370,6 +385,8 @@ fn command_line<M: Model>(program: &Program<'_>) -> clap::Command {
             "Write animation.html: the bodies over time, in any browser",
         ))
         .arg(flag("vtu", "Write paraview.pvd: the bodies over time, for ParaView"))
+        .args(chart::flags())
+        .args(advise::flags())
         .arg(flag("quiet", "No progress and no summary"))
 }
 

@@ -15,16 +15,22 @@ pub enum Command {
     Campbell,
     /// Equilibria at rest over the load or a parameter.
     Static,
+    /// Error over work of formulations, meshes, methods and tolerances.
+    Chart,
+    /// The cheapest model that suffices.
+    Advise,
 }
 
 impl Command {
     /// All of them, as they stand in the help.
-    pub(super) const ALL: [Command; 5] = [
+    pub(super) const ALL: [Command; 7] = [
         Command::Run,
         Command::Steady,
         Command::Modes,
         Command::Campbell,
         Command::Static,
+        Command::Chart,
+        Command::Advise,
     ];
 
     /// The word on the command line.
@@ -35,6 +41,8 @@ impl Command {
             Command::Modes => "modes",
             Command::Campbell => "campbell",
             Command::Static => "static",
+            Command::Chart => "chart",
+            Command::Advise => "advise",
         }
     }
 
@@ -51,16 +59,36 @@ impl Command {
             Command::Modes => "Frequencies, damping and whirl of small motions about the relative equilibrium",
             Command::Campbell => "Campbell diagram: modes over the spin, or along name=from..to; critical speeds",
             Command::Static => "Equilibria at rest, the loads growing from nothing, or along name=from..to; buckling",
+            Command::Chart => {
+                "Error over work of formulations, meshes (name=4,8,16), methods and tolerances; the cheapest for an accuracy"
+            }
+            Command::Advise => {
+                "The cheapest description of the bodies, and mesh, that gives the outputs to a wanted accuracy"
+            }
         }
+    }
+
+    /// Whether it integrates in time.
+    pub(super) fn runs(self) -> bool {
+        matches!(self, Command::Run | Command::Chart | Command::Advise)
+    }
+
+    /// Whether it tries several values of a parameter, `name=a,b,c`.
+    pub(super) fn takes_lists(self) -> bool {
+        matches!(self, Command::Chart | Command::Advise)
     }
 
     /// Whether it takes the flag; flags that no list names are for all.
     fn takes(self, flag: &str) -> bool {
         match flag {
-            "integrator" | "rtol" | "step" | "max-step" | "alpha" | "rho-inf" | "start" | "every" | "t-end"
-            | "stabilised" | "no-elimination" | "animate" | "vtu" => self == Command::Run,
+            "start" | "every" | "t-end" | "stabilised" | "no-elimination" | "max-step" => self.runs(),
+            "integrator" | "rtol" | "alpha" | "rho-inf" => matches!(self, Command::Run | Command::Advise),
+            "step" | "animate" | "vtu" => self == Command::Run,
+            "formulation" => self != Command::Chart,
+            "formulations" | "integrators" | "rtols" | "reference" | "beside" => self == Command::Chart,
+            "outputs" | "wanted" | "fresh" | "limit" => matches!(self, Command::Chart | Command::Advise),
             "steps" => matches!(self, Command::Steady | Command::Campbell | Command::Static),
-            "at" => self != Command::Run,
+            "at" => !self.runs(),
             "spin" | "axis" => matches!(self, Command::Steady | Command::Modes | Command::Campbell),
             "modes" | "frequency" => matches!(self, Command::Modes | Command::Campbell),
             _ => true,
@@ -78,7 +106,16 @@ impl Command {
             .map(|command| format!("`{}`", command.name()))
             .collect();
         let why = match (self, flag) {
-            (Command::Run, _) => "a run in time looks for no equilibrium",
+            (
+                _,
+                "formulations" | "integrators" | "rtols" | "reference" | "beside" | "outputs" | "wanted" | "fresh"
+                | "limit",
+            ) => "it compares no runs",
+            (Command::Chart, "formulation" | "integrator" | "rtol" | "alpha" | "rho-inf") => {
+                "give lists, `--formulations`, `--integrators` or `--rtols`"
+            }
+            (Command::Chart | Command::Advise, "step" | "animate" | "vtu") => "it compares many runs",
+            (Command::Run | Command::Chart | Command::Advise, _) => "a run in time looks for no equilibrium",
             (_, "no-elimination") => "equilibria eliminate all joints that they can",
             (_, "t-end") => "the time whose spin and loads hold is `--at`",
             (Command::Static, "spin" | "axis") => "nothing turns at rest",

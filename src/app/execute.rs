@@ -15,7 +15,7 @@ use super::progress::Bar;
 use super::run::{Incomplete, RunError, run_watched};
 use super::steady::equilibria;
 use super::summary::{self, Summary};
-use super::{files, report};
+use super::{advise, chart, files, report};
 use crate::Model;
 use crate::equilibrium::Kind;
 
@@ -61,6 +61,8 @@ pub(super) fn execute<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn()
         Command::Static => execute_equilibria(arguments, Kind::Static, interrupted),
         Command::Modes => execute_modes(arguments),
         Command::Campbell => execute_campbell(arguments, interrupted),
+        Command::Chart => chart::execute(arguments, interrupted),
+        Command::Advise => advise::execute(arguments, interrupted),
     }
 }
 

@@ -8,9 +8,11 @@
 //! and the report (HTML). [`run`], [`steady`], [`modes`], [`campbell`] and [`static_equilibria`] do the
 //! same work in memory and print nothing.
 
+mod advise;
 mod arguments;
 mod campbell;
 mod cautions;
+mod chart;
 pub mod charts;
 mod clock;
 mod command;

@@ -6,21 +6,47 @@ use super::sweep::Range;
 use super::units::{Dimension, Number, SECOND, Unit};
 use crate::{Model, Param, ParamKind};
 
-/// Sets the parameters of a model from words `name=value`, or `name=from..to` of the one that is continued,
-/// which is set to its last value and returned.
+/// Several values of a parameter, each of which is tried.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct List {
+    /// Index in [`Model::params`].
+    pub param: usize,
+    /// At least two different values, SI, in the order in which they are given.
+    pub values: Vec<f64>,
+}
+
+/// What is given of parameters besides single values.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Assigned {
+    /// The one that is continued.
+    pub range: Option<Range>,
+    /// Those of which several values are tried.
+    pub lists: Vec<List>,
+}
+
+/// Sets the parameters of a model from words `name=value`, `name=from..to` of the one that is continued, or
+/// `name=a,b,c`; ranges and lists are returned and set to their last value.
 ///
 /// # Errors
 /// All mistakes, one a line: each with the word and what would be right.
-pub(super) fn assign<M: Model>(model: &mut M, words: &[String]) -> Result<Option<Range>, String> {
+pub(super) fn assign<M: Model>(model: &mut M, words: &[String]) -> Result<Assigned, String> {
     let mut given = vec![false; M::params().len()];
     let mut mistakes = Vec::new();
-    let mut continued: Option<Range> = None;
+    let (mut continued, mut lists): (Option<Range>, Vec<List>) = (None, Vec::new());
     for word in words {
         match read::<M>(word) {
-            Ok(range) if given[range.param] => {
+            Ok(Given::One(range) | Given::Several(range, _)) if given[range.param] => {
                 mistakes.push(format!("`{}` is given twice", M::params()[range.param].name));
             }
-            Ok(range) => {
+            Ok(Given::Several(last, values)) => {
+                given[last.param] = true;
+                model.set(last.param, last.to);
+                lists.push(List {
+                    param: last.param,
+                    values,
+                });
+            }
+            Ok(Given::One(range)) => {
                 given[range.param] = true;
                 model.set(range.param, range.to);
                 if range.from == range.to {
@@ -38,14 +64,25 @@ pub(super) fn assign<M: Model>(model: &mut M, words: &[String]) -> Result<Option
         }
     }
     if mistakes.is_empty() {
-        Ok(continued)
+        Ok(Assigned {
+            range: continued,
+            lists,
+        })
     } else {
         Err(mistakes.join("\n"))
     }
 }
 
-/// The parameter with its value in SI, `from` and `to` being equal unless a range is given.
-fn read<M: Model>(word: &str) -> Result<Range, String> {
+/// What a word gives.
+enum Given {
+    /// A value, `from` and `to` being equal, or a range.
+    One(Range),
+    /// Several values and the last one of them.
+    Several(Range, Vec<f64>),
+}
+
+/// The parameter with its value or values in SI.
+fn read<M: Model>(word: &str) -> Result<Given, String> {
     let Some((name, text)) = word.split_once('=') else {
         return Err(stray::<M>(word));
     };
@@ -59,6 +96,35 @@ fn read<M: Model>(word: &str) -> Result<Range, String> {
         ParamKind::Count => count(text),
         ParamKind::Quantity => quantity(text, param.unit, param.dimension),
     };
+    if text.contains(',') {
+        // The unit may stand once, at the end.
+        let unit = text
+            .rsplit(',')
+            .next()
+            .and_then(Number::split)
+            .map_or("", |(_, unit)| unit);
+        let one = |text: &str| {
+            let text = text.trim();
+            let is_bare = Number::split(text).is_some_and(|(_, unit)| unit.is_empty());
+            value(&if is_bare && !unit.is_empty() {
+                format!("{text} {unit}")
+            } else {
+                text.into()
+            })
+        };
+        let values: Result<Vec<f64>, String> = text.split(',').map(one).collect();
+        let values = values.map_err(|mistake| format!("`{name}={text}`: {mistake} (e.g. `{example}`)"))?;
+        if (1..values.len()).any(|i| values[..i].contains(&values[i])) {
+            return Err(format!("`{name}={text}`: a value is given twice"));
+        }
+        let last = values[values.len() - 1];
+        let range = Range {
+            param: index,
+            from: last,
+            to: last,
+        };
+        return Ok(Given::Several(range, values));
+    }
     let values = match text.split_once("..") {
         None => value(text).map(|value| (value, value)),
         Some(_) if param.kind == ParamKind::Count => {
@@ -77,7 +143,7 @@ fn read<M: Model>(word: &str) -> Result<Range, String> {
         }
     };
     match values {
-        Ok((from, to)) => Ok(Range { param: index, from, to }),
+        Ok((from, to)) => Ok(Given::One(Range { param: index, from, to })),
         Err(mistake) => Err(format!("`{name}={text}`: {mistake} (e.g. `{example}`)")),
     }
 }
@@ -234,7 +300,7 @@ mod tests {
     fn ranges_carry_their_unit_at_the_end_or_twice() {
         let mut rotor = Rotor::default();
         for word in ["omega=0..60 rpm", "omega=0 rad/s..60rpm"] {
-            let range = assign(&mut rotor, &[word.into()]).unwrap().unwrap();
+            let range = assign(&mut rotor, &[word.into()]).unwrap().range.unwrap();
             assert_eq!((range.param, range.from, range.to), (0, 0.0, rotor.omega));
             assert_eq!(rotor.omega, 60.0 * (std::f64::consts::PI / 30.0));
         }
@@ -243,6 +309,17 @@ mod tests {
             assign(&mut rotor, &words).unwrap_err(),
             "`loss` and `stiffness` are both given as ranges: one parameter is continued at a time"
         );
+    }
+
+    #[test]
+    fn lists_carry_their_unit_at_the_end_or_with_every_value() {
+        let mut rotor = Rotor::default();
+        let words = ["omega=30, 60 rpm", "coils=3,5"].map(String::from);
+        let lists = assign(&mut rotor, &words).unwrap().lists;
+        assert_eq!((lists[0].param, lists[1].values.clone()), (0, vec![3.0, 5.0]));
+        assert_eq!((lists[0].values[1], rotor.coils), (rotor.omega, 5));
+        assert_eq!(mistake("coils=3,3"), "`coils=3,3`: a value is given twice");
+        assert!(mistake("omega=1 rad/s,2").contains("the unit is missing"));
     }
 
     #[test]
@@ -311,7 +388,7 @@ mod tests {
             ),
             (
                 "whatever",
-                "`whatever` is neither a command (run, steady, modes, campbell, static) nor `name=value`",
+                "`whatever` is neither a command (run, steady, modes, campbell, static, chart, advise) nor `name=value`",
             ),
         ];
         for (word, expected) in cases {
