@@ -77,6 +77,8 @@ impl Measure {
 
 /// All that a chart shows.
 pub(super) struct Judged<'c> {
+    /// The model with the parameters that are not the default ones.
+    pub title: &'c str,
     pub grid: &'c Grid,
     pub references: &'c References,
     pub measure: &'c Measure,

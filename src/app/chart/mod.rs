@@ -30,6 +30,7 @@ use self::reference::{Unreferenced, references};
 use self::table::Table;
 use super::arguments::{Arguments, text};
 use super::execute::{FAILURE, Failure, INTERRUPTION, MISTAKE};
+use super::parameters::in_unit;
 use super::progress::Bar;
 use super::run::complete;
 use super::{files, report, summary};
@@ -128,6 +129,7 @@ pub(super) fn execute<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn()
     bar.clear();
     let points = points.map_err(|text| Failure::new(FAILURE, text))?;
     let judged = Judged {
+        title: &title(model, &grid),
         grid: &grid,
         references: &references,
         measure: &measure,
@@ -174,6 +176,19 @@ fn grid_of<M: Model>(arguments: &Arguments<M>) -> Result<(Grid, Vec<String>), Fa
     Ok((grid, refused))
 }
 
+/// The model with the parameters that are neither the default ones nor tried in several values.
+fn title<M: Model>(model: &M, grid: &Grid) -> String {
+    let counts = &grid.meshes[0].counts;
+    let mut title = M::NAME.to_owned();
+    for (index, param) in M::params().iter().enumerate() {
+        let value = model.get(index);
+        if value != param.default && counts.iter().all(|count| count.0 != index) {
+            title += &format!(", {} = {}", param.name, in_unit(param, value));
+        }
+    }
+    title
+}
+
 /// Removes what an earlier call has found.
 fn begin_anew(out: &std::path::Path) -> Result<(), Failure> {
     let told = |path: PathBuf, outcome: std::io::Result<()>| match outcome {
@@ -208,10 +223,10 @@ fn write<M: Model>(
     let notes = outcome::notes(judged, refused);
     let reason = is_interrupted.then(|| AGAIN.to_owned());
     let summary = outcome::summary(&arguments.model, judged, reason, &notes);
-    let page = report::page(&arguments.model, "chart", &summary, &outcome::part::<M>(judged));
+    let page = report::page(&arguments.model, "chart", &summary, &outcome::part(judged));
     let contents = [
-        ("chart_time.svg", time_chart::<M>(judged).to_svg(true)),
-        ("chart_work.svg", work_chart::<M>(judged).to_svg(true)),
+        ("chart_time.svg", time_chart(judged).to_svg(true)),
+        ("chart_work.svg", work_chart(judged).to_svg(true)),
         ("summary.json", summary::to_text(&summary)),
         ("report.html", page),
     ];

@@ -88,15 +88,15 @@ fn entry(judged: &Judged<'_>, point: &Point) -> Value {
 }
 
 /// Cheapest settings, charts, the time to each wanted error, and all points.
-pub(super) fn part<M: Model>(judged: &Judged<'_>) -> String {
+pub(super) fn part(judged: &Judged<'_>) -> String {
     let mut part = format!("<p>{}</p>\n<ul>\n", escape(&what(judged)));
     for line in judged.lines() {
         let _ = writeln!(part, "<li>{}</li>", escape(&line));
     }
     part += "</ul>\n";
     for (caption, chart) in [
-        ("Error over processor time", time_chart::<M>(judged)),
-        ("Error over work", work_chart::<M>(judged)),
+        ("Error over processor time", time_chart(judged)),
+        ("Error over work", work_chart(judged)),
     ] {
         let _ = write!(
             part,

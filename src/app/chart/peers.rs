@@ -118,13 +118,13 @@ mod tests {
     fn peers_are_judged_by_their_worst_output_and_refused_by_name() {
         let folder = temporary_folder("peers");
         files::create_folder(&folder).unwrap();
-        let read = |name: &str, lines: &[&str]| {
+        let found_in = |name: &str, lines: &[&str]| {
             files::write(&folder, name, &lines.join("\n")).unwrap();
             let outputs = [("u".to_owned(), 2.0), ("v".to_owned(), 0.5)];
-            super::read(&folder.join(name), &outputs)
+            read(&folder.join(name), &outputs)
         };
         let a = "other,h = 1e-3,u,2e-3,1e-3,1.5,20000";
-        let found = read(
+        let found = found_in(
             "a.csv",
             &[
                 HEAD,
@@ -153,7 +153,7 @@ mod tests {
             (&[HEAD, "other,1,u,1,0,1,1.5"], "line 2: `steps` is `1.5`"),
         ];
         for (lines, expected) in cases {
-            let refusal = read("b.csv", lines).unwrap_err();
+            let refusal = found_in("b.csv", lines).unwrap_err();
             assert!(refusal.contains(expected), "{refusal}");
         }
         fs::remove_dir_all(folder).unwrap();

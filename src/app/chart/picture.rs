@@ -5,7 +5,7 @@ use super::judged::Judged;
 use super::scatter::{Axis, Dot, Entry, Look, Marker, Panel, Scatter, Series};
 use super::select::front;
 use super::table::Point;
-use crate::{Formulation, Model};
+use crate::Formulation;
 
 /// Faintest shade of a mesh.
 const FAINT: f64 = 0.35;
@@ -18,13 +18,13 @@ const GREY: usize = 5;
 type Cost = fn(&Point) -> Option<f64>;
 
 /// Error over processor time.
-pub(super) fn time_chart<M: Model>(judged: &Judged<'_>) -> Scatter {
+pub(super) fn time_chart(judged: &Judged<'_>) -> Scatter {
     let peers = |index: usize| Some((judged.peers[index].cpu, judged.peers[index].error));
-    scatter::<M>(judged, vec![panel(judged, Axis::Time, |point| point.cpu, &peers)])
+    scatter(judged, vec![panel(judged, Axis::Time, |point| point.cpu, &peers)])
 }
 
 /// Error over steps, and over factorizations, which other codes do not tell.
-pub(super) fn work_chart<M: Model>(judged: &Judged<'_>) -> Scatter {
+pub(super) fn work_chart(judged: &Judged<'_>) -> Scatter {
     let steps = |index: usize| Some((judged.peers[index].steps as f64, judged.peers[index].error));
     let panels = vec![
         panel(
@@ -40,12 +40,12 @@ pub(super) fn work_chart<M: Model>(judged: &Judged<'_>) -> Scatter {
             &|_| None,
         ),
     ];
-    scatter::<M>(judged, panels)
+    scatter(judged, panels)
 }
 
-fn scatter<M: Model>(judged: &Judged<'_>, panels: Vec<Panel>) -> Scatter {
+fn scatter(judged: &Judged<'_>, panels: Vec<Panel>) -> Scatter {
     Scatter {
-        title: format!("{}: error over cost", M::NAME),
+        title: judged.title.into(),
         panels,
         legend: legend(judged),
     }

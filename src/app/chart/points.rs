@@ -9,7 +9,7 @@ use super::parallel::{Ended, on_all_cores, solve};
 use super::reference::References;
 use super::table::{Counts, Outcome, Point, Table};
 use crate::Model;
-use crate::app::run::{Incomplete, RunError, run_watched};
+use crate::app::run::{Incomplete, RunError, RunSettings, run_watched};
 
 /// A run is repeated until it has taken this processor time in all, s,
 const ENOUGH: f64 = 0.3;
@@ -158,7 +158,11 @@ fn measure_times<M: Model>(
     while !open.is_empty() {
         let mut waiting = Vec::new();
         for (point, mut spent) in open {
-            let settings = grid.run(&point.setting);
+            // Two rows: what is measured is the integration, not the observation of it, which is the same for all.
+            let settings = RunSettings {
+                every: grid.base.t_end,
+                ..grid.run(&point.setting)
+            };
             let watch = |_: &_| {
                 if interrupted() {
                     ControlFlow::Break(())

@@ -174,8 +174,8 @@ impl Panel {
             polyline(svg, &[(LEFT, height), (RIGHT, height)], &color(INK), 1.0, "2 4", 1.0);
             text(
                 svg,
-                (RIGHT - 6.0, height - 5.0),
-                "end",
+                (LEFT + 6.0, height + 16.0),
+                "start",
                 "3 x uncertainty of the reference",
             );
         }
