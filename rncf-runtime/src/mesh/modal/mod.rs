@@ -15,7 +15,7 @@ mod sources;
 #[cfg(test)]
 mod tests;
 
-pub use scene::build;
+pub use scene::{build, build_as};
 
 use elastic::Elastic;
 use invariants::{Action, Invariants, Motion};

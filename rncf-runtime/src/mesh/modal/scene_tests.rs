@@ -191,12 +191,7 @@ fn all_modes_move_and_react_as_the_whole_body() {
 
 #[test]
 fn few_modes_and_rigid_arms_hang_on_their_joint_with_all_their_weight() {
-    for fidelity in [
-        Fidelity::Modal(2),
-        Fidelity::Small(2),
-        Fidelity::Rigid,
-        Fidelity::Point,
-    ] {
+    for fidelity in [Fidelity::Modal(2), Fidelity::Small(2), Fidelity::Rigid, Fidelity::Point] {
         let mut arm = Arm::new(2, fidelity, false);
         (arm.spin, arm.linked) = (0.0, false);
         let mut scene = build(arm, Formulation::Rncf, Joints::Eliminated).unwrap();
