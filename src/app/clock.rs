@@ -50,6 +50,20 @@ fn cpu_time() -> Option<Duration> {
         .map(Duration::from)
 }
 
+/// Processor time of the calling thread alone; `None` where the system does not tell.
+#[cfg(unix)]
+pub(super) fn thread_cpu_time() -> Option<Duration> {
+    use nix::time::{ClockId, clock_gettime};
+    clock_gettime(ClockId::CLOCK_THREAD_CPUTIME_ID)
+        .ok()
+        .map(Duration::from)
+}
+
+#[cfg(not(unix))]
+pub(super) fn thread_cpu_time() -> Option<Duration> {
+    None
+}
+
 #[cfg(not(unix))]
 fn cpu_time() -> Option<Duration> {
     None

@@ -57,6 +57,16 @@ impl Bar {
         self.bar.set_message(digits(progress.key, 5));
     }
 
+    /// Shows which part of something is done.
+    pub fn show_share(&mut self, share: f64, what: &str) {
+        if self.bar.is_hidden() || self.drawn.elapsed() < PAUSE {
+            return;
+        }
+        self.drawn = Instant::now();
+        self.bar.set_position((share * PARTS as f64) as u64);
+        self.bar.set_message(what.to_owned());
+    }
+
     /// Takes the bar away; the summary follows in its place.
     pub fn clear(&self) {
         self.bar.finish_and_clear();

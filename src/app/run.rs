@@ -240,7 +240,10 @@ pub fn run_watched<M: Model>(
 }
 
 /// The settings with the model's times where none are given.
-fn complete(settings: &RunSettings, defaults: crate::RunDefaults) -> Result<RunSettings, RunError> {
+///
+/// # Errors
+/// A time that makes no sense.
+pub(super) fn complete(settings: &RunSettings, defaults: crate::RunDefaults) -> Result<RunSettings, RunError> {
     let t_end = settings.t_end.unwrap_or(defaults.t_end);
     let every = settings.every.unwrap_or(defaults.every.min(t_end));
     for (name, value) in [("end time", t_end), ("time between rows", every)] {

@@ -251,11 +251,11 @@ fn counted(summary: &mut Summary, [unknowns, constraints]: [usize; 2], newton_it
     put(summary, "newton_iterations", json!(newton_iterations));
 }
 
-fn put(summary: &mut Summary, key: &str, value: Value) {
+pub(super) fn put(summary: &mut Summary, key: &str, value: Value) {
     summary.insert(key.into(), value);
 }
 
-fn head<M: Model>(model: &M, command: &str) -> Summary {
+pub(super) fn head<M: Model>(model: &M, command: &str) -> Summary {
     let mut summary = Summary::new();
     put(&mut summary, "model", json!(M::NAME));
     put(&mut summary, "command", json!(command));
@@ -272,7 +272,7 @@ fn head<M: Model>(model: &M, command: &str) -> Summary {
     summary
 }
 
-fn outcome(summary: &mut Summary, reason: Option<String>) {
+pub(super) fn outcome(summary: &mut Summary, reason: Option<String>) {
     put(summary, "completed", json!(reason.is_none()));
     put(summary, "reason", json!(reason));
 }
@@ -379,7 +379,7 @@ fn tail<M: Model>(summary: &mut Summary, history: &History, notes_of_run: &[Stri
 }
 
 /// What the generator and the scene have to say.
-fn notes<M: Model>(warnings: &[String]) -> Value {
+pub(super) fn notes<M: Model>(warnings: &[String]) -> Value {
     let all = M::NOTES.iter().copied().chain(warnings.iter().map(String::as_str));
     all.map(|text| json!(text)).collect()
 }
