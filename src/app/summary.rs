@@ -277,7 +277,7 @@ pub(super) fn outcome(summary: &mut Summary, reason: Option<String>) {
     put(summary, "reason", json!(reason));
 }
 
-fn settings(summary: &mut Summary, settings: &RunSettings) {
+pub(super) fn settings(summary: &mut Summary, settings: &RunSettings) {
     put(summary, "formulation", json!(settings.formulation.name()));
     put(summary, "joints", json!(joints(settings.joints)));
     let start = match settings.start {
@@ -351,7 +351,7 @@ fn counts(summary: &mut Summary, result: &RunResult) {
     }
 }
 
-fn seconds(summary: &mut Summary, seconds: Seconds) {
+pub(super) fn seconds(summary: &mut Summary, seconds: Seconds) {
     put(summary, "cpu_seconds", json!(seconds.cpu));
     let clock = if seconds.cpu_is_measured { "process" } else { "wall" };
     put(summary, "cpu_clock", json!(clock));
