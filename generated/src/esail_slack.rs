@@ -355,17 +355,18 @@ impl ::rncf::Model for EsailSlack {
         esail_slack_equations::run_defaults(self, &mut run);
         run
     }
-    fn build(
+    fn build_as(
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
+        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
         ::rncf::mesh::check_params(self)?;
         let equations = esail_slack_equations::Equations::new(self);
-        ::rncf::mesh::build(equations, formulation, joints)
+        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`EsailSlack`]: derived, checked and written by the generator.

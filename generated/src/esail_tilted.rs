@@ -353,17 +353,18 @@ impl ::rncf::Model for EsailTilted {
         esail_tilted_equations::run_defaults(self, &mut run);
         run
     }
-    fn build(
+    fn build_as(
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
+        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
         ::rncf::mesh::check_params(self)?;
         let equations = esail_tilted_equations::Equations::new(self);
-        ::rncf::mesh::build(equations, formulation, joints)
+        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`EsailTilted`]: derived, checked and written by the generator.

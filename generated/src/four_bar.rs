@@ -120,17 +120,18 @@ impl ::rncf::Model for FourBar {
         four_bar_equations::run_defaults(self, &mut run);
         run
     }
-    fn build(
+    fn build_as(
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
+        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
         ::rncf::mesh::check_params(self)?;
         let equations = four_bar_equations::Equations::new(self);
-        ::rncf::mesh::build(equations, formulation, joints)
+        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`FourBar`]: derived, checked and written by the generator.

@@ -137,17 +137,18 @@ impl ::rncf::Model for PrincetonBeam {
         princeton_beam_equations::run_defaults(self, &mut run);
         run
     }
-    fn build(
+    fn build_as(
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
+        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
         ::rncf::mesh::check_params(self)?;
         let equations = princeton_beam_equations::Equations::new(self);
-        ::rncf::mesh::build(equations, formulation, joints)
+        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`PrincetonBeam`]: derived, checked and written by the generator.

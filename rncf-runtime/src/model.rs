@@ -2,7 +2,7 @@
 
 use crate::equilibrium::Uniform;
 use crate::error::ModelError;
-use crate::mesh::{Configuration, Curve, SectionBody, SectionState};
+use crate::mesh::{Configuration, Curve, DescribedBody, Fidelity, SectionBody, SectionState};
 use crate::rotation::Rotation;
 use crate::system::{State, System, Tangent};
 use crate::vector::Vector;
@@ -156,11 +156,25 @@ pub trait Model: Default + Clone + Send + Sync + 'static {
     fn cautions(&self, _t_end: f64) -> Vec<Caution> {
         Vec::new()
     }
-    /// Builds the scene in the formulation chosen at run time.
+    /// Builds the scene in the formulation chosen at run time, with bodies, by their names, described otherwise than
+    /// they are declared: `("rod", Fidelity::Rigid)`.
+    ///
+    /// # Errors
+    /// A parameter that makes no physical sense, and a body that is not there or cannot be described so, by name.
+    fn build_as(
+        &self,
+        formulation: Formulation,
+        joints: Joints,
+        fidelity: &[(String, Fidelity)],
+    ) -> Result<Box<dyn Scene>, ModelError>;
+
+    /// Builds the scene in the formulation chosen at run time, with all bodies as they are declared.
     ///
     /// # Errors
     /// A parameter that makes no physical sense, by name.
-    fn build(&self, formulation: Formulation, joints: Joints) -> Result<Box<dyn Scene>, ModelError>;
+    fn build(&self, formulation: Formulation, joints: Joints) -> Result<Box<dyn Scene>, ModelError> {
+        self.build_as(formulation, joints, &[])
+    }
 
     /// Builds the scene in the formulation chosen by type, e.g. `model.scene::<Ancf>()`.
     ///
@@ -184,6 +198,11 @@ pub trait Scene: System + Send {
 
     /// The flexible bodies whose section states are told, in the order of [`Scene::section_states`].
     fn section_bodies(&self) -> Vec<SectionBody> {
+        Vec::new()
+    }
+
+    /// The meshed bodies of the declaration in its order, and how they are described here.
+    fn bodies(&self) -> Vec<DescribedBody> {
         Vec::new()
     }
 

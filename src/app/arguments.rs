@@ -13,6 +13,7 @@ use super::parameters::{List, angular_velocity, assign, time};
 use super::run::RunSettings;
 use super::sweep::SweepSettings;
 use crate::equilibrium::Spin;
+use crate::mesh::Fidelity;
 use crate::{Formulation, Joints, Method, Model, Options, Start, StepSize};
 
 /// A command line that makes sense.
@@ -202,6 +203,7 @@ fn settings(matches: &ArgMatches) -> Result<RunSettings, String> {
         } else {
             Joints::Eliminated
         },
+        fidelity: fidelity(matches)?,
         start: match text(matches, "start") {
             Some("steady") => Start::Steady,
             _ => Start::Rest,
@@ -218,6 +220,21 @@ fn settings(matches: &ArgMatches) -> Result<RunSettings, String> {
         every: flag_time("every", "0.05 s")?,
         pictures: matches.get_flag("animate") || matches.get_flag("vtu"),
     })
+}
+
+/// `rod=rigid,beam=modal(3)`
+fn fidelity(matches: &ArgMatches) -> Result<Vec<(String, Fidelity)>, String> {
+    let Some(text) = text(matches, "fidelity") else {
+        return Ok(Vec::new());
+    };
+    let one = |part: &str| {
+        let (name, word) = part
+            .split_once('=')
+            .ok_or_else(|| format!("`--fidelity {part}`: write `body=description`, e.g. `--fidelity rod=rigid`"))?;
+        let fidelity = Fidelity::named(word.trim()).map_err(|mistake| format!("`--fidelity {part}`: {mistake}"))?;
+        Ok((name.trim().to_owned(), fidelity))
+    };
+    text.split(',').map(one).collect()
 }
 
 fn method(matches: &ArgMatches) -> Result<Method, String> {
@@ -335,6 +352,11 @@ fn command_line<M: Model>(program: &Program<'_>) -> clap::Command {
             "no-elimination",
             "Keep all joints as constraints with multipliers",
         ))
+        .arg(value(
+            "fidelity",
+            "BODY=HOW,..",
+            "Describe bodies otherwise than declared: point, rigid, modal(4), small(4) or full, e.g. rod=rigid",
+        ))
         .arg(choice(
             "start",
             "STATE",
@@ -424,12 +446,13 @@ mod tests {
     #[test]
     fn all_flags_are_read() {
         let line = "run omega=4rad/s --formulation ancf --integrator hht --alpha -0.3 --rtol 1e-7 --max-step 0.01s \
-            --no-elimination --stabilised --start steady --t-end 2s --every 0.5s --out here --quiet coils=3";
+            --no-elimination --fidelity rod=rigid,beam=modal(3) --stabilised --start steady --t-end 2s --every 0.5s --out here --quiet coils=3";
         let arguments = read(&line.split_whitespace().collect::<Vec<_>>()).unwrap();
         assert_eq!((arguments.model.omega, arguments.model.coils), (4.0, 3));
         let expected = RunSettings {
             formulation: Formulation::Ancf,
             joints: Joints::Multipliers,
+            fidelity: vec![("rod".into(), Fidelity::Rigid), ("beam".into(), Fidelity::Modal(3))],
             start: Start::Steady,
             method: Method::Hht { alpha: -0.3 },
             options: Options {
@@ -517,6 +540,11 @@ mod tests {
         for (line, expected) in cases {
             assert_eq!(mistake(line), expected);
         }
+        assert_eq!(
+            mistake(&["--fidelity", "rod"]),
+            "`--fidelity rod`: write `body=description`, e.g. `--fidelity rod=rigid`"
+        );
+        assert!(mistake(&["--fidelity", "rod=modal(0)"]).contains("`modal(0)` describes no body"));
         assert_eq!(
             mistake(&["--rtol", "1 s"]),
             "`--rtol 1 s`: a number without a unit is needed"

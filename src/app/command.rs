@@ -83,10 +83,11 @@ impl Command {
         match flag {
             "start" | "every" | "t-end" | "stabilised" | "no-elimination" | "max-step" => self.runs(),
             "integrator" | "rtol" | "alpha" | "rho-inf" => matches!(self, Command::Run | Command::Advise),
-            "step" | "animate" | "vtu" => self == Command::Run,
+            "step" | "animate" | "vtu" | "fidelity" => self == Command::Run,
             "formulation" => self != Command::Chart,
             "formulations" | "integrators" | "rtols" | "reference" | "beside" => self == Command::Chart,
-            "outputs" | "wanted" | "fresh" | "limit" => matches!(self, Command::Chart | Command::Advise),
+            "fresh" => self == Command::Chart,
+            "outputs" | "wanted" | "limit" => matches!(self, Command::Chart | Command::Advise),
             "steps" => matches!(self, Command::Steady | Command::Campbell | Command::Static),
             "at" => !self.runs(),
             "spin" | "axis" => matches!(self, Command::Steady | Command::Modes | Command::Campbell),
@@ -114,11 +115,12 @@ impl Command {
             (Command::Chart, "formulation" | "integrator" | "rtol" | "alpha" | "rho-inf") => {
                 "give lists, `--formulations`, `--integrators` or `--rtols`"
             }
-            (Command::Chart | Command::Advise, "step" | "animate" | "vtu") => "it compares many runs",
+            (Command::Chart | Command::Advise, "step" | "animate" | "vtu" | "fidelity") => "it compares many runs",
             (Command::Run | Command::Chart | Command::Advise, _) => "a run in time looks for no equilibrium",
             (_, "no-elimination") => "equilibria eliminate all joints that they can",
             (_, "t-end") => "the time whose spin and loads hold is `--at`",
             (Command::Static, "spin" | "axis") => "nothing turns at rest",
+            (_, "fidelity") => "equilibria take the bodies as they are declared",
             (_, "modes" | "frequency") => "it looks for no modes",
             (_, "steps") => "it takes one equilibrium",
             _ => "it does not advance in time",

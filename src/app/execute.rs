@@ -227,7 +227,7 @@ fn finish(head: String, warnings: &[String], files: String, failure: Option<Fail
 }
 
 /// Writes the three files; their paths, one a line.
-fn write<M: Model>(
+pub(super) fn write<M: Model>(
     arguments: &Arguments<M>,
     what: &str,
     table: (&str, String),

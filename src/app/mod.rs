@@ -1,11 +1,11 @@
 //! The command line of a model: one line in an example's `main`.
 //!
 //! ```text
-//! cargo run --release --example spin_up -- [run|steady|modes|campbell|static] [name=value ...] [flags]
+//! cargo run --release --example spin_up -- [run|steady|modes|campbell|static|chart|advise] [name=value ...] [flags]
 //! ```
 //!
 //! [`main`] reads the line, does what it says, shows progress, and writes tables (CSV), the summary (JSON)
-//! and the report (HTML). [`run`], [`steady`], [`modes`], [`campbell`] and [`static_equilibria`] do the
+//! and the report (HTML). [`run`], [`steady`], [`modes`], [`campbell`], [`static_equilibria`] and [`advise()`] do the
 //! same work in memory and print nothing.
 
 mod advise;
@@ -39,6 +39,7 @@ mod sweep;
 mod testing;
 mod units;
 
+pub use advise::{Advised, AdvisedRung, Wanted, advise};
 pub use campbell::{Campbell, Crossing, campbell, campbell_watched};
 pub use clock::Seconds;
 pub use command::Command;

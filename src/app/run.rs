@@ -10,18 +10,21 @@ use super::envelopes::Envelopes;
 use super::history::{Column, History};
 use super::pictures::Pictures;
 use super::steady::{self, Equilibria};
+use crate::mesh::Fidelity;
 use crate::{
     Caution, Formulation, Integrator, Joints, Method, Model, ModelError, Options, Scene, SolveError, Start, State,
     Statistics, StepSize,
 };
 
 /// What to run and how.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RunSettings {
     /// Coordinates of the bodies.
     pub formulation: Formulation,
     /// What becomes of linear joints.
     pub joints: Joints,
+    /// Bodies that are described otherwise than they are declared, by their names.
+    pub fidelity: Vec<(String, Fidelity)>,
     /// How the bodies start.
     pub start: Start,
     /// Integration method.
@@ -42,6 +45,7 @@ impl Default for RunSettings {
         Self {
             formulation: Formulation::Rncf,
             joints: Joints::Eliminated,
+            fidelity: Vec::new(),
             start: Start::Rest,
             method: Method::Radau,
             options: Options::default(),
@@ -200,7 +204,7 @@ pub fn run_watched<M: Model>(
     let clock = Clock::start();
     let settings = complete(settings, model.run())?;
     let mut scene = model
-        .build(settings.formulation, settings.joints)
+        .build_as(settings.formulation, settings.joints, &settings.fidelity)
         .map_err(RunError::Model)?;
     let start = match settings.start {
         Start::Rest => scene.rest(0.0),
@@ -209,6 +213,7 @@ pub fn run_watched<M: Model>(
             scene.state_of_frame(&frame)
         }
     };
+    let (t_end, _) = times(&settings);
     let mut result = RunResult {
         settings,
         history: History::new::<M>(Column::time()),
@@ -219,7 +224,7 @@ pub fn run_watched<M: Model>(
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
         energy_error: None,
-        cautions: model.cautions(times(&settings).0),
+        cautions: model.cautions(t_end),
         warnings: Vec::new(),
         state: start.clone(),
         seconds: Seconds::default(),
@@ -269,7 +274,7 @@ pub(super) fn complete(settings: &RunSettings, defaults: crate::RunDefaults) -> 
     Ok(RunSettings {
         t_end: Some(t_end),
         every: Some(every),
-        ..*settings
+        ..settings.clone()
     })
 }
 

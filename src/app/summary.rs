@@ -12,6 +12,7 @@ use super::section_table;
 use super::steady::Equilibria;
 use super::sweep::SweepSettings;
 use crate::equilibrium::Kind;
+use crate::mesh::Fidelity;
 use crate::modes::Critical;
 use crate::{Joints, Method, Model, ParamKind, Start, StepSize};
 
@@ -23,6 +24,7 @@ pub(super) const SETTINGS: &[&str] = &[
     "formulation",
     "joints",
     "start",
+    "fidelity",
     "integrator",
     "alpha",
     "rho_inf",
@@ -275,7 +277,7 @@ pub(super) fn outcome(summary: &mut Summary, reason: Option<String>) {
     put(summary, "reason", json!(reason));
 }
 
-fn settings(summary: &mut Summary, settings: &RunSettings) {
+pub(super) fn settings(summary: &mut Summary, settings: &RunSettings) {
     put(summary, "formulation", json!(settings.formulation.name()));
     put(summary, "joints", json!(joints(settings.joints)));
     let start = match settings.start {
@@ -283,6 +285,9 @@ fn settings(summary: &mut Summary, settings: &RunSettings) {
         Start::Steady => "steady",
     };
     put(summary, "start", json!(start));
+    if !settings.fidelity.is_empty() {
+        put(summary, "fidelity", json!(described(&settings.fidelity)));
+    }
     match settings.method {
         Method::Radau => put(summary, "integrator", json!("radau")),
         Method::Hht { alpha } => {
@@ -306,6 +311,12 @@ fn settings(summary: &mut Summary, settings: &RunSettings) {
     let (t_end, every) = times(settings);
     put(summary, "t_end", json!(t_end));
     put(summary, "every", json!(every));
+}
+
+/// `rod=rigid,beam=modal(3)`, as it is typed.
+pub(super) fn described(fidelity: &[(String, Fidelity)]) -> String {
+    let words: Vec<String> = fidelity.iter().map(|(body, how)| format!("{body}={how}")).collect();
+    words.join(",")
 }
 
 fn joints(joints: Joints) -> &'static str {
@@ -340,7 +351,7 @@ fn counts(summary: &mut Summary, result: &RunResult) {
     }
 }
 
-fn seconds(summary: &mut Summary, seconds: Seconds) {
+pub(super) fn seconds(summary: &mut Summary, seconds: Seconds) {
     put(summary, "cpu_seconds", json!(seconds.cpu));
     let clock = if seconds.cpu_is_measured { "process" } else { "wall" };
     put(summary, "cpu_clock", json!(clock));

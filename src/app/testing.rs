@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use crate::equilibrium::Uniform;
 use crate::linalg::Pattern;
+use crate::mesh::Fidelity;
 use crate::model::{FrameState, Output, Param, ParamKind, RunDefaults};
 use crate::system::{ConstraintLevel, Tangent};
 use crate::{Caution, Formulation, Joints, Model, ModelError, Scene, State, System};
@@ -148,7 +149,15 @@ impl Model for Rotor {
         cautions
     }
 
-    fn build(&self, formulation: Formulation, _: Joints) -> Result<Box<dyn Scene>, ModelError> {
+    fn build_as(
+        &self,
+        formulation: Formulation,
+        _: Joints,
+        fidelity: &[(String, Fidelity)],
+    ) -> Result<Box<dyn Scene>, ModelError> {
+        if let [(name, _), ..] = fidelity {
+            return Err(ModelError::new(format!("there is no body `{name}`")));
+        }
         if self.stiffness <= 0.0 {
             return Err(ModelError::new("parameter `stiffness` must be positive"));
         }

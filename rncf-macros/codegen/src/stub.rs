@@ -56,10 +56,11 @@ pub fn stub(tree: &Tree) -> TokenStream {
                 fn run(&self) -> ::rncf::RunDefaults {
                     ::core::unreachable!()
                 }
-                fn build(
+                fn build_as(
                     &self,
                     _: ::rncf::Formulation,
                     _: ::rncf::Joints,
+                    _: &[(::std::string::String, ::rncf::mesh::Fidelity)],
                 ) -> ::core::result::Result<::std::boxed::Box<dyn ::rncf::Scene>, ::rncf::ModelError> {
                     ::core::unreachable!()
                 }

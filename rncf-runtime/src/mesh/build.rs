@@ -6,6 +6,7 @@ use super::assembly::{Connectivity, Scatter};
 use super::batches::groups;
 use super::conditions::{Condition, condition, joint_data, vector_kinds};
 use super::evaluate::TurnedColumns;
+use super::fidelity::describe;
 use super::fixtures::Fixture;
 use super::frame::FrameMotion;
 use super::frames::{Frames, FreeFrame, declared_free};
@@ -33,9 +34,24 @@ impl MeshScene {
     /// # Errors
     /// A count, length, material or section that makes no sense, a frame whose parent or plane does
     /// not fit its motions, or something that acts where it cannot, by name.
-    pub fn new(mut parts: Box<dyn Parts>, formulation: Formulation, joints: Joints) -> Result<Self, ModelError> {
+    pub fn new(parts: Box<dyn Parts>, formulation: Formulation, joints: Joints) -> Result<Self, ModelError> {
+        Self::new_as(parts, formulation, joints, &[])
+    }
+
+    /// As [`MeshScene::new`] with bodies, by their names, described otherwise than they are declared.
+    ///
+    /// # Errors
+    /// As [`MeshScene::new`], and a body that is not there or cannot be described so, by name.
+    pub fn new_as(
+        mut parts: Box<dyn Parts>,
+        formulation: Formulation,
+        joints: Joints,
+        fidelity: &[(String, Fidelity)],
+    ) -> Result<Self, ModelError> {
         parts.check()?;
-        let specs = parts.bodies();
+        let mut specs = parts.bodies();
+        describe(&mut specs, fidelity)?;
+        let specs = specs;
         check_instances(&*parts, &specs)?;
         let Frames {
             free,

@@ -15,7 +15,7 @@ use pulp::Arch;
 use super::carried::SPATIAL;
 use super::frame::FrameMotion;
 use super::free::RigidSpec;
-use super::parts::BodySpec;
+use super::parts::{BodySpec, Fidelity};
 use super::scene::{Buffers, MeshBody, MeshScene};
 use crate::linalg::{Vectorised, dispatch};
 use crate::vector::{Matrix, Vector, add, apply, cross, dot, multiply, scale, skew};
@@ -137,13 +137,38 @@ impl NodalMass {
         for (element, local) in parts {
             let place = |a: usize| element * spec.stride + spec.connectivity[a];
             for (entry, &value) in local.iter().enumerate().filter(|(_, value)| **value != 0.0) {
-                let (row, column) = (&mut rows[place(entry / count)], place(entry % count) as u32);
-                match row.iter_mut().find(|(other, _)| *other == column) {
-                    Some((_, sum)) => *sum += value,
-                    None => row.push((column, value)),
+                add_entry(&mut rows[place(entry / count)], place(entry % count), value);
+            }
+        }
+        Self::of_rows(spec, rows)
+    }
+
+    /// All mass at the centre of mass, which is linear in the nodal vectors: M^ab = d^a d^b / m.
+    pub fn at_centre(&self, spec: &BodySpec) -> Self {
+        let counted = (0..self.vectors()).filter(|&vector| self.is_position[vector]);
+        let mass: f64 = counted.map(|vector| self.first[vector]).sum();
+        let row = |a: usize| {
+            let entries = (0..self.vectors()).map(move |b| (b as u32, self.first[a] * self.first[b] / mass));
+            entries.filter(|(_, value)| *value != 0.0).collect()
+        };
+        Self::of_rows(spec, (0..self.vectors()).map(row).collect())
+    }
+
+    /// The sum of two masses of one body.
+    pub fn plus(&self, other: &Self, spec: &BodySpec) -> Self {
+        let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); spec.vectors()];
+        for mass in [self, other] {
+            for (row, sums) in rows.iter_mut().enumerate() {
+                let own = mass.starts[row] as usize..mass.starts[row + 1] as usize;
+                for (&column, &value) in mass.columns[own.clone()].iter().zip(&mass.values[own]) {
+                    add_entry(sums, column as usize, value);
                 }
             }
         }
+        Self::of_rows(spec, rows)
+    }
+
+    fn of_rows(spec: &BodySpec, mut rows: Vec<Vec<(u32, f64)>>) -> Self {
         let is_position: Vec<bool> = (0..spec.vectors())
             .map(|vector| spec.nodal[spec.locate(vector).1].is_position())
             .collect();
@@ -194,6 +219,15 @@ impl NodalMass {
             }
         }
         sums
+    }
+}
+
+/// Adds to the entry of a row in a column.
+fn add_entry(row: &mut Vec<(u32, f64)>, column: usize, value: f64) {
+    let column = column as u32;
+    match row.iter_mut().find(|(other, _)| *other == column) {
+        Some((_, sum)) => *sum += value,
+        None => row.push((column, value)),
     }
 }
 
@@ -262,10 +296,15 @@ impl MeshScene {
             .collect();
         let fixed = || fixed.iter().map(|(element, local)| (*element, &local[..]));
         let elements = (0..body.spec.count).map(|element| (element, &body.mass[..]));
-        [
-            NodalMass::new(&body.spec, elements.chain(fixed())),
-            NodalMass::new(&body.spec, fixed()),
-        ]
+        let on_it = NodalMass::new(&body.spec, fixed());
+        let whole = match body.spec.fidelity {
+            Fidelity::Point => {
+                let own = NodalMass::new(&body.spec, elements);
+                own.at_centre(&body.spec).plus(&on_it, &body.spec)
+            }
+            _ => NodalMass::new(&body.spec, elements.chain(fixed())),
+        };
+        [whole, on_it]
     }
 
     /// Adds the inertia forces of elements, fixtures and rigid parts at the loaded state, on nodal vectors and on

@@ -14,6 +14,7 @@ mod density;
 mod density_lanes;
 mod density_sums;
 mod evaluate;
+mod fidelity;
 mod fields;
 mod fixtures;
 mod frame;
@@ -56,12 +57,13 @@ mod whirl;
 pub use checks::{array, array_mut, check_params, inertia, non_negative, poisson, positive};
 pub use configuration::{Configuration, Curve};
 pub use density_sums::{add_lane, declared, lane};
+pub use fidelity::DescribedBody;
 pub use frame::FrameMotion;
 pub use free::{FreeSpec, Motions, RigidSpec};
 pub use layout::{Layout, VectorKind};
 pub use line::Line;
 pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
-pub use modal::build;
+pub use modal::{build, build_as};
 pub use one_by_one::{elastic_force_one_by_one, elastic_tangent_one_by_one};
 pub use parts::{
     BodySpec, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec, NodalSpec, ObservedSpec,

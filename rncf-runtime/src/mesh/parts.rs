@@ -92,6 +92,8 @@ pub enum Fidelity {
     Small(usize),
     /// No deformation.
     Rigid,
+    /// No deformation, and all mass at the centre of mass: no rotary inertia. Joints keep their places.
+    Point,
 }
 
 impl BodySpec {

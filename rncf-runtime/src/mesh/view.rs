@@ -1,6 +1,7 @@
 //! A scene as the application sees it.
 
 use super::configuration::{Configuration, Curve};
+use super::fidelity::DescribedBody;
 use super::parts::ObservedSpec;
 use super::sampling::SectionBody;
 use super::scene::MeshScene;
@@ -27,6 +28,10 @@ impl Scene for MeshScene {
     fn outputs(&mut self, state: &State, out: &mut [f64]) {
         self.load_state(state);
         self.evaluate_outputs(state.t, 1.0, &state.lambda, out);
+    }
+
+    fn bodies(&self) -> Vec<DescribedBody> {
+        self.described_bodies()
     }
 
     fn curves(&self) -> Vec<Curve> {

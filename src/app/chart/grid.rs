@@ -85,7 +85,7 @@ impl Grid {
                 rtol: setting.rtol,
                 ..self.base.options
             },
-            ..self.base
+            ..self.base.clone()
         }
     }
 

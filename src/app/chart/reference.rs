@@ -309,7 +309,7 @@ mod tests {
         files::create_folder(&folder).unwrap();
         let settings = RunSettings {
             every: Some(0.05),
-            ..grid.base
+            ..grid.base.clone()
         };
         let finer = run(&rotor, &settings).unwrap().history;
         files::write(&folder, "finer.csv", &finer.to_csv()).unwrap();

@@ -138,10 +138,10 @@ fn implementation(model: &Model, library: &Library, equations: &Equations) -> St
     );
     let _ = writeln!(
         text,
-        "fn build(&self, formulation: ::rncf::Formulation, joints: ::rncf::Joints) -> ::std::result::Result<::std::boxed::Box<dyn ::rncf::Scene>, ::rncf::ModelError> {{\n\
+        "fn build_as(&self, formulation: ::rncf::Formulation, joints: ::rncf::Joints, fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)]) -> ::std::result::Result<::std::boxed::Box<dyn ::rncf::Scene>, ::rncf::ModelError> {{\n\
          ::rncf::mesh::check_params(self)?;\n\
          let equations = {module}::Equations::new(self);\n\
-         ::rncf::mesh::build(equations, formulation, joints)\n}}\n}}"
+         ::rncf::mesh::build_as(equations, formulation, joints, fidelity)\n}}\n}}"
     );
     text
 }

@@ -64,6 +64,9 @@ pub struct Invariants {
     inner: Vec<f64>,
 }
 
+/// Distance of a centre of mass from the origin, relative to the body's extent, that is round-off.
+const CENTRED: f64 = 1e-12;
+
 fn plus(a: &Matrix, factor: f64, b: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| a[i][j] + factor * b[i][j]))
 }
@@ -154,6 +157,31 @@ impl Invariants {
                 .map(|(i, j)| second_moment(&modes[i], &weighted_modes[j]))
                 .collect(),
             inner: pairs().map(|(i, j)| inner(i, j)).collect(),
+        }
+    }
+
+    /// The same body without modes, all of whose mass is at its centre of mass: J0 = m [c]^T [c]. A centre nearer
+    /// to the origin than round-off of `extent` (m) is at the origin, so that a motion without inertia has none at all.
+    pub fn at_centre(&self, extent: f64) -> Self {
+        let moment = self.moment.map(|component| {
+            if component.abs() > CENTRED * self.mass * extent {
+                component
+            } else {
+                0.0
+            }
+        });
+        let centre = scale(1.0 / self.mass, moment);
+        Self {
+            modes: 0,
+            mass: self.mass,
+            moment,
+            inertia: second_moment(&[centre], &[moment]),
+            phibar: Vec::new(),
+            gamma: Vec::new(),
+            eta: Vec::new(),
+            first: Vec::new(),
+            second: Vec::new(),
+            inner: Vec::new(),
         }
     }
 

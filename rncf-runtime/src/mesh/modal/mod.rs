@@ -15,7 +15,7 @@ mod sources;
 #[cfg(test)]
 mod tests;
 
-pub use scene::build;
+pub use scene::{build, build_as};
 
 use elastic::Elastic;
 use invariants::{Action, Invariants, Motion};
@@ -88,7 +88,7 @@ impl ModalBody {
     pub fn new(nodal: Nodal, fidelity: Fidelity, elements: &dyn Elements) -> Result<Self, ModelError> {
         let count = match fidelity {
             Fidelity::Modal(count) | Fidelity::Small(count) => count,
-            Fidelity::Rigid | Fidelity::Full => 0,
+            Fidelity::Rigid | Fidelity::Point | Fidelity::Full => 0,
         };
         let (name, freedoms) = (&nodal.name, nodal.freedoms);
         if count > freedoms {
@@ -116,7 +116,10 @@ impl ModalBody {
             .collect();
         let shape = vectors(&mut nodal.shape.iter().copied());
         let of = |mass: &[f64]| Invariants::new(mass, &nodal.whole, &shape, &shapes);
-        let (invariants, loaded) = (of(&nodal.mass), of(&nodal.loaded_mass()));
+        let (mut invariants, loaded) = (of(&nodal.mass), of(&nodal.loaded_mass()));
+        if fidelity == Fidelity::Point {
+            invariants = invariants.at_centre(nodal.extent());
+        }
         let mut body = Self {
             nodal,
             fidelity,
@@ -395,19 +398,28 @@ impl Nodal {
         result
     }
 
-    /// See [`ModalBody::sizes`].
-    fn sizes(&self, modes: &[f64], k: usize) -> Vec<f64> {
-        let position = |component: usize| self.whole[component / self.dimension] != 0.0;
+    fn is_position(&self, component: usize) -> bool {
+        self.whole[component / self.dimension] != 0.0
+    }
+
+    /// Diagonal of the box about the undeformed body, m.
+    fn extent(&self) -> f64 {
         let span = |axis: usize| {
             let places = (axis..self.shape.len())
                 .step_by(self.dimension)
-                .filter(|&c| position(c));
+                .filter(|&component| self.is_position(component));
             let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| {
                 (low.min(self.shape[c]), high.max(self.shape[c]))
             });
             high - low
         };
-        let extent = (0..self.dimension).map(span).map(|x| x * x).sum::<f64>().sqrt();
+        (0..self.dimension).map(span).map(|x| x * x).sum::<f64>().sqrt()
+    }
+
+    /// See [`ModalBody::sizes`].
+    fn sizes(&self, modes: &[f64], k: usize) -> Vec<f64> {
+        let position = |component: usize| self.is_position(component);
+        let extent = self.extent();
         let most = |mode: usize| {
             let size =
                 |component: usize| modes[component * k + mode].abs() / if position(component) { extent } else { 1.0 };

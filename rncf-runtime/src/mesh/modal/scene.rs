@@ -10,6 +10,7 @@ use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::mesh::carried::Beside;
 use crate::mesh::configuration::{Configuration, Curve};
+use crate::mesh::fidelity::DescribedBody;
 use crate::mesh::frame::FrameAction;
 use crate::mesh::parts::{Fidelity, Parts};
 use crate::mesh::sampling::SectionBody;
@@ -23,11 +24,29 @@ use crate::system::{ConstraintLevel, State, System, Tangent};
 /// # Errors
 /// As [`MeshScene::new`], and a body whose modes do not exist or do not suffice, by name.
 pub fn build(parts: impl Parts, formulation: Formulation, joints: Joints) -> Result<Box<dyn Scene>, ModelError> {
-    build_boxed(Box::new(parts), formulation, joints)
+    build_boxed(Box::new(parts), formulation, joints, &[])
 }
 
-fn build_boxed(parts: Box<dyn Parts>, formulation: Formulation, joints: Joints) -> Result<Box<dyn Scene>, ModelError> {
-    let scene = MeshScene::new(parts, formulation, joints)?;
+/// As [`build`] with bodies, by their names, described otherwise than they are declared.
+///
+/// # Errors
+/// As [`build`], and a body that is not there or cannot be described so, by name.
+pub fn build_as(
+    parts: impl Parts,
+    formulation: Formulation,
+    joints: Joints,
+    fidelity: &[(String, Fidelity)],
+) -> Result<Box<dyn Scene>, ModelError> {
+    build_boxed(Box::new(parts), formulation, joints, fidelity)
+}
+
+fn build_boxed(
+    parts: Box<dyn Parts>,
+    formulation: Formulation,
+    joints: Joints,
+    fidelity: &[(String, Fidelity)],
+) -> Result<Box<dyn Scene>, ModelError> {
+    let scene = MeshScene::new_as(parts, formulation, joints, fidelity)?;
     if scene.bodies.iter().all(|body| body.spec.fidelity == Fidelity::Full) {
         return Ok(Box::new(scene));
     }
@@ -428,6 +447,10 @@ impl Scene for ModalScene {
 
     fn curves(&self) -> Vec<Curve> {
         self.scene.curves()
+    }
+
+    fn bodies(&self) -> Vec<DescribedBody> {
+        self.scene.described_bodies()
     }
 
     fn frame_names(&self) -> Vec<String> {

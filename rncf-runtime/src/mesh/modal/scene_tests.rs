@@ -191,7 +191,7 @@ fn all_modes_move_and_react_as_the_whole_body() {
 
 #[test]
 fn few_modes_and_rigid_arms_hang_on_their_joint_with_all_their_weight() {
-    for fidelity in [Fidelity::Modal(2), Fidelity::Small(2), Fidelity::Rigid] {
+    for fidelity in [Fidelity::Modal(2), Fidelity::Small(2), Fidelity::Rigid, Fidelity::Point] {
         let mut arm = Arm::new(2, fidelity, false);
         (arm.spin, arm.linked) = (0.0, false);
         let mut scene = build(arm, Formulation::Rncf, Joints::Eliminated).unwrap();
@@ -241,4 +241,16 @@ fn unknowns_and_mistakes_are_named() {
     arm.linked = false;
     let error = build(arm, Formulation::Ancf, Joints::Eliminated).err().unwrap();
     assert!(error.message.contains("frame `hub`"), "{error}");
+}
+
+#[test]
+fn the_reaction_of_a_turning_point_is_that_of_a_mass_at_the_middle() {
+    let mut arm = Arm::new(2, Fidelity::Point, false);
+    (arm.spin, arm.linked) = (2.0, false);
+    let mut scene = build(arm, Formulation::Rncf, Joints::Eliminated).unwrap();
+    let state = scene.rest(0.0);
+    let mut out = [0.0; 5];
+    scene.outputs(&state, &mut out);
+    // 1 kg at 0.2 m + 0.5 m from the axis.
+    close(&out[2..], &[-0.3 - 0.7 * 4.0, 9.81, 0.5 * 9.81 - 0.5], 1e-9);
 }

@@ -1,0 +1,137 @@
+//! Bodies described otherwise than they are declared: the same model as a ladder of models, chosen at run time.
+
+use std::fmt;
+
+use super::parts::{BodySpec, Fidelity};
+use super::scene::MeshScene;
+use crate::error::ModelError;
+
+/// A meshed body of the declaration, as it is described in a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DescribedBody {
+    /// Name in the declaration.
+    pub name: &'static str,
+    /// Number of its repetitions where it stands in a loop; such a body has all its nodal vectors.
+    pub repetitions: Option<usize>,
+    /// How finely its deformation is described.
+    pub fidelity: Fidelity,
+    /// Number of elements of all repetitions.
+    pub elements: usize,
+}
+
+impl fmt::Display for Fidelity {
+    /// As it is declared: `modal(3)`, `rigid`; `full` for all nodal vectors, for which the language has no word.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Fidelity::Full => f.write_str("full"),
+            Fidelity::Modal(count) => write!(f, "modal({count})"),
+            Fidelity::Small(count) => write!(f, "small({count})"),
+            Fidelity::Rigid => f.write_str("rigid"),
+            Fidelity::Point => f.write_str("point"),
+        }
+    }
+}
+
+impl Fidelity {
+    /// The description of a word, as [`Fidelity`] is displayed.
+    ///
+    /// # Errors
+    /// The words that there are.
+    pub fn named(word: &str) -> Result<Fidelity, String> {
+        let count = |name: &str| {
+            let inside = word.strip_prefix(name)?.strip_prefix('(')?.strip_suffix(')')?;
+            inside.trim().parse::<usize>().ok().filter(|&count| count > 0)
+        };
+        match word {
+            "full" => Ok(Fidelity::Full),
+            "rigid" => Ok(Fidelity::Rigid),
+            "point" => Ok(Fidelity::Point),
+            _ => count("modal")
+                .map(Fidelity::Modal)
+                .or_else(|| count("small").map(Fidelity::Small))
+                .ok_or_else(|| {
+                    format!(
+                        "`{word}` describes no body: write point, rigid, modal(4), small(4) with a number of modes, or full"
+                    )
+                }),
+        }
+    }
+
+    /// Whether the body has freedoms of its own.
+    pub fn deforms(self) -> bool {
+        !matches!(self, Fidelity::Rigid | Fidelity::Point)
+    }
+}
+
+/// Describes bodies, by their names, otherwise than they are declared.
+///
+/// # Errors
+/// A name that no body has or that stands twice, and what cannot be described so, by name. What modes cannot
+/// describe for other reasons (densities, shared nodes, starts, joints) is refused where it is built.
+pub(super) fn describe(specs: &mut [BodySpec], wanted: &[(String, Fidelity)]) -> Result<(), ModelError> {
+    for (place, (name, fidelity)) in wanted.iter().enumerate() {
+        if wanted[..place].iter().any(|(other, _)| other == name) {
+            return Err(ModelError::new(format!("body `{name}` is described twice")));
+        }
+        let Some(first) = specs.iter().position(|spec| spec.name == name) else {
+            return Err(ModelError::new(unknown(specs, name)));
+        };
+        let declared = specs[first].fidelity;
+        if specs[first].instance.is_some() && *fidelity != declared {
+            return Err(ModelError::new(format!(
+                "body `{name}` is repeated, and repeated bodies have all their nodal vectors: it cannot be `{fidelity}`"
+            )));
+        }
+        if !declared.deforms() && fidelity.deforms() {
+            return Err(ModelError::new(format!(
+                "body `{name}` is declared `{declared}` and has no elements that deform: leave `{declared}` out of its declaration to describe it as `{fidelity}`"
+            )));
+        }
+        if specs[first].mean_axes && *fidelity != Fidelity::Full {
+            return Err(ModelError::new(format!(
+                "body `{name}` cannot be `{fidelity}` since its frame follows its mean axes: clamp it in its frame instead of `mean_axes`"
+            )));
+        }
+        specs[first].fidelity = *fidelity;
+    }
+    Ok(())
+}
+
+fn unknown(specs: &[BodySpec], name: &str) -> String {
+    let mut names: Vec<&str> = specs.iter().map(|spec| spec.name).collect();
+    names.dedup();
+    match &names[..] {
+        [] => format!("there is no body `{name}`: the model has no meshed bodies"),
+        names => format!(
+            "there is no meshed body `{name}`: there {} `{}`",
+            if names.len() == 1 { "is" } else { "are" },
+            names.join("`, `")
+        ),
+    }
+}
+
+impl MeshScene {
+    /// The bodies of the declaration in its order.
+    pub(super) fn described_bodies(&self) -> Vec<DescribedBody> {
+        let mut all: Vec<DescribedBody> = Vec::new();
+        for body in &self.bodies {
+            let spec = &body.spec;
+            match all
+                .last_mut()
+                .filter(|last| spec.instance.is_some() && last.name == spec.name)
+            {
+                Some(last) => {
+                    last.repetitions = last.repetitions.map(|count| count + 1);
+                    last.elements += spec.count;
+                }
+                None => all.push(DescribedBody {
+                    name: spec.name,
+                    repetitions: spec.instance.map(|_| 1),
+                    fidelity: spec.fidelity,
+                    elements: spec.count,
+                }),
+            }
+        }
+        all
+    }
+}
