@@ -285,6 +285,7 @@ fn settings(summary: &mut Summary, settings: &RunSettings) {
     put(summary, "start", json!(start));
     match settings.method {
         Method::Radau => put(summary, "integrator", json!("radau")),
+        Method::EnergyMomentum => put(summary, "integrator", json!("energy")),
         Method::Hht { alpha } => {
             put(summary, "integrator", json!("hht"));
             put(summary, "alpha", json!(alpha));
