@@ -150,6 +150,7 @@ impl ::rncf::Model for AndrewsSqueezer {
         "Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): 2 multipliers; linear in its vectors, no second derivatives.",
         "Force `tension`: a potential; its tangents are derived.",
         "Force `motor`: no potential; its tangents are derived.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as force `motor` has no potential.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -729,6 +730,9 @@ pub mod andrews_squeezer_equations {
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("force `motor` has no potential")
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

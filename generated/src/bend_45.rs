@@ -49,6 +49,7 @@ impl ::rncf::Model for Bend45 {
         "Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).",
         "Body `bend` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `bend` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as body `bend` is made of the element `beam`, for which such forces are not derived.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -2086,6 +2087,11 @@ pub mod bend45_equations {
                 }
                 _ => {}
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some(
+                "body `bend` is made of the element `beam`, for which such forces are not derived",
+            )
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

@@ -58,6 +58,7 @@ impl ::rncf::Model for Bricard {
         "Rigid body `p45` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Constraint `p0` (revolute), `p1` (revolute), `p2` (revolute), `p3` (revolute), `p4` (revolute): 5 multipliers; gradient and second derivatives are derived.",
         "Constraint `p5` (universal): 4 multipliers; gradient and second derivatives are derived.",
+        "Energy-momentum integration: there is no flexible body to derive forces for.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[]
@@ -703,6 +704,9 @@ pub mod bricard_equations {
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

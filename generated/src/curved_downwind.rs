@@ -71,6 +71,7 @@ impl ::rncf::Model for CurvedDownwind {
         "Body `beam` is planar: two components a vector, no motion along the normal.",
         "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear, twist and have rotary inertia.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -1606,6 +1607,9 @@ pub mod curved_downwind_equations {
                 }
                 _ => {}
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("frame `hub` moves in a prescribed way")
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

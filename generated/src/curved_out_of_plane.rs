@@ -70,6 +70,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
         "Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).",
         "Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -2569,6 +2570,9 @@ pub mod curved_out_of_plane_equations {
                 }
                 _ => {}
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("frame `hub` moves in a prescribed way")
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

@@ -63,6 +63,7 @@ impl ::rncf::Model for Elastica {
         "Body `beam` is planar: two components a vector, no motion along the normal.",
         "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear, twist and have rotary inertia.",
         "Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as body `beam` is made of the element `beam`, for which such forces are not derived.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -1158,6 +1159,11 @@ pub mod elastica_equations {
                 }
                 _ => {}
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some(
+                "body `beam` is made of the element `beam`, for which such forces are not derived",
+            )
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

@@ -149,6 +149,7 @@ impl ::rncf::Model for EsailSlack {
         "Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Constraint `sun_x` (constraint), `sun_y` (constraint): 1 multiplier; gradient and second derivatives are derived.",
         "Fixture `remote` adds constants to the inertia of `main` and no unknowns.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as the load per length `thrust` has no potential.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -4155,6 +4156,9 @@ pub mod esail_slack_equations {
                     }
                 }
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("the load per length `thrust` has no potential")
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let (body, instance) = self.kind(body);

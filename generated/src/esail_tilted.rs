@@ -164,6 +164,7 @@ impl ::rncf::Model for EsailTilted {
         "Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
         "Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Fixture `remote` adds constants to the inertia of `main` and no unknowns.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as the load per length `thrust` has no potential.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -4216,6 +4217,9 @@ pub mod esail_tilted_equations {
                     }
                 }
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("the load per length `thrust` has no potential")
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let (body, instance) = self.kind(body);

@@ -99,6 +99,7 @@ impl ::rncf::Model for FlyballGovernor {
         "Constraint `foot` (revolute), `right_pin` (revolute), `left_pin` (revolute): 5 multipliers; gradient and second derivatives are derived.",
         "Constraint `guide` (prismatic): 5 multipliers; gradient and second derivatives are derived.",
         "Force `right_strut`, `left_strut`: no potential; its tangents are derived.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as force `right_strut` has no potential.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -1205,6 +1206,9 @@ pub mod flyball_governor_equations {
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("force `right_strut` has no potential")
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

@@ -70,6 +70,7 @@ impl ::rncf::Model for FourBar {
         "Rigid body `coupler_1` is free in three motions: two positions and an angle.",
         "Rigid body `coupler_2` is free in three motions: two positions and an angle.",
         "Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): 2 multipliers; linear in its vectors, no second derivatives.",
+        "Energy-momentum integration: there is no flexible body to derive forces for.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -430,6 +431,9 @@ pub mod four_bar_equations {
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

@@ -86,6 +86,7 @@ impl ::rncf::Model for FreeFlight {
         "Constraint `root` (clamp in absolute coordinates): 5 multipliers; gradient and second derivatives are derived.",
         "Constraint `twist` (hold in absolute coordinates): 1 multiplier; gradient and second derivatives are derived.",
         "Fixture `tip` adds constants to the inertia of `cable` and no unknowns.",
+        "Energy-momentum integration: forces between two states that conserve energy are derived (operations of force and tangent: 283 and 1108).",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -944,6 +945,573 @@ pub mod free_flight_equations {
         forces[3] = EI * (0.5 * (t23 * (fields[3] * 2.0) - fields[0] * t30));
         forces[4] = EI * (0.5 * (t23 * (fields[4] * 2.0) - fields[1] * t30));
         forces[5] = EI * (0.5 * (t23 * (fields[5] * 2.0) - fields[2] * t30));
+    }
+    /// Adds the elastic force of one element between two states that does the work U(end) - U(start) over the step and has no moment about the mean positions: S_A(mean of I) dI_A/dq(mean of q).
+    ///
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    ///
+    /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
+    ///
+    /// Operations: 128 additions, 154 multiplications, 1 divisions.
+    pub fn cable_spatial_conserving_force(
+        row: &CableSpatial,
+        start: &[f64; 12],
+        end: &[f64; 12],
+        force: &mut [f64; 12],
+    ) {
+        let CableSpatial { length, EA, EI, .. } = *row;
+        let [o_r0_x, o_r0_y, o_r0_z, o_s0_x, o_s0_y, o_s0_z, o_r1_x, o_r1_y, o_r1_z,
+        o_s1_x, o_s1_y, o_s1_z] = *start;
+        let [e_r0_x, e_r0_y, e_r0_z, e_s0_x, e_s0_y, e_s0_z, e_r1_x, e_r1_y, e_r1_z,
+        e_s1_x, e_s1_y, e_s1_z] = *end;
+        let inverse_length = 1.0 / length;
+        let o_d_x = inverse_length * (o_r1_x - o_r0_x);
+        let o_d_y = inverse_length * (o_r1_y - o_r0_y);
+        let o_d_z = inverse_length * (o_r1_z - o_r0_z);
+        let e_d_x = inverse_length * (e_r1_x - e_r0_x);
+        let e_d_y = inverse_length * (e_r1_y - e_r0_y);
+        let e_d_z = inverse_length * (e_r1_z - e_r0_z);
+        let t46 = 0.5 * (o_s0_x + e_s0_x);
+        let t47 = 0.5 * (o_s0_y + e_s0_y);
+        let t48 = 0.5 * (o_s0_z + e_s0_z);
+        let t49 = 0.5 * (o_d_x + e_d_x);
+        let t50 = 0.5 * (o_d_y + e_d_y);
+        let t51 = 0.5 * (o_d_z + e_d_z);
+        let t52 = 0.5 * (o_s1_x + e_s1_x);
+        let t53 = 0.5 * (o_s1_y + e_s1_y);
+        let t54 = 0.5 * (o_s1_z + e_s1_z);
+        let t55 = o_s0_x * o_s0_x + o_s0_y * o_s0_y + o_s0_z * o_s0_z
+            + (e_s0_x * e_s0_x + e_s0_y * e_s0_y + e_s0_z * e_s0_z);
+        let dot_s0_s0 = 0.5 * t55;
+        let strain_dot_s0_s0 = dot_s0_s0 - 1.0;
+        let t58 = o_s0_x * o_d_x + o_s0_y * o_d_y + o_s0_z * o_d_z
+            + (e_s0_x * e_d_x + e_s0_y * e_d_y + e_s0_z * e_d_z);
+        let dot_s0_d = 0.5 * t58;
+        let strain_dot_s0_d = dot_s0_d - 1.0;
+        let t61 = o_s0_x * o_s1_x + o_s0_y * o_s1_y + o_s0_z * o_s1_z
+            + (e_s0_x * e_s1_x + e_s0_y * e_s1_y + e_s0_z * e_s1_z);
+        let dot_s0_s1 = 0.5 * t61;
+        let strain_dot_s0_s1 = dot_s0_s1 - 1.0;
+        let t64 = o_d_x * o_d_x + o_d_y * o_d_y + o_d_z * o_d_z
+            + (e_d_x * e_d_x + e_d_y * e_d_y + e_d_z * e_d_z);
+        let dot_d_d = 0.5 * t64;
+        let strain_dot_d_d = dot_d_d - 1.0;
+        let t67 = o_s1_x * o_d_x + o_s1_y * o_d_y + o_s1_z * o_d_z
+            + (e_s1_x * e_d_x + e_s1_y * e_d_y + e_s1_z * e_d_z);
+        let dot_d_s1 = 0.5 * t67;
+        let strain_dot_d_s1 = dot_d_s1 - 1.0;
+        let t70 = o_s1_x * o_s1_x + o_s1_y * o_s1_y + o_s1_z * o_s1_z
+            + (e_s1_x * e_s1_x + e_s1_y * e_s1_y + e_s1_z * e_s1_z);
+        let dot_s1_s1 = 0.5 * t70;
+        let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
+        let t73 = length * EA;
+        let t74 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t75 = strain_dot_d_d * 0.02142857142857143;
+        let t76 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t74 + t75
+            + strain_dot_d_s1 * (-0.0035714285714285713)
+            + strain_dot_s1_s1 * 0.0011904761904761906;
+        let t77 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t78 = strain_dot_d_d * (-0.12857142857142856);
+        let t79 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t80 = strain_dot_s0_s0 * (-0.0035714285714285713);
+        let t81 = strain_dot_s0_s0 * 0.02142857142857143
+            + strain_dot_s0_d * (-0.12857142857142856)
+            + strain_dot_d_d * 0.5142857142857142
+            + strain_dot_d_s1 * (-0.12857142857142856)
+            + strain_dot_s1_s1 * 0.02142857142857143;
+        let t82 = t75
+            + (t74
+                + (strain_dot_s0_s0 * 0.0011904761904761906
+                    + strain_dot_s0_d * (-0.0035714285714285713)))
+            + strain_dot_d_s1 * 0.0035714285714285713
+            + strain_dot_s1_s1 * 0.014285714285714285;
+        let t83 = inverse_length * EI;
+        let t84 = dot_d_d * 3.6;
+        let stress_dot_s0_s0 = t73 * t76
+            + t83 * (t84 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6);
+        let t86 = dot_s0_s1 * 2.2;
+        let stress_dot_s0_d = t73
+            * (strain_dot_s0_s0 * 0.0035714285714285713
+                + strain_dot_s0_d * 0.08571428571428572 + t77 + t78 + t79)
+            + t83 * (dot_s0_d * (-7.2) + t86 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2));
+        let t88 = dot_s0_s1 * (-1.2);
+        let stress_dot_s0_s1 = t73
+            * (t79
+                + (t80 + strain_dot_s0_d * (-0.007142857142857143)
+                    + strain_dot_s0_s1 * 0.004761904761904762
+                    + strain_dot_d_s1 * (-0.007142857142857143)))
+            + t83 * (dot_s0_d * 2.2 + t88 + dot_d_d * (-1.2) + dot_d_s1 * 2.2);
+        let stress_dot_d_d = t73 * t81 + t83 * (t88 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6);
+        let stress_dot_d_s1 = t73
+            * (t78 + (t77 + t80) + strain_dot_d_s1 * 0.08571428571428572
+                + strain_dot_s1_s1 * 0.0035714285714285713)
+            + t83 * (t86 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2));
+        let stress_dot_s1_s1 = t73 * t82
+            + t83 * (t84 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2)));
+        let t93 = inverse_length
+            * (t46 * stress_dot_s0_d + stress_dot_d_d * (t49 * 2.0)
+                + t52 * stress_dot_d_s1);
+        let t94 = inverse_length
+            * (t47 * stress_dot_s0_d + stress_dot_d_d * (t50 * 2.0)
+                + t53 * stress_dot_d_s1);
+        let t95 = inverse_length
+            * (t48 * stress_dot_s0_d + stress_dot_d_d * (t51 * 2.0)
+                + t54 * stress_dot_d_s1);
+        force[0] -= t93;
+        force[1] -= t94;
+        force[2] -= t95;
+        force[3]
+            += stress_dot_s0_s0 * (t46 * 2.0) + t49 * stress_dot_s0_d
+                + t52 * stress_dot_s0_s1;
+        force[4]
+            += stress_dot_s0_s0 * (t47 * 2.0) + t50 * stress_dot_s0_d
+                + t53 * stress_dot_s0_s1;
+        force[5]
+            += stress_dot_s0_s0 * (t48 * 2.0) + t51 * stress_dot_s0_d
+                + t54 * stress_dot_s0_s1;
+        force[6] += t93;
+        force[7] += t94;
+        force[8] += t95;
+        force[9]
+            += t46 * stress_dot_s0_s1 + t49 * stress_dot_d_s1
+                + stress_dot_s1_s1 * (t52 * 2.0);
+        force[10]
+            += t47 * stress_dot_s0_s1 + t50 * stress_dot_d_s1
+                + stress_dot_s1_s1 * (t53 * 2.0);
+        force[11]
+            += t48 * stress_dot_s0_s1 + t51 * stress_dot_d_s1
+                + stress_dot_s1_s1 * (t54 * 2.0);
+    }
+    /// Adds the derivative of the conserving force of one element with respect to the mean of both states at a fixed start (half of it is that with respect to the end), rows first; not symmetric.
+    ///
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    ///
+    /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
+    ///
+    /// Operations: 545 additions, 562 multiplications, 1 divisions.
+    pub fn cable_spatial_conserving_tangent(
+        row: &CableSpatial,
+        start: &[f64; 12],
+        end: &[f64; 12],
+        stiffness: &mut [f64; 144],
+    ) {
+        let CableSpatial { length, EA, EI, .. } = *row;
+        let [o_r0_x, o_r0_y, o_r0_z, o_s0_x, o_s0_y, o_s0_z, o_r1_x, o_r1_y, o_r1_z,
+        o_s1_x, o_s1_y, o_s1_z] = *start;
+        let [e_r0_x, e_r0_y, e_r0_z, e_s0_x, e_s0_y, e_s0_z, e_r1_x, e_r1_y, e_r1_z,
+        e_s1_x, e_s1_y, e_s1_z] = *end;
+        let inverse_length = 1.0 / length;
+        let o_d_x = inverse_length * (o_r1_x - o_r0_x);
+        let o_d_y = inverse_length * (o_r1_y - o_r0_y);
+        let o_d_z = inverse_length * (o_r1_z - o_r0_z);
+        let e_d_x = inverse_length * (e_r1_x - e_r0_x);
+        let e_d_y = inverse_length * (e_r1_y - e_r0_y);
+        let e_d_z = inverse_length * (e_r1_z - e_r0_z);
+        let t46 = 0.5 * (o_s0_x + e_s0_x);
+        let t47 = 0.5 * (o_s0_y + e_s0_y);
+        let t48 = 0.5 * (o_s0_z + e_s0_z);
+        let t49 = 0.5 * (o_d_x + e_d_x);
+        let t50 = 0.5 * (o_d_y + e_d_y);
+        let t51 = 0.5 * (o_d_z + e_d_z);
+        let t52 = 0.5 * (o_s1_x + e_s1_x);
+        let t53 = 0.5 * (o_s1_y + e_s1_y);
+        let t54 = 0.5 * (o_s1_z + e_s1_z);
+        let t55 = o_s0_x * o_s0_x + o_s0_y * o_s0_y + o_s0_z * o_s0_z
+            + (e_s0_x * e_s0_x + e_s0_y * e_s0_y + e_s0_z * e_s0_z);
+        let dot_s0_s0 = 0.5 * t55;
+        let strain_dot_s0_s0 = dot_s0_s0 - 1.0;
+        let t58 = o_s0_x * o_d_x + o_s0_y * o_d_y + o_s0_z * o_d_z
+            + (e_s0_x * e_d_x + e_s0_y * e_d_y + e_s0_z * e_d_z);
+        let dot_s0_d = 0.5 * t58;
+        let strain_dot_s0_d = dot_s0_d - 1.0;
+        let t61 = o_s0_x * o_s1_x + o_s0_y * o_s1_y + o_s0_z * o_s1_z
+            + (e_s0_x * e_s1_x + e_s0_y * e_s1_y + e_s0_z * e_s1_z);
+        let dot_s0_s1 = 0.5 * t61;
+        let strain_dot_s0_s1 = dot_s0_s1 - 1.0;
+        let t64 = o_d_x * o_d_x + o_d_y * o_d_y + o_d_z * o_d_z
+            + (e_d_x * e_d_x + e_d_y * e_d_y + e_d_z * e_d_z);
+        let dot_d_d = 0.5 * t64;
+        let strain_dot_d_d = dot_d_d - 1.0;
+        let t67 = o_s1_x * o_d_x + o_s1_y * o_d_y + o_s1_z * o_d_z
+            + (e_s1_x * e_d_x + e_s1_y * e_d_y + e_s1_z * e_d_z);
+        let dot_d_s1 = 0.5 * t67;
+        let strain_dot_d_s1 = dot_d_s1 - 1.0;
+        let t70 = o_s1_x * o_s1_x + o_s1_y * o_s1_y + o_s1_z * o_s1_z
+            + (e_s1_x * e_s1_x + e_s1_y * e_s1_y + e_s1_z * e_s1_z);
+        let dot_s1_s1 = 0.5 * t70;
+        let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
+        let t73 = length * EA;
+        let t74 = strain_dot_s0_s1 * (-0.0035714285714285713);
+        let t75 = strain_dot_d_d * 0.02142857142857143;
+        let t76 = strain_dot_s0_s0 * 0.014285714285714285
+            + strain_dot_s0_d * 0.0035714285714285713 + t74 + t75
+            + strain_dot_d_s1 * (-0.0035714285714285713)
+            + strain_dot_s1_s1 * 0.0011904761904761906;
+        let t77 = t73 * 0.014285714285714285;
+        let t78 = t73 * 0.0035714285714285713;
+        let t79 = t73 * (-0.0035714285714285713);
+        let t80 = strain_dot_s0_s1 * (-0.007142857142857143);
+        let t81 = strain_dot_d_d * (-0.12857142857142856);
+        let t82 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t83 = t73 * (-0.12857142857142856);
+        let t84 = strain_dot_s0_s0 * (-0.0035714285714285713);
+        let t85 = strain_dot_s0_s0 * 0.02142857142857143
+            + strain_dot_s0_d * (-0.12857142857142856)
+            + strain_dot_d_d * 0.5142857142857142
+            + strain_dot_d_s1 * (-0.12857142857142856)
+            + strain_dot_s1_s1 * 0.02142857142857143;
+        let t86 = t73 * 0.5142857142857142;
+        let t87 = t75
+            + (t74
+                + (strain_dot_s0_s0 * 0.0011904761904761906
+                    + strain_dot_s0_d * (-0.0035714285714285713)))
+            + strain_dot_d_s1 * 0.0035714285714285713
+            + strain_dot_s1_s1 * 0.014285714285714285;
+        let t88 = inverse_length * EI;
+        let t89 = dot_d_d * 3.6;
+        let stress_dot_s0_s0 = t73 * t76
+            + t88 * (t89 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6);
+        let t91 = t73 * 0.02142857142857143 + t88 * 3.6;
+        let t92 = t79 + t88 * (-2.2);
+        let t93 = t73 * 0.0011904761904761906 + t88 * 0.6;
+        let t94 = dot_s0_s1 * 2.2;
+        let stress_dot_s0_d = t73
+            * (strain_dot_s0_s0 * 0.0035714285714285713
+                + strain_dot_s0_d * 0.08571428571428572 + t80 + t81 + t82)
+            + t88 * (dot_s0_d * (-7.2) + t94 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2));
+        let t96 = t73 * 0.08571428571428572 + t88 * (-7.2);
+        let t97 = t73 * (-0.007142857142857143) + t88 * 2.2;
+        let t98 = t88 * 1.2;
+        let t99 = dot_s0_s1 * (-1.2);
+        let stress_dot_s0_s1 = t73
+            * (t82
+                + (t84 + strain_dot_s0_d * (-0.007142857142857143)
+                    + strain_dot_s0_s1 * 0.004761904761904762
+                    + strain_dot_d_s1 * (-0.007142857142857143)))
+            + t88 * (dot_s0_d * 2.2 + t99 + dot_d_d * (-1.2) + dot_d_s1 * 2.2);
+        let t101 = t88 * (-1.2);
+        let t102 = t73 * 0.004761904761904762 + t101;
+        let stress_dot_d_d = t73 * t85 + t88 * (t99 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6);
+        let stress_dot_d_s1 = t73
+            * (t81 + (t80 + t84) + strain_dot_d_s1 * 0.08571428571428572
+                + strain_dot_s1_s1 * 0.0035714285714285713)
+            + t88 * (t94 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2));
+        let stress_dot_s1_s1 = t73 * t87
+            + t88 * (t89 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2)));
+        let t106 = t46 * 2.0;
+        let t107 = t47 * 2.0;
+        let t108 = t48 * 2.0;
+        let t109 = t49 * 2.0;
+        let t110 = t50 * 2.0;
+        let t111 = t51 * 2.0;
+        let t112 = t52 * 2.0;
+        let t113 = t53 * 2.0;
+        let t114 = t54 * 2.0;
+        let t115 = e_s0_x * 2.0;
+        let t116 = e_s0_y * 2.0;
+        let t117 = e_s0_z * 2.0;
+        let t118 = e_d_x * 2.0;
+        let t119 = e_d_y * 2.0;
+        let t120 = e_d_z * 2.0;
+        let t121 = e_s1_x * 2.0;
+        let t122 = e_s1_y * 2.0;
+        let t123 = e_s1_z * 2.0;
+        let t124 = e_d_x * t78;
+        let t125 = e_d_y * t78;
+        let t126 = e_d_z * t78;
+        let t127 = e_s1_x * t79;
+        let t128 = e_s1_y * t79;
+        let t129 = e_s1_z * t79;
+        let t130 = t77 * t115 + t124 + t127;
+        let t131 = t77 * t116 + t125 + t128;
+        let t132 = t77 * t117 + t126 + t129;
+        let t133 = t91 * t118;
+        let t134 = t91 * t119;
+        let t135 = t91 * t120;
+        let t136 = e_s0_x * t78 + t133 + e_s1_x * t92;
+        let t137 = e_s0_y * t78 + t134 + e_s1_y * t92;
+        let t138 = e_s0_z * t78 + t135 + e_s1_z * t92;
+        let t139 = e_s0_x * t79;
+        let t140 = e_s0_y * t79;
+        let t141 = e_s0_z * t79;
+        let t142 = e_d_x * t92;
+        let t143 = e_d_y * t92;
+        let t144 = e_d_z * t92;
+        let t145 = t139 + t142 + t93 * t121;
+        let t146 = t140 + t143 + t93 * t122;
+        let t147 = t141 + t144 + t93 * t123;
+        let t148 = e_d_x * t96;
+        let t149 = e_d_y * t96;
+        let t150 = e_d_z * t96;
+        let t151 = e_s1_x * t97;
+        let t152 = e_s1_y * t97;
+        let t153 = e_s1_z * t97;
+        let t154 = t78 * t115 + t148 + t151;
+        let t155 = t78 * t116 + t149 + t152;
+        let t156 = t78 * t117 + t150 + t153;
+        let t157 = t83 * t118;
+        let t158 = t83 * t119;
+        let t159 = t83 * t120;
+        let t160 = e_s0_x * t96 + t157 + e_s1_x * t98;
+        let t161 = e_s0_y * t96 + t158 + e_s1_y * t98;
+        let t162 = e_s0_z * t96 + t159 + e_s1_z * t98;
+        let t163 = e_s0_x * t97;
+        let t164 = e_s0_y * t97;
+        let t165 = e_s0_z * t97;
+        let t166 = e_d_x * t98;
+        let t167 = e_d_y * t98;
+        let t168 = e_d_z * t98;
+        let t169 = t163 + t166 + t92 * t121;
+        let t170 = t164 + t167 + t92 * t122;
+        let t171 = t165 + t168 + t92 * t123;
+        let t172 = e_d_x * t97;
+        let t173 = e_d_y * t97;
+        let t174 = e_d_z * t97;
+        let t175 = t79 * t115 + t172 + e_s1_x * t102;
+        let t176 = t79 * t116 + t173 + e_s1_y * t102;
+        let t177 = t79 * t117 + t174 + e_s1_z * t102;
+        let t178 = t151 + (t163 + t101 * t118);
+        let t179 = t152 + (t164 + t101 * t119);
+        let t180 = t153 + (t165 + t101 * t120);
+        let t181 = t172 + e_s0_x * t102 + t79 * t121;
+        let t182 = t173 + e_s0_y * t102 + t79 * t122;
+        let t183 = t174 + e_s0_z * t102 + t79 * t123;
+        let t184 = e_d_x * t83;
+        let t185 = e_d_y * t83;
+        let t186 = e_d_z * t83;
+        let t187 = t91 * t115 + t184 + e_s1_x * t101;
+        let t188 = t91 * t116 + t185 + e_s1_y * t101;
+        let t189 = t91 * t117 + t186 + e_s1_z * t101;
+        let t190 = e_s0_x * t83 + t86 * t118 + e_s1_x * t83;
+        let t191 = e_s0_y * t83 + t86 * t119 + e_s1_y * t83;
+        let t192 = e_s0_z * t83 + t86 * t120 + e_s1_z * t83;
+        let t193 = t184 + e_s0_x * t101 + t91 * t121;
+        let t194 = t185 + e_s0_y * t101 + t91 * t122;
+        let t195 = t186 + e_s0_z * t101 + t91 * t123;
+        let t196 = t151 + (t166 + t92 * t115);
+        let t197 = t152 + (t167 + t92 * t116);
+        let t198 = t153 + (t168 + t92 * t117);
+        let t199 = t157 + e_s0_x * t98 + e_s1_x * t96;
+        let t200 = t158 + e_s0_y * t98 + e_s1_y * t96;
+        let t201 = t159 + e_s0_z * t98 + e_s1_z * t96;
+        let t202 = t148 + t163 + t78 * t121;
+        let t203 = t149 + t164 + t78 * t122;
+        let t204 = t150 + t165 + t78 * t123;
+        let t205 = t127 + (t142 + t93 * t115);
+        let t206 = t128 + (t143 + t93 * t116);
+        let t207 = t129 + (t144 + t93 * t117);
+        let t208 = t133 + e_s0_x * t92 + e_s1_x * t78;
+        let t209 = t134 + e_s0_y * t92 + e_s1_y * t78;
+        let t210 = t135 + e_s0_z * t92 + e_s1_z * t78;
+        let t211 = t124 + t139 + t77 * t121;
+        let t212 = t125 + t140 + t77 * t122;
+        let t213 = t126 + t141 + t77 * t123;
+        let t214 = stress_dot_s0_s0 * 2.0;
+        let t215 = stress_dot_d_d * 2.0;
+        let t216 = stress_dot_s1_s1 * 2.0;
+        let t217 = inverse_length * inverse_length;
+        let t218 = (t46 * t160 + t109 * t190 + t52 * t199 + t215) * t217;
+        let t219 = (t46 * t161 + t109 * t191 + t52 * t200) * t217;
+        let t220 = (t46 * t162 + t109 * t192 + t52 * t201) * t217;
+        let t221 = inverse_length
+            * (stress_dot_s0_d + (t46 * t154 + t109 * t187 + t52 * t196));
+        let t222 = inverse_length * (t46 * t155 + t109 * t188 + t52 * t197);
+        let t223 = inverse_length * (t46 * t156 + t109 * t189 + t52 * t198);
+        let t224 = inverse_length
+            * (stress_dot_d_s1 + (t46 * t169 + t109 * t193 + t52 * t202));
+        let t225 = inverse_length * (t46 * t170 + t109 * t194 + t52 * t203);
+        let t226 = inverse_length * (t46 * t171 + t109 * t195 + t52 * t204);
+        let t227 = (t47 * t160 + t110 * t190 + t53 * t199) * t217;
+        let t228 = (t47 * t161 + t110 * t191 + t53 * t200 + t215) * t217;
+        let t229 = (t47 * t162 + t110 * t192 + t53 * t201) * t217;
+        let t230 = inverse_length * (t47 * t154 + t110 * t187 + t53 * t196);
+        let t231 = inverse_length
+            * (stress_dot_s0_d + (t47 * t155 + t110 * t188 + t53 * t197));
+        let t232 = inverse_length * (t47 * t156 + t110 * t189 + t53 * t198);
+        let t233 = inverse_length * (t47 * t169 + t110 * t193 + t53 * t202);
+        let t234 = inverse_length
+            * (stress_dot_d_s1 + (t47 * t170 + t110 * t194 + t53 * t203));
+        let t235 = inverse_length * (t47 * t171 + t110 * t195 + t53 * t204);
+        let t236 = (t48 * t160 + t111 * t190 + t54 * t199) * t217;
+        let t237 = (t48 * t161 + t111 * t191 + t54 * t200) * t217;
+        let t238 = (t48 * t162 + t111 * t192 + t54 * t201 + t215) * t217;
+        let t239 = inverse_length * (t48 * t154 + t111 * t187 + t54 * t196);
+        let t240 = inverse_length * (t48 * t155 + t111 * t188 + t54 * t197);
+        let t241 = inverse_length
+            * (stress_dot_s0_d + (t48 * t156 + t111 * t189 + t54 * t198));
+        let t242 = inverse_length * (t48 * t169 + t111 * t193 + t54 * t202);
+        let t243 = inverse_length * (t48 * t170 + t111 * t194 + t54 * t203);
+        let t244 = inverse_length
+            * (stress_dot_d_s1 + (t48 * t171 + t111 * t195 + t54 * t204));
+        let t245 = inverse_length
+            * (stress_dot_s0_d + (t106 * t136 + t49 * t160 + t52 * t178));
+        let t246 = inverse_length * (t106 * t137 + t49 * t161 + t52 * t179);
+        let t247 = inverse_length * (t106 * t138 + t49 * t162 + t52 * t180);
+        let t248 = inverse_length * (t107 * t136 + t50 * t160 + t53 * t178);
+        let t249 = inverse_length
+            * (stress_dot_s0_d + (t107 * t137 + t50 * t161 + t53 * t179));
+        let t250 = inverse_length * (t107 * t138 + t50 * t162 + t53 * t180);
+        let t251 = inverse_length * (t108 * t136 + t51 * t160 + t54 * t178);
+        let t252 = inverse_length * (t108 * t137 + t51 * t161 + t54 * t179);
+        let t253 = inverse_length
+            * (stress_dot_s0_d + (t108 * t138 + t51 * t162 + t54 * t180));
+        let t254 = inverse_length
+            * (stress_dot_d_s1 + (t46 * t178 + t49 * t199 + t112 * t208));
+        let t255 = inverse_length * (t46 * t179 + t49 * t200 + t112 * t209);
+        let t256 = inverse_length * (t46 * t180 + t49 * t201 + t112 * t210);
+        let t257 = inverse_length * (t47 * t178 + t50 * t199 + t113 * t208);
+        let t258 = inverse_length
+            * (stress_dot_d_s1 + (t47 * t179 + t50 * t200 + t113 * t209));
+        let t259 = inverse_length * (t47 * t180 + t50 * t201 + t113 * t210);
+        let t260 = inverse_length * (t48 * t178 + t51 * t199 + t114 * t208);
+        let t261 = inverse_length * (t48 * t179 + t51 * t200 + t114 * t209);
+        let t262 = inverse_length
+            * (stress_dot_d_s1 + (t48 * t180 + t51 * t201 + t114 * t210));
+        stiffness[0] += t218;
+        stiffness[1] += t219;
+        stiffness[2] += t220;
+        stiffness[3] -= t221;
+        stiffness[4] -= t222;
+        stiffness[5] -= t223;
+        stiffness[6] -= t218;
+        stiffness[7] -= t219;
+        stiffness[8] -= t220;
+        stiffness[9] -= t224;
+        stiffness[10] -= t225;
+        stiffness[11] -= t226;
+        stiffness[12] += t227;
+        stiffness[13] += t228;
+        stiffness[14] += t229;
+        stiffness[15] -= t230;
+        stiffness[16] -= t231;
+        stiffness[17] -= t232;
+        stiffness[18] -= t227;
+        stiffness[19] -= t228;
+        stiffness[20] -= t229;
+        stiffness[21] -= t233;
+        stiffness[22] -= t234;
+        stiffness[23] -= t235;
+        stiffness[24] += t236;
+        stiffness[25] += t237;
+        stiffness[26] += t238;
+        stiffness[27] -= t239;
+        stiffness[28] -= t240;
+        stiffness[29] -= t241;
+        stiffness[30] -= t236;
+        stiffness[31] -= t237;
+        stiffness[32] -= t238;
+        stiffness[33] -= t242;
+        stiffness[34] -= t243;
+        stiffness[35] -= t244;
+        stiffness[36] -= t245;
+        stiffness[37] -= t246;
+        stiffness[38] -= t247;
+        stiffness[39] += t106 * t130 + t49 * t154 + t52 * t175 + t214;
+        stiffness[40] += t106 * t131 + t49 * t155 + t52 * t176;
+        stiffness[41] += t106 * t132 + t49 * t156 + t52 * t177;
+        stiffness[42] += t245;
+        stiffness[43] += t246;
+        stiffness[44] += t247;
+        stiffness[45] += stress_dot_s0_s1 + (t106 * t145 + t49 * t169 + t52 * t181);
+        stiffness[46] += t106 * t146 + t49 * t170 + t52 * t182;
+        stiffness[47] += t106 * t147 + t49 * t171 + t52 * t183;
+        stiffness[48] -= t248;
+        stiffness[49] -= t249;
+        stiffness[50] -= t250;
+        stiffness[51] += t107 * t130 + t50 * t154 + t53 * t175;
+        stiffness[52] += t107 * t131 + t50 * t155 + t53 * t176 + t214;
+        stiffness[53] += t107 * t132 + t50 * t156 + t53 * t177;
+        stiffness[54] += t248;
+        stiffness[55] += t249;
+        stiffness[56] += t250;
+        stiffness[57] += t107 * t145 + t50 * t169 + t53 * t181;
+        stiffness[58] += stress_dot_s0_s1 + (t107 * t146 + t50 * t170 + t53 * t182);
+        stiffness[59] += t107 * t147 + t50 * t171 + t53 * t183;
+        stiffness[60] -= t251;
+        stiffness[61] -= t252;
+        stiffness[62] -= t253;
+        stiffness[63] += t108 * t130 + t51 * t154 + t54 * t175;
+        stiffness[64] += t108 * t131 + t51 * t155 + t54 * t176;
+        stiffness[65] += t108 * t132 + t51 * t156 + t54 * t177 + t214;
+        stiffness[66] += t251;
+        stiffness[67] += t252;
+        stiffness[68] += t253;
+        stiffness[69] += t108 * t145 + t51 * t169 + t54 * t181;
+        stiffness[70] += t108 * t146 + t51 * t170 + t54 * t182;
+        stiffness[71] += stress_dot_s0_s1 + (t108 * t147 + t51 * t171 + t54 * t183);
+        stiffness[72] -= t218;
+        stiffness[73] -= t219;
+        stiffness[74] -= t220;
+        stiffness[75] += t221;
+        stiffness[76] += t222;
+        stiffness[77] += t223;
+        stiffness[78] += t218;
+        stiffness[79] += t219;
+        stiffness[80] += t220;
+        stiffness[81] += t224;
+        stiffness[82] += t225;
+        stiffness[83] += t226;
+        stiffness[84] -= t227;
+        stiffness[85] -= t228;
+        stiffness[86] -= t229;
+        stiffness[87] += t230;
+        stiffness[88] += t231;
+        stiffness[89] += t232;
+        stiffness[90] += t227;
+        stiffness[91] += t228;
+        stiffness[92] += t229;
+        stiffness[93] += t233;
+        stiffness[94] += t234;
+        stiffness[95] += t235;
+        stiffness[96] -= t236;
+        stiffness[97] -= t237;
+        stiffness[98] -= t238;
+        stiffness[99] += t239;
+        stiffness[100] += t240;
+        stiffness[101] += t241;
+        stiffness[102] += t236;
+        stiffness[103] += t237;
+        stiffness[104] += t238;
+        stiffness[105] += t242;
+        stiffness[106] += t243;
+        stiffness[107] += t244;
+        stiffness[108] -= t254;
+        stiffness[109] -= t255;
+        stiffness[110] -= t256;
+        stiffness[111] += stress_dot_s0_s1 + (t46 * t175 + t49 * t196 + t112 * t205);
+        stiffness[112] += t46 * t176 + t49 * t197 + t112 * t206;
+        stiffness[113] += t46 * t177 + t49 * t198 + t112 * t207;
+        stiffness[114] += t254;
+        stiffness[115] += t255;
+        stiffness[116] += t256;
+        stiffness[117] += t46 * t181 + t49 * t202 + t112 * t211 + t216;
+        stiffness[118] += t46 * t182 + t49 * t203 + t112 * t212;
+        stiffness[119] += t46 * t183 + t49 * t204 + t112 * t213;
+        stiffness[120] -= t257;
+        stiffness[121] -= t258;
+        stiffness[122] -= t259;
+        stiffness[123] += t47 * t175 + t50 * t196 + t113 * t205;
+        stiffness[124] += stress_dot_s0_s1 + (t47 * t176 + t50 * t197 + t113 * t206);
+        stiffness[125] += t47 * t177 + t50 * t198 + t113 * t207;
+        stiffness[126] += t257;
+        stiffness[127] += t258;
+        stiffness[128] += t259;
+        stiffness[129] += t47 * t181 + t50 * t202 + t113 * t211;
+        stiffness[130] += t47 * t182 + t50 * t203 + t113 * t212 + t216;
+        stiffness[131] += t47 * t183 + t50 * t204 + t113 * t213;
+        stiffness[132] -= t260;
+        stiffness[133] -= t261;
+        stiffness[134] -= t262;
+        stiffness[135] += t48 * t175 + t51 * t196 + t114 * t205;
+        stiffness[136] += t48 * t176 + t51 * t197 + t114 * t206;
+        stiffness[137] += stress_dot_s0_s1 + (t48 * t177 + t51 * t198 + t114 * t207);
+        stiffness[138] += t260;
+        stiffness[139] += t261;
+        stiffness[140] += t262;
+        stiffness[141] += t48 * t181 + t51 * t202 + t114 * t211;
+        stiffness[142] += t48 * t182 + t51 * t203 + t114 * t212;
+        stiffness[143] += t48 * t183 + t51 * t204 + t114 * t213 + t216;
     }
     /// Free frame `f`: its start relative to its parent, and its rigid parts.
     ///
@@ -1989,6 +2557,39 @@ pub mod free_flight_equations {
                 }
                 _ => {}
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
+        }
+        fn conserving_force(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            force: &mut [f64],
+        ) {
+            cable_spatial_conserving_force(
+                &self.row_cable,
+                ::rncf::mesh::array(start),
+                ::rncf::mesh::array(end),
+                ::rncf::mesh::array_mut(force),
+            );
+        }
+        fn conserving_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            stiffness: &mut [f64],
+        ) {
+            cable_spatial_conserving_tangent(
+                &self.row_cable,
+                ::rncf::mesh::array(start),
+                ::rncf::mesh::array(end),
+                ::rncf::mesh::array_mut(stiffness),
+            );
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

@@ -40,6 +40,7 @@ impl ::rncf::Model for HeavyTop {
     const NOTES: &'static [&'static str] = &[
         "Rigid body `top` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Constraint `pivot` (spherical): 3 multipliers; linear in its vectors, no second derivatives.",
+        "Energy-momentum integration: there is no flexible body to derive forces for.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[]
@@ -379,6 +380,9 @@ pub mod heavy_top_equations {
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

@@ -91,6 +91,7 @@ impl ::rncf::Model for Motor {
         "Body `shaft` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `shaft` moves in the prescribed frame `rotor`: no unknowns for the frame, its reactions are evaluated.",
         "Fixture `disc` adds constants to the inertia of `shaft` and no unknowns.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as body `shaft` is damped.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -3380,6 +3381,9 @@ pub mod motor_equations {
                 }
                 _ => {}
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("body `shaft` is damped")
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

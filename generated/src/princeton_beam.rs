@@ -59,6 +59,7 @@ impl ::rncf::Model for PrincetonBeam {
         "Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).",
         "Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as body `beam` is made of the element `beam`, for which such forces are not derived.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -1836,6 +1837,11 @@ pub mod princeton_beam_equations {
                 }
                 _ => {}
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some(
+                "body `beam` is made of the element `beam`, for which such forces are not derived",
+            )
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

@@ -69,6 +69,7 @@ impl ::rncf::Model for RightAngleFrame {
         "Body `second` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `second` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
         "Constraint `corner` (weld): 6 multipliers; gradient and second derivatives are derived.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as body `first` is made of the element `beam`, for which such forces are not derived.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -2996,6 +2997,11 @@ pub mod right_angle_frame_equations {
                     }
                 }
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some(
+                "body `first` is made of the element `beam`, for which such forces are not derived",
+            )
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

@@ -66,6 +66,7 @@ impl ::rncf::Model for RollUp {
         "Body `beam` is planar: two components a vector, no motion along the normal.",
         "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear, twist and have rotary inertia.",
         "Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as load `bend` is a moment, which has no potential.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -1213,6 +1214,9 @@ pub mod roll_up_equations {
                 }
                 _ => {}
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("load `bend` is a moment, which has no potential")
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

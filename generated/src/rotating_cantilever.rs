@@ -64,6 +64,7 @@ impl ::rncf::Model for RotatingCantilever {
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -1613,6 +1614,9 @@ pub mod rotating_cantilever_equations {
                 }
                 _ => {}
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("frame `hub` moves in a prescribed way")
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

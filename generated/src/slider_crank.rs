@@ -99,6 +99,7 @@ impl ::rncf::Model for SliderCrank {
         "Constraint `guide_y` (constraint): 1 multiplier; linear in its vectors, no second derivatives.",
         "Constraint `guide_z` (constraint): 1 multiplier; linear in its vectors, no second derivatives.",
         "Fixture `slider` adds constants to the inertia of `beam` and no unknowns.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as body `beam` is damped.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -2850,6 +2851,9 @@ pub mod slider_crank_equations {
                 }
                 _ => {}
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("body `beam` is damped")
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

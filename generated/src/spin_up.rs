@@ -60,6 +60,7 @@ impl ::rncf::Model for SpinUp {
         "Body `beam` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -1493,6 +1494,9 @@ pub mod spin_up_equations {
                 }
                 _ => {}
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("frame `hub` moves in a prescribed way")
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

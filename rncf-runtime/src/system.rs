@@ -221,6 +221,25 @@ pub trait System {
 
     /// Total energy (J) where the model conserves it, else `None`.
     fn energy(&mut self, state: &State) -> Option<f64>;
+
+    /// Forces between two states that conserve energy, for [`crate::Method::EnergyMomentum`].
+    ///
+    /// # Errors
+    /// Why there are none, in the user's words and with what can be done.
+    fn conserving(&mut self) -> Result<&mut dyn Conserving, String> {
+        Err("it has no forces between two states that conserve energy: take another integrator".to_string())
+    }
+}
+
+/// Forces F(q0, q1) between two states that do the work U(q1) - U(q0) and have no resultant where the potential U has
+/// none. The mass matrix is constant; what has no inertia is carried along by as many constraints.
+pub trait Conserving {
+    /// `out = M a + F(from, to)` with the acceleration `a` of the second state; n entries.
+    fn residual(&mut self, from: &State, to: &State, out: &mut [f64]);
+
+    /// `factors[0] M + factors[1] dF/d((q0 + q1) / 2)` at a fixed first state on [`System::pattern`]; every entry is
+    /// overwritten. Not symmetric.
+    fn matrix(&mut self, from: &State, to: &State, factors: [f64; 2], values: &mut [f64]);
 }
 
 /// Multiplies the columns of the orientation whose first unknown is `turn` by `T(theta)^-1`.

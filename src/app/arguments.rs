@@ -269,6 +269,7 @@ fn method(matches: &ArgMatches) -> Result<Method, String> {
         "generalized-alpha" => Method::GeneralizedAlpha {
             rho_inf: rho_inf.unwrap_or(0.8),
         },
+        "energy" => Method::EnergyMomentum,
         _ => Method::Radau,
     })
 }
@@ -320,8 +321,8 @@ fn command_line<M: Model>(program: &Program<'_>) -> clap::Command {
         .arg(choice(
             "integrator",
             "METHOD",
-            &["hht", "generalized-alpha", "radau"],
-            "hht, generalized-alpha or radau (default)",
+            &["hht", "generalized-alpha", "radau", "energy"],
+            "hht, generalized-alpha, radau (default) or energy (conserves it; ANCF)",
         ))
         .arg(value(
             "rtol",

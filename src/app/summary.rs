@@ -290,6 +290,7 @@ pub(super) fn settings(summary: &mut Summary, settings: &RunSettings) {
     }
     match settings.method {
         Method::Radau => put(summary, "integrator", json!("radau")),
+        Method::EnergyMomentum => put(summary, "integrator", json!("energy")),
         Method::Hht { alpha } => {
             put(summary, "integrator", json!("hht"));
             put(summary, "alpha", json!(alpha));

@@ -33,7 +33,7 @@ fn turned(v: [f64; 3]) -> [f64; 3] {
 }
 
 /// The start in inertial nodal vectors: an arc that moves as a rigid body.
-fn start(model: &FreeFlight) -> Vec<f64> {
+pub fn start(model: &FreeFlight) -> Vec<f64> {
     let spin = [model.roll, model.pitch, model.yaw];
     let (mut q, mut qd) = (Vec::new(), Vec::new());
     for node in 0..=model.elements {
@@ -51,7 +51,7 @@ fn start(model: &FreeFlight) -> Vec<f64> {
 }
 
 /// Energy, momentum and angular momentum, from nodal vectors in the frame and the frame's pose.
-fn kept(scene: &mut dyn Scene, state: &State, cable: &FreeCable) -> Kept {
+pub fn kept(scene: &mut dyn Scene, state: &State, cable: &FreeCable) -> Kept {
     let seen = scene.frame_state(state);
     let pose = seen.poses[0];
     let matrix = pose.rotation.matrix();
@@ -72,7 +72,7 @@ fn kept(scene: &mut dyn Scene, state: &State, cable: &FreeCable) -> Kept {
 }
 
 /// End of the cable at the times, and the largest relative changes of energy, momentum, angular momentum.
-fn flight(formulation: Formulation, method: Method, options: Options, times: &[f64]) -> (Vec<Vec<f64>>, [f64; 3]) {
+pub fn flight(formulation: Formulation, method: Method, options: Options, times: &[f64]) -> (Vec<Vec<f64>>, [f64; 3]) {
     let model = FreeFlight::default();
     let cable = FreeCable::new(model.elements, model.tip_mass).unwrap();
     let mut scene = model.build(formulation, Joints::Eliminated).unwrap();

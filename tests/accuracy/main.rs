@@ -2,6 +2,7 @@
 
 mod dense;
 mod determinism;
+mod energy;
 mod equilibria;
 mod esail;
 mod free_flight;

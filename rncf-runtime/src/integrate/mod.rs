@@ -1,4 +1,4 @@
-//! Time integration of a [`System`]: HHT, generalized-alpha and Radau IIA.
+//! Time integration of a [`System`]: HHT, generalized-alpha, Radau IIA and energy-momentum integration.
 //!
 //! The driver ([`Integrator`]) owns the time axis: limits, kinks, the end, and the counts of
 //! steps. A method (`scheme::Scheme`) tries one step at a time.
@@ -12,6 +12,7 @@ mod consistent;
 mod control;
 mod dense;
 mod diagnose;
+mod energy;
 mod history;
 mod newton;
 mod options;
@@ -34,6 +35,7 @@ use crate::system::{ConstraintLevel, State, System};
 use alpha::{Alpha, Coefficients};
 use bordered::{Bordered, add};
 use consistent::Inconsistent;
+use energy::EnergyMomentum;
 use radau::Radau;
 use scheme::{Cause, Outcome, Scheme};
 use segments::Segments;
@@ -73,6 +75,7 @@ pub struct Integrator<'s, S: System + ?Sized> {
 enum Running {
     Alpha(Box<Alpha>),
     Radau(Box<Radau>),
+    Energy(Box<EnergyMomentum>),
 }
 
 impl<'s, S: System + ?Sized> Integrator<'s, S> {
@@ -113,6 +116,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
                 Running::alpha(system, Coefficients::generalized_alpha(rho_inf), &options)
             }
             Method::Radau => Running::Radau(Box::new(Radau::new(system, &options))),
+            Method::EnergyMomentum => Running::Energy(Box::new(EnergyMomentum::new(system, &options))),
         };
         let mut integrator = Self {
             system,
@@ -433,6 +437,7 @@ impl Scheme for Running {
         match self {
             Running::Alpha(scheme) => scheme.begin(system, state, h, statistics),
             Running::Radau(scheme) => scheme.begin(system, state, h, statistics),
+            Running::Energy(scheme) => scheme.begin(system, state, h, statistics),
         }
     }
 
@@ -440,6 +445,7 @@ impl Scheme for Running {
         match self {
             Running::Alpha(scheme) => scheme.attempt(system, h, statistics),
             Running::Radau(scheme) => scheme.attempt(system, h, statistics),
+            Running::Energy(scheme) => scheme.attempt(system, h, statistics),
         }
     }
 
@@ -447,6 +453,7 @@ impl Scheme for Running {
         match self {
             Running::Alpha(scheme) => scheme.state(),
             Running::Radau(scheme) => scheme.state(),
+            Running::Energy(scheme) => scheme.state(),
         }
     }
 
@@ -454,6 +461,7 @@ impl Scheme for Running {
         match self {
             Running::Alpha(scheme) => scheme.time_rest(),
             Running::Radau(scheme) => scheme.time_rest(),
+            Running::Energy(scheme) => scheme.time_rest(),
         }
     }
 
@@ -461,6 +469,7 @@ impl Scheme for Running {
         match self {
             Running::Alpha(scheme) => scheme.interpolate(t, out),
             Running::Radau(scheme) => scheme.interpolate(t, out),
+            Running::Energy(scheme) => scheme.interpolate(t, out),
         }
     }
 
@@ -468,6 +477,7 @@ impl Scheme for Running {
         match self {
             Running::Alpha(scheme) => scheme.worst_error(),
             Running::Radau(scheme) => scheme.worst_error(),
+            Running::Energy(scheme) => scheme.worst_error(),
         }
     }
 }

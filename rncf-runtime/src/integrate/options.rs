@@ -15,6 +15,9 @@ pub enum Method {
     },
     /// Radau IIA with three stages, order 5 (THEORY 7.5).
     Radau,
+    /// Energy and momentum exactly, order 2: elastic forces between the two ends of a step that do the work of the
+    /// change of energy. For models that conserve energy and have a constant mass, see [`crate::System::conserving`].
+    EnergyMomentum,
 }
 
 /// Step size control.

@@ -27,7 +27,7 @@ pub(super) fn check_settings(t: f64, t_end: f64, method: Method, options: &Optio
         Method::GeneralizedAlpha { rho_inf } => {
             check((0.0..=1.0).contains(&rho_inf), "rho_inf", rho_inf, "within [0, 1]")?
         }
-        Method::Radau => {}
+        Method::Radau | Method::EnergyMomentum => {}
     }
     check(positive(options.rtol), "rtol", options.rtol, "positive and finite")?;
     if let StepSize::Fixed(h) = options.step {

@@ -231,7 +231,8 @@ impl MeshScene {
         }
     }
 
-    fn add_loads(&mut self, t: f64, load_scale: f64) {
+    /// Adds constant and follower loads on bodies.
+    pub(super) fn add_loads(&mut self, t: f64, load_scale: f64) {
         for index in 0..self.loads.len() {
             let Some(point) = self.load_points[index].as_ref().filter(|_| !self.is_marked(index)) else {
                 continue;

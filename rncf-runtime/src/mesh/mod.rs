@@ -9,6 +9,7 @@ mod build;
 mod carried;
 mod checks;
 mod conditions;
+mod conserving;
 mod configuration;
 mod density;
 mod density_lanes;

@@ -395,6 +395,17 @@ pub trait Parts: Send + Sync + 'static {
         elastic_tangent_one_by_one(self, elements, q, v, stiffness, damping);
     }
 
+    /// Why there are no forces between two states that conserve energy: a sentence without its end; `None` where
+    /// [`Parts::conserving_force`] does.
+    fn conserving_obstacle(&self) -> Option<&'static str> {
+        Some("its equations have no such forces")
+    }
+    /// Adds the elastic force of one element between two states, from its components in both: work U(end) - U(start), no
+    /// moment about the mean positions.
+    fn conserving_force(&self, _body: usize, _element: usize, _start: &[f64], _end: &[f64], _force: &mut [f64]) {}
+    /// Adds its derivative with respect to the mean of both at a fixed start, rows first.
+    fn conserving_tangent(&self, _body: usize, _element: usize, _start: &[f64], _end: &[f64], _stiffness: &mut [f64]) {}
+
     /// Whether a load's components depend on time.
     fn load_varies(&self, load: usize) -> bool;
     /// Components of a load at `t`, in its frame's axes.

@@ -124,6 +124,8 @@ pub(super) struct Buffers {
     pub a: Vec<f64>,
     /// Jerks of prescribed vectors, else zero.
     pub jerks: Vec<f64>,
+    /// Components at the start of a step, for forces between two states.
+    pub begun: Vec<f64>,
     pub force: Vec<f64>,
     pub frames: Vec<FrameMotion>,
     /// Results of elements side by side.
@@ -149,6 +151,7 @@ impl Buffers {
             v: zeros(),
             a: zeros(),
             jerks: zeros(),
+            begun: Vec::new(),
             force: zeros(),
             frames,
             lanes: Vec::new(),

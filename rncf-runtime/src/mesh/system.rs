@@ -7,7 +7,7 @@ use super::layout::VectorKind;
 use super::parts::{Interpolant, JointKind};
 use super::scene::{MeshScene, Regime, Row};
 use crate::linalg::Pattern;
-use crate::system::{ConstraintLevel, State, System, Tangent};
+use crate::system::{Conserving, ConstraintLevel, State, System, Tangent};
 
 /// Letters of the components.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -214,6 +214,13 @@ impl System for MeshScene {
 
     fn energy(&mut self, state: &State) -> Option<f64> {
         self.total_energy(state)
+    }
+
+    fn conserving(&mut self) -> Result<&mut dyn Conserving, String> {
+        match self.conserving_obstacle() {
+            None => Ok(self),
+            Some(text) => Err(text),
+        }
     }
 }
 

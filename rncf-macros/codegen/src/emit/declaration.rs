@@ -202,6 +202,7 @@ fn notes(model: &Model, library: &Library, equations: &Equations) -> Vec<String>
         notes.extend(described(body));
     }
     notes.extend(moving(model, equations));
+    notes.push(super::conserving::note(equations));
     notes
 }
 

@@ -79,7 +79,7 @@ impl Parts<'_> {
     }
 
     /// Values of one element in the stress-free shape, as the argument of a kernel.
-    fn reference(&self, index: usize, body: &Body) -> String {
+    pub(super) fn reference(&self, index: usize, body: &Body) -> String {
         match &self.variant(index).elastic.reference {
             Some(_) if body.repeat.is_some() => format!("&self.reference_{}[instance][element], ", body.name),
             Some(_) => format!("&self.reference_{}[element], ", body.name),

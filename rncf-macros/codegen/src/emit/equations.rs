@@ -1,5 +1,6 @@
 //! All kernels of a model, derived once.
 
+use super::conserving::{Conserving, not_conservative};
 use super::elements::{rows_side_by_side, side_by_side};
 use super::kernel::{documentation, fits_lanes, function, function_of_lanes};
 use super::moving::document_rows;
@@ -15,7 +16,7 @@ use crate::lower::initial::initial_kernel;
 use crate::lower::joints::{JointKernels, joint_kernels};
 pub use crate::lower::loads::Reduced;
 use crate::lower::{ElasticKernels, Kernel, Variant, elastic_kernels, loads, motions};
-use crate::model::{Body, BodyId, Expr, Fidelity, FrameId, INERTIAL, Joint, LoadKind, Model, Observable};
+use crate::model::{BodyId, FrameId, INERTIAL, Joint, LoadKind, Model, Observable};
 
 /// An element variant with its kernels.
 pub struct VariantKernels {
@@ -89,6 +90,8 @@ pub struct Equations {
     pub run: Kernel,
     /// Whether energy is conserved.
     pub conservative: bool,
+    /// Forces between two states that conserve it.
+    pub conserving: Conserving,
 }
 
 impl Equations {
@@ -127,8 +130,10 @@ impl Equations {
         let outputs = loads::outputs_kernel(model);
         let mut constraints = constraint_kernels(model);
         constraints.iter_mut().for_each(|kernels| document_rows(kernels, model));
+        let dissipation = not_conservative(model, &variants, &variant_of);
         Self {
-            conservative: conservative(model, &variants, &variant_of),
+            conserving: Conserving::derive(model, library, (&variants, &variant_of), dissipation.as_deref()),
+            conservative: dissipation.is_none(),
             variant_of,
             frames: prescribed
                 .map(|(index, _)| (index, motions::frame_kernel(model, FrameId(index))))
@@ -186,6 +191,7 @@ impl Equations {
             variant.shapes.iter().flat_map(|(_, orders)| orders).for_each(&mut add);
             add(&variant.field_forces);
         }
+        self.conserving.kernels.iter().flatten().for_each(|kernel| text += &function(kernel));
         self.rest().into_iter().for_each(|kernel| text += &function(kernel));
         text += &self.density_functions();
         let rows: String = self.variants.iter().map(|variant| variant.row.clone()).collect();
@@ -308,44 +314,4 @@ fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Librar
         text += &rows_side_by_side(&crate::lower::camel_case(name), &fields);
     }
     text
-}
-
-/// Energy is conserved where no frame that matters moves in a prescribed way, no load, constraint or
-/// force varies, and nothing damps. Moments have no potential in general.
-fn conservative(model: &Model, variants: &[VariantKernels], variant_of: &[usize]) -> bool {
-    let frames = model
-        .bodies
-        .iter()
-        .map(|body| body.frame)
-        .chain(model.joints.iter().map(|joint| joint.frame));
-    let frames = frames.chain(model.loads.iter().filter_map(|load| match load.kind {
-        LoadKind::Force { frame, .. } => Some(frame),
-        _ => None,
-    }));
-    let frames = frames.chain(
-        (0..model.frames.len())
-            .map(FrameId)
-            .filter(|&frame| is_free(model, frame)),
-    );
-    let used = model.constraints.iter().map(|constraint| &constraint.markers);
-    let used = used.chain(model.forces.iter().map(|force| &force.markers)).flatten();
-    let mut frames = frames.chain(used.filter_map(|marker| model.markers[marker.0].frame()));
-    let loads = model.loads.iter().all(|load| match &load.kind {
-        LoadKind::Gravity(components) | LoadKind::Force { components, .. } => !motions::varies(model, components),
-        LoadKind::Moment { .. } | LoadKind::Field { .. } => false,
-    });
-    let rows = model.constraints.iter().flat_map(|constraint| &constraint.rows);
-    let rheonomic = motions::varies(model, rows.map(|(_, row)| row));
-    let forces = model.forces.iter().all(|force| {
-        let exprs: Vec<&Expr> = force.components.iter().flatten().chain(&force.energy).collect();
-        force.energy.is_some() && !motions::varies(model, exprs)
-    });
-    let damps =
-        |(body, &variant): (&Body, &usize)| body.fidelity != Fidelity::Rigid && variants[variant].variant.damped;
-    loads
-        && model.densities.is_empty()
-        && forces
-        && !rheonomic
-        && !model.bodies.iter().zip(variant_of).any(damps)
-        && !frames.any(|frame| motions::moves(model, frame))
 }

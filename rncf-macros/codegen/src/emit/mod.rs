@@ -1,6 +1,7 @@
 //! From a model and its kernels to Rust: one function for each kind of thing, text first, tokens at
 //! the end.
 
+mod conserving;
 pub mod declaration;
 mod density;
 mod elements;

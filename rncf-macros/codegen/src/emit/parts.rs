@@ -68,6 +68,7 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     text += &writer.initial();
     text += &super::start::starts(&writer);
     text += &writer.element_functions();
+    text += &writer.conserving();
     text += &writer.sections();
     text += &writer.moments();
     text += &writer.conditions();

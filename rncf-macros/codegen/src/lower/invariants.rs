@@ -217,6 +217,18 @@ impl Response<'_> {
         (stiffness, Some(viscosity))
     }
 
+    /// Derivative of the force with respect to the mean `vectors` of two states at a fixed first one, where the stress
+    /// is that of the mean of the invariants: `S_A d2I_A/didj + dI_A/di (H_AB dI_B/dj)^T`, the last gradient at the
+    /// second state, `ends`. Not symmetric.
+    pub fn averaged_tangent(&self, graph: &mut Graph, ends: &[Vector]) -> Blocks {
+        let gradients = self.gradients(graph, self.vectors);
+        let at_end = self.gradients(graph, ends);
+        let along = self.contract(graph, self.stiffness, &at_end);
+        let mut blocks = self.outer(graph, &gradients, &along, false);
+        self.add_geometric(graph, &mut blocks);
+        blocks
+    }
+
     /// `[A][j]`: gradient of invariant A with respect to vector j.
     fn gradients(&self, graph: &mut Graph, vectors: &[Vector]) -> Vec<Vec<Option<Vector>>> {
         let of = |graph: &mut Graph, invariant: &Invariant| {

@@ -137,6 +137,51 @@ impl Signature<'_> {
         }
     }
 
+    /// Wraps the expressions of a force between two states, or of its derivative.
+    pub fn between_states(
+        &self,
+        form: Form,
+        quantity: Quantity,
+        graph: Graph,
+        points: Option<PointLoop>,
+        outputs: Vec<(String, Id)>,
+    ) -> Kernel {
+        let size = self.variant.size(self.library);
+        let mut arguments = vec![format!("row: &{}", self.row())];
+        if self.variant.curved {
+            arguments.push(format!("reference: &[f64; {}]", self.reference_count(form)));
+        }
+        arguments.extend(["start", "end"].map(|state| format!("{state}: &[f64; {size}]")));
+        let (suffix, what) = match quantity {
+            Quantity::Tangent => {
+                arguments.push(format!("stiffness: &mut [f64; {}]", size * size));
+                (
+                    "conserving_tangent",
+                    "Adds the derivative of the conserving force of one element with respect to the mean of both states at \
+                     a fixed start (half of it is that with respect to the end), rows first; not symmetric",
+                )
+            }
+            _ => {
+                arguments.push(format!("force: &mut [f64; {size}]"));
+                (
+                    "conserving_force",
+                    "Adds the elastic force of one element between two states that does the work U(end) - U(start) over \
+                     the step and has no moment about the mean positions: S_A(mean of I) dI_A/dq(mean of q)",
+                )
+            }
+        };
+        Kernel {
+            name: format!("{}_{suffix}", self.variant.name(self.library)),
+            doc: vec![format!("{what}."), self.energy_text(), self.form_text(form)],
+            arguments,
+            bindings: self.bindings(true, &[("start", "o_"), ("end", "e_")]),
+            graph,
+            points,
+            outputs,
+            assign: false,
+        }
+    }
+
     /// Wraps the expressions of a kernel of the fields at a point.
     pub fn field_point(
         &self,

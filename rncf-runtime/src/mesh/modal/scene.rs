@@ -17,7 +17,7 @@ use crate::mesh::sampling::SectionBody;
 use crate::mesh::scene::MeshScene;
 use crate::mesh::section::SectionState;
 use crate::model::{Formulation, FrameState, Joints, Scene};
-use crate::system::{ConstraintLevel, State, System, Tangent};
+use crate::system::{Conserving, ConstraintLevel, State, System, Tangent};
 
 /// Builds the scene of a model with emitted parts: with modal coordinates where a body asks for them.
 ///
@@ -322,6 +322,13 @@ fn transposed(matrix: &[f64], k: usize, n: usize) -> Vec<f64> {
 impl System for ModalScene {
     fn unknowns(&self) -> usize {
         self.reduction.unknowns()
+    }
+
+    fn conserving(&mut self) -> Result<&mut dyn Conserving, String> {
+        let body = self.bodies.first().map_or("", |&body| self.scene.bodies[body].spec.name);
+        Err(format!(
+            "body `{body}` is described by modes or is rigid: energy-momentum integration needs all its nodal vectors"
+        ))
     }
 
     fn constraints(&self) -> usize {

@@ -1,6 +1,7 @@
 //! Elastic kernels of an element: force, tangent, energy and reference values, as a constant tensor
 //! or by integration points, unrolled or in a loop.
 
+mod conserving;
 mod fields;
 mod nodal;
 mod particles;
@@ -10,6 +11,7 @@ mod tensor;
 
 use std::collections::HashMap;
 
+pub use conserving::{conserving_kernels, conserving_obstacle};
 pub use fields::{FieldBlocks, FieldKernels, FieldRule, Groups, field_kernels};
 
 use crate::elements::{Element, Field, Library, NodalVector};
@@ -122,6 +124,10 @@ struct Builder<'a> {
     /// Relative vectors and their rates.
     vectors: Vec<Vector>,
     rates: Vec<Vector>,
+    /// The same vectors at both ends of a step, of a force between two states; `vectors` are then their mean.
+    ends: Option<[Vec<Vector>; 2]>,
+    /// What the averaged invariants are of: those vectors, or the fields at a point.
+    averaged: Option<[Vec<Vector>; 2]>,
     force: Vec<Vector>,
     stiffness: Blocks,
     viscosity: Option<Blocks>,
@@ -170,6 +176,8 @@ impl<'a> Builder<'a> {
             coefficients,
             vectors: Vec::new(),
             rates: Vec::new(),
+            ends: None,
+            averaged: None,
             force: Vec::new(),
             stiffness: Vec::new(),
             viscosity: None,

@@ -98,6 +98,9 @@ impl Builder<'_> {
         } else {
             self.fields(&rates, &shape, "v_")
         };
+        if let Some([start, end]) = self.ends.clone() {
+            self.averaged = Some([self.fields(&start, &shape, "o_"), self.fields(&end, &shape, "e_")]);
+        }
         let state = self.field_state(&fields, &field_rates, weight);
         let response = Response {
             invariants: &state.invariants,
@@ -128,8 +131,11 @@ impl Builder<'_> {
                 }
             }
             Quantity::Tangent => {
-                let symmetric = state.viscosity.is_empty();
-                let (stiffness, viscosity) = response.tangent(&mut self.graph);
+                let symmetric = state.viscosity.is_empty() && self.averaged.is_none();
+                let (stiffness, viscosity) = match &self.averaged {
+                    Some([_, end]) => (response.averaged_tangent(&mut self.graph, end), None),
+                    None => response.tangent(&mut self.graph),
+                };
                 contribution.stiffness = self.project(&stiffness, &shape, symmetric);
                 contribution.viscosity = viscosity.map(|blocks| self.project(&blocks, &shape, false));
             }

@@ -3,6 +3,7 @@
 
 use std::collections::HashMap;
 
+use super::conserving::averaged_value;
 use super::{Builder, Form, Quantity, State, points};
 use crate::elements::{Density, Term};
 use crate::lower::invariants::Invariant;
@@ -79,7 +80,8 @@ impl Builder<'_> {
             is_damped: !rates.is_empty(),
         };
         for (place, &(invariant, symbol)) in list.iter().enumerate() {
-            symbols.real.insert(symbol, invariant.value(graph, fields));
+            let value = averaged_value(invariant, graph, fields, self.averaged.as_ref());
+            symbols.real.insert(symbol, value);
             if symbols.is_damped {
                 symbols
                     .real

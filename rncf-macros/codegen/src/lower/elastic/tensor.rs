@@ -1,5 +1,6 @@
 //! Elastic kernels as constant tensors (Eq. 7).
 
+use super::conserving::averaged_value;
 use super::{Builder, Quantity, State};
 use crate::lower::invariants::{Invariant, Response, invariants};
 use crate::lower::quadratic::{TensorTerm, tensor_terms};
@@ -55,7 +56,12 @@ impl Builder<'_> {
         };
         match self.quantity {
             Quantity::Force => self.force = response.force(&mut self.graph),
-            Quantity::Tangent => (self.stiffness, self.viscosity) = response.tangent(&mut self.graph),
+            Quantity::Tangent => {
+                (self.stiffness, self.viscosity) = match &self.averaged {
+                    Some([_, end]) => (response.averaged_tangent(&mut self.graph, end), None),
+                    None => response.tangent(&mut self.graph),
+                }
+            }
             Quantity::Energy | Quantity::Reference => {}
         }
         Some(())
@@ -69,7 +75,7 @@ impl Builder<'_> {
             damped: Vec::new(),
         };
         for (place, invariant) in list.iter().enumerate() {
-            let value = invariant.value(&mut self.graph, &self.vectors);
+            let value = averaged_value(*invariant, &mut self.graph, &self.vectors, self.averaged.as_ref());
             self.graph.name(value, invariant.name(&names));
             let curved = self.variant.curved;
             let reference = if curved {

@@ -1,6 +1,7 @@
 //! Kernels of what moves freely against complex steps, differences in time and sums written out.
 
 mod beam;
+mod conserving;
 mod constraints;
 mod density;
 mod emitted;

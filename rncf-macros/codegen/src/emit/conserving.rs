@@ -1,0 +1,173 @@
+//! Forces between two states that conserve energy: where a model has them, and what stands against them.
+
+use std::fmt::Write;
+
+use super::equations::{Equations, VariantKernels, is_free};
+use super::parts::Parts;
+use crate::elements::Library;
+use crate::lower::elastic::{conserving_kernels, conserving_obstacle};
+use crate::lower::{Kernel, motions};
+use crate::model::{Expr, Fidelity, FrameId, LoadKind, Model};
+
+/// The conserving forces of a model.
+pub struct Conserving {
+    /// Why the model has none, for the user: a sentence without its end.
+    pub obstacle: Option<String>,
+    /// Force and tangent of every element variant; empty where there is an obstacle.
+    pub kernels: Vec<[Kernel; 2]>,
+}
+
+impl Conserving {
+    /// Derives them, if nothing stands against them; `dissipation` is why energy is not conserved at all.
+    pub fn derive(
+        model: &Model,
+        library: &Library,
+        (variants, variant_of): (&[VariantKernels], &[usize]),
+        dissipation: Option<&str>,
+    ) -> Self {
+        let not_full = model.bodies.iter().find(|body| body.fidelity != Fidelity::Full);
+        let not_full = not_full.map(|body| {
+            format!(
+                "body `{}` is described by modes or is rigid, not by all its nodal vectors",
+                body.name
+            )
+        });
+        let elements = model.bodies.iter().zip(variant_of).find_map(|(body, &variant)| {
+            let variant = &variants[variant];
+            let why = conserving_obstacle(&variant.variant, library, variant.elastic.form)?;
+            Some(format!("body `{}` {why}", body.name))
+        });
+        let obstacle = dissipation.map(str::to_string).or(not_full).or(elements);
+        let kernels = match obstacle {
+            Some(_) => Vec::new(),
+            None => variants
+                .iter()
+                .filter_map(|variant| conserving_kernels(&variant.variant, library, variant.elastic.form))
+                .collect(),
+        };
+        Self { obstacle, kernels }
+    }
+}
+
+/// Why energy is not conserved, naming what moves or acts in a prescribed way, or damps; `None` where it is. Moments
+/// have no potential in general.
+pub fn not_conservative(model: &Model, variants: &[VariantKernels], variant_of: &[usize]) -> Option<String> {
+    let bodies = model.bodies.iter().zip(variant_of);
+    let mut damped = bodies
+        .filter(|&(body, &variant)| body.fidelity != Fidelity::Rigid && variants[variant].variant.damped)
+        .map(|(body, _)| format!("body `{}` is damped", body.name));
+    damped
+        .next()
+        .or_else(|| load_that_works(model))
+        .or_else(|| force_that_works(model))
+        .or_else(|| frame_that_moves(model))
+}
+
+fn load_that_works(model: &Model) -> Option<String> {
+    if let Some(density) = model.densities.first() {
+        return Some(format!("the load per length `{}` has no potential", density.name));
+    }
+    model.loads.iter().find_map(|load| match &load.kind {
+        LoadKind::Gravity(components) | LoadKind::Force { components, .. } => {
+            motions::varies(model, components).then(|| format!("load `{}` varies with time", load.name))
+        }
+        LoadKind::Moment { .. } => Some(format!("load `{}` is a moment, which has no potential", load.name)),
+        LoadKind::Field { .. } => Some(format!("gravity `{}` changes with the place of its frame", load.name)),
+    })
+}
+
+fn force_that_works(model: &Model) -> Option<String> {
+    let rheonomic = model.constraints.iter().find(|constraint| {
+        let rows = constraint.rows.iter().map(|(_, row)| row);
+        motions::varies(model, rows)
+    });
+    if let Some(constraint) = rheonomic {
+        return Some(format!("{} `{}` depends on time", constraint.kind, constraint.name));
+    }
+    model.forces.iter().find_map(|force| {
+        let exprs: Vec<&Expr> = force.components.iter().flatten().chain(&force.energy).collect();
+        if force.energy.is_none() {
+            return Some(format!("force `{}` has no potential", force.name));
+        }
+        motions::varies(model, exprs).then(|| format!("force `{}` depends on time", force.name))
+    })
+}
+
+/// A frame that matters and moves in a prescribed way.
+fn frame_that_moves(model: &Model) -> Option<String> {
+    let bodies = model.bodies.iter().map(|body| body.frame);
+    let joints = model.joints.iter().map(|joint| joint.frame);
+    let loads = model.loads.iter().filter_map(|load| match load.kind {
+        LoadKind::Force { frame, .. } => Some(frame),
+        _ => None,
+    });
+    let free = (0..model.frames.len())
+        .map(FrameId)
+        .filter(|&frame| is_free(model, frame));
+    let used = model.constraints.iter().map(|constraint| &constraint.markers);
+    let used = used.chain(model.forces.iter().map(|force| &force.markers)).flatten();
+    let used = used.filter_map(|marker| model.markers[marker.0].frame());
+    let mut frames = bodies.chain(joints).chain(loads).chain(free).chain(used);
+    let moving = frames.find(|&frame| motions::moves(model, frame))?;
+    Some(format!(
+        "frame `{}` moves in a prescribed way",
+        model.frames[moving.0].name
+    ))
+}
+
+/// The sentence of the notes.
+pub fn note(equations: &Equations) -> String {
+    let Conserving { obstacle, kernels } = &equations.conserving;
+    let Some(obstacle) = obstacle else {
+        let costs: Vec<String> = kernels
+            .iter()
+            .flatten()
+            .map(|kernel| {
+                let cost = kernel.cost();
+                (cost.additions + cost.multiplications + cost.divisions + cost.functions).to_string()
+            })
+            .collect();
+        return match &costs[..] {
+            [] => "Energy-momentum integration: there is no flexible body to derive forces for.".to_string(),
+            _ => format!(
+                "Energy-momentum integration: forces between two states that conserve energy are derived (operations of \
+                 force and tangent: {}).",
+                costs.join(" and ")
+            ),
+        };
+    };
+    format!("Energy-momentum integration: no forces that conserve energy are emitted, as {obstacle}.")
+}
+
+impl Parts<'_> {
+    /// The functions of the conserving forces, or why there are none.
+    pub(super) fn conserving(&self) -> String {
+        let Conserving { obstacle, kernels } = &self.equations.conserving;
+        if let Some(obstacle) = obstacle {
+            return format!(
+                "fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {{ Some({obstacle:?}) }}\n"
+            );
+        }
+        let mut text =
+            "fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> { None }\n".to_string();
+        if kernels.is_empty() {
+            return text;
+        }
+        let kind = self.kind();
+        for (place, (name, result)) in [("force", "force"), ("tangent", "stiffness")].into_iter().enumerate() {
+            let calls = self.by_body(|index, body| {
+                format!(
+                    "{}(&{}, {}::rncf::mesh::array(start), ::rncf::mesh::array(end), ::rncf::mesh::array_mut({result}));",
+                    kernels[self.equations.variant_of[index]][place].name,
+                    self.row(body),
+                    self.reference(index, body),
+                )
+            });
+            let _ = writeln!(
+                text,
+                "fn conserving_{name}(&self, body: usize, element: usize, start: &[f64], end: &[f64], {result}: &mut [f64]) {{\n{kind}{calls}}}"
+            );
+        }
+        text
+    }
+}

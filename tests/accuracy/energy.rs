@@ -1,0 +1,293 @@
+//! Energy-momentum integration: what it keeps to round-off, its order, and what it refuses.
+
+use rncf::{Formulation, Integrator, Joints, Method, Model, Options, Scene, SolveError, State, Stop};
+use rncf_models::{FreeFlight, HeavyTop, SpinUp};
+use rncf_tests::free_cable::{FreeCable, Kept};
+use rncf_tests::integrate::{Method as Explicit, agreed};
+
+use crate::free_flight;
+use crate::runs::{adaptive, apart, far, fixed, grid, orders, short, states_at};
+
+rncf::model! {
+    /// The cable of THEORY 9.6 with its mass, hung up at one end: a pendulum that stretches and bends.
+    model ElasticPendulum {
+        /// Number of elements.
+        param elements: count = 3;
+        /// Initial angular velocity about the vertical.
+        param sweep = 1.5 rad/s;
+        material soft { density = 1500 kg/m^3; young = 0.4 MPa; }
+        section flat { area = 10 cm^2; second_moment = 500 cm^4; }
+        body cable {
+            spatial;
+            line from [0, 0, 0] m to [2, 0, 0] m;
+            mesh elements * cable(flat, soft);
+            initial velocity [0, sweep * x, 0];
+        }
+        joint top = pin(cable.start, inertial);
+        fixture tip on cable.end { mass = 0.7 kg; }
+        load weight = gravity([0, 0, -9.81] m/s^2);
+        output end = cable.end;
+    }
+}
+
+rncf::model! {
+    /// A cable whose material damps.
+    model Damped {
+        material soft { density = 1500 kg/m^3; young = 0.4 MPa; damping = 1 ms; }
+        section flat { area = 10 cm^2; second_moment = 500 cm^4; }
+        body rope {
+            planar xy;
+            line from [0, 0, 0] m to [2, 0, 0] m;
+            mesh 2 * cable(flat, soft);
+        }
+        joint top = pin(rope.start, inertial);
+        output end = rope.end;
+    }
+}
+
+rncf::model! {
+    /// The same in its plane, clamped, with a force at its end.
+    model Clamped {
+        /// Number of elements.
+        param elements: count = 3;
+        material soft { density = 1500 kg/m^3; young = 0.4 MPa; }
+        section flat { area = 10 cm^2; second_moment = 500 cm^4; }
+        body cable {
+            planar xy;
+            line arc from [0, 0, 0] m along [1, 0, 0] normal [0, 0, 1] radius 1.5 m angle 1 rad;
+            mesh elements * cable(flat, soft);
+        }
+        joint wall = clamp(cable.start, inertial);
+        fixture tip on cable.end { mass = 0.7 kg; inertia = [0.01, 0.01, 0.01] kg m^2; }
+        load pull = force(cable.end, [0.5, -2, 0] N);
+        output end = cable.end;
+    }
+}
+
+/// Energy with what gravity and loads add, momentum and angular momentum of a state.
+struct Watched<'c> {
+    cable: &'c FreeCable,
+    /// Of the start.
+    first: Kept,
+}
+
+fn size(v: [f64; 3]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// Runs to the end; for every step what `look` sees of the state.
+fn run<T>(
+    scene: &mut dyn Scene,
+    options: Options,
+    method: Method,
+    end: f64,
+    mut look: impl FnMut(&mut dyn Scene, &State) -> T,
+) -> Result<Vec<T>, SolveError> {
+    let start = scene.rest(0.0);
+    let mut seen = vec![look(scene, &start)];
+    let mut integrator = Integrator::new(scene, start, end, method, options)?;
+    while integrator.step()? != Stop::End || seen.len() == 1 {
+        let state = integrator.state().clone();
+        seen.push(look(integrator.system(), &state));
+        if state.t >= end * (1.0 - 1e-12) {
+            break;
+        }
+    }
+    Ok(seen)
+}
+
+impl<'c> Watched<'c> {
+    fn new(cable: &'c FreeCable, first: Kept) -> Self {
+        Self { cable, first }
+    }
+
+    /// Relative changes of energy, momentum, angular momentum.
+    fn changes(&self, scene: &mut dyn Scene, state: &State) -> [f64; 3] {
+        let now = free_flight::kept(scene, state, self.cable);
+        [
+            (now.energy - self.first.energy) / self.first.energy,
+            far(&now.momentum, &self.first.momentum) / size(self.first.momentum),
+            far(&now.spin, &self.first.spin) / size(self.first.spin),
+        ]
+    }
+}
+
+/// Largest relative changes of energy, momentum and angular momentum of the tumbling cable, the largest change of the
+/// energy over one step, and the number of steps.
+fn tumble(method: Method, options: Options, end: f64) -> Result<([f64; 3], f64, usize), SolveError> {
+    let model = FreeFlight::default();
+    let cable = FreeCable::new(model.elements, model.tip_mass).unwrap();
+    let mut scene = model.build(Formulation::Ancf, Joints::Eliminated).unwrap();
+    let rest = scene.rest(0.0);
+    let first = free_flight::kept(scene.as_mut(), &rest, &cable);
+    let watched = Watched::new(&cable, first);
+    let seen = run(scene.as_mut(), options, method, end, |scene, state| watched.changes(scene, state))?;
+    let largest = std::array::from_fn(|kind| seen.iter().fold(0.0, |most: f64, row| most.max(row[kind].abs())));
+    let steps = seen.windows(2).map(|pair| (pair[1][0] - pair[0][0]).abs());
+    Ok((largest, steps.fold(0.0, f64::max), seen.len() - 1))
+}
+
+#[test]
+fn a_tumbling_cable_keeps_energy_and_momenta_over_ten_thousand_steps() {
+    let (kept, step, steps) = tumble(Method::EnergyMomentum, fixed(0.005), 50.0).unwrap();
+    println!("{steps} steps: changes {}, of the energy in a step {step:.1e}", short(&kept));
+    assert_eq!(steps, 10_000);
+    assert!(step < 2e-14, "{step:e}");
+    assert!(kept[0] < 1e-12, "energy {:e}", kept[0]);
+    assert!(kept[1] < 1e-13, "momentum {:e}", kept[1]);
+    assert!(kept[2] < 1e-12, "angular momentum {:e}", kept[2]);
+}
+
+#[test]
+fn the_order_is_two_against_the_inertial_equations() {
+    let model = FreeFlight::default();
+    let times = grid(0.1, 1.0);
+    let cable = FreeCable::new(model.elements, model.tip_mass).unwrap();
+    let reference = agreed(&cable, Explicit::DoPri8, 1e-13, &free_flight::start(&model), &times, 2e-9).unwrap();
+    let tip = 6 * model.elements;
+    let expected: Vec<Vec<f64>> = reference.states.iter().map(|y| y[tip..tip + 3].to_vec()).collect();
+    let errors = [0.002, 0.001, 0.0005].map(|h| {
+        let (ends, drift) = free_flight::flight(Formulation::Ancf, Method::EnergyMomentum, fixed(h), &times);
+        assert!(drift.iter().all(|drift| *drift < 1e-12), "{}", short(&drift));
+        apart(&ends, &expected)
+    });
+    let found = orders(&errors);
+    println!("errors {}, orders {found:.2?}", short(&errors));
+    assert!(found.iter().all(|order| (order - 2.0).abs() < 0.1), "{found:.2?}");
+}
+
+#[test]
+fn adaptive_steps_keep_energy_and_follow_the_tolerance() {
+    let model = FreeFlight::default();
+    let times = grid(0.1, 1.0);
+    let (expected, _) = free_flight::flight(Formulation::Ancf, Method::Radau, adaptive(1e-11), &times);
+    let errors = [1e-5, 1e-6, 1e-7].map(|rtol| {
+        let (ends, drift) = free_flight::flight(Formulation::Ancf, Method::EnergyMomentum, adaptive(rtol), &times);
+        // At the ends of the steps; between them dense output is of fourth order.
+        let (kept, ..) = tumble(Method::EnergyMomentum, adaptive(rtol), 1.0).unwrap();
+        println!("rtol {rtol:e}: drift {} at steps, {} at rows", short(&kept), short(&drift));
+        assert!(kept.iter().all(|change| *change < 1e-12), "{}", short(&kept));
+        apart(&ends, &expected)
+    });
+    println!("errors {}", short(&errors));
+    // A local error of third order: 2/3 of a decade for a decade of the tolerance.
+    for pair in errors.windows(2) {
+        let slope = (pair[0] / pair[1]).log10();
+        assert!((slope - 2.0 / 3.0).abs() < 0.15, "slope {slope:.2}");
+    }
+}
+
+/// Energy and angular momentum about the vertical, at every step.
+fn swing(method: Method, h: f64, end: f64) -> Result<Vec<[f64; 2]>, SolveError> {
+    let model = ElasticPendulum::default();
+    let cable = FreeCable::new(model.elements, 0.7).unwrap();
+    let mut scene = model.build(Formulation::Ancf, Joints::Eliminated).unwrap();
+    run(scene.as_mut(), fixed(h), method, end, |scene, state| {
+        let seen = scene.frame_state(state);
+        let spin = cable.kept(&seen.q, &seen.v).spin[2];
+        [scene.energy(state).unwrap(), spin]
+    })
+}
+
+/// Largest changes from the first, relative to the kinetic energy of a fall by the length and to the first spin.
+fn changes(seen: &[[f64; 2]]) -> [f64; 2] {
+    let scale = [0.5 * 3.0 * 9.81 * 2.0 + 0.7 * 9.81 * 2.0, seen[0][1].abs()];
+    std::array::from_fn(|kind| {
+        let change = |row: &[f64; 2]| (row[kind] - seen[0][kind]).abs() / scale[kind];
+        seen.iter().map(change).fold(0.0, f64::max)
+    })
+}
+
+#[test]
+fn an_elastic_pendulum_keeps_energy_and_its_vertical_angular_momentum() {
+    for h in [0.002, 0.01] {
+        let seen = swing(Method::EnergyMomentum, h, 10.0).unwrap();
+        let kept = changes(&seen);
+        println!("h = {h} s, {} steps: {}", seen.len() - 1, short(&kept));
+        assert!(kept[0] < 1e-12 && kept[1] < 1e-12, "{}", short(&kept));
+    }
+}
+
+#[test]
+fn steps_that_others_fail_or_drift_with_are_kept() {
+    // The fastest motion of the cable has a period of about 0.05 s.
+    for h in [0.01, 0.02] {
+        let kept = changes(&swing(Method::EnergyMomentum, h, 20.0).unwrap());
+        println!("h = {h} s: {}", short(&kept));
+        assert!(kept[0] < 1e-12 && kept[1] < 1e-12, "{}", short(&kept));
+        for method in [
+            Method::GeneralizedAlpha { rho_inf: 1.0 },
+            Method::GeneralizedAlpha { rho_inf: 0.8 },
+            Method::Hht { alpha: -0.05 },
+        ] {
+            match swing(method, h, 20.0) {
+                Ok(seen) => {
+                    let drift = changes(&seen);
+                    println!("h = {h} s, {method:?}: {}", short(&drift));
+                    assert!(drift[0] > 1e-4, "{method:?}: {}", short(&drift));
+                }
+                Err(error) => println!("h = {h} s, {method:?}: {error}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_planar_arc_keeps_its_energy_under_a_constant_force() {
+    let mut scene = Clamped::default().build(Formulation::Rncf, Joints::Eliminated).unwrap();
+    let energies = run(scene.as_mut(), fixed(0.01), Method::EnergyMomentum, 20.0, |scene, state| {
+        scene.energy(state).unwrap()
+    });
+    let energies = energies.unwrap();
+    let (low, high) = energies
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &e| (low.min(e), high.max(e)));
+    println!("{} steps: {:.1e} J", energies.len() - 1, high - low);
+    assert!(high - low < 1e-12, "{:e}", high - low);
+    // By multipliers instead of elimination, too: what they hold does not move.
+    let mut scene = Clamped::default().build(Formulation::Rncf, Joints::Multipliers).unwrap();
+    let other = run(scene.as_mut(), fixed(0.01), Method::EnergyMomentum, 2.0, |scene, state| {
+        scene.energy(state).unwrap()
+    });
+    let other = other.unwrap();
+    let most = other.iter().fold(0.0, |most: f64, e| most.max((e - other[0]).abs()));
+    assert!(most < 1e-12, "{most:e}");
+}
+
+/// Why a scene is refused.
+fn refusal(scene: &mut dyn Scene) -> String {
+    let start = scene.rest(0.0);
+    match Integrator::new(scene, start, 1.0, Method::EnergyMomentum, fixed(0.01)) {
+        Ok(_) => panic!("accepted"),
+        Err(error) => error.to_string(),
+    }
+}
+
+#[test]
+fn what_does_not_suit_is_refused_by_name() {
+    let build = |scene: Result<Box<dyn Scene>, _>| scene.unwrap();
+    for (mut scene, words) in [
+        (
+            build(FreeFlight::default().build(Formulation::Rncf, Joints::Eliminated)),
+            &["body `cable`", "free frame `f`", "--formulation ancf"][..],
+        ),
+        (
+            build(SpinUp::default().build(Formulation::Ancf, Joints::Eliminated)),
+            &["frame `hub` moves in a prescribed way", "another integrator"],
+        ),
+        (
+            build(HeavyTop::default().build(Formulation::Ancf, Joints::Eliminated)),
+            &["`top`", "rigid body", "another integrator"],
+        ),
+        (
+            build(Damped::default().build(Formulation::Ancf, Joints::Eliminated)),
+            &["body `rope` is damped", "another integrator"],
+        ),
+    ] {
+        let text = refusal(scene.as_mut());
+        println!("{text}");
+        for word in words {
+            assert!(text.contains(word), "{word}: {text}");
+        }
+    }
+}
