@@ -33,6 +33,8 @@ pub mod lateral_buckling;
 #[rustfmt::skip]
 pub mod motor;
 #[rustfmt::skip]
+pub mod pinned_pipe;
+#[rustfmt::skip]
 pub mod princeton_beam;
 #[rustfmt::skip]
 pub mod right_angle_frame;

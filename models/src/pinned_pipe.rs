@@ -28,15 +28,15 @@ rncf::model! {
         }
         joint tie = clamp(pipe.start, own);
 
-        spring support_0 = bushing(pipe.start, inertial.at([0, 0, 0] m), stiffness = [support, support, 0 N/m]);
-        spring support_1 = bushing(pipe.at(1 m), inertial.at([1, 0, 0] m), stiffness = [support, support, 0 N/m]);
-        spring support_2 = bushing(pipe.at(2 m), inertial.at([2, 0, 0] m), stiffness = [support, support, 0 N/m]);
-        spring support_3 = bushing(pipe.at(3 m), inertial.at([3, 0, 0] m), stiffness = [support, support, 0 N/m]);
-        spring support_4 = bushing(pipe.at(4 m), inertial.at([4, 0, 0] m), stiffness = [support, support, 0 N/m]);
-        spring support_5 = bushing(pipe.at(5 m), inertial.at([5, 0, 0] m), stiffness = [support, support, 0 N/m]);
-        spring support_6 = bushing(pipe.at(6 m), inertial.at([6, 0, 0] m), stiffness = [support, support, 0 N/m]);
-        spring support_7 = bushing(pipe.at(7 m), inertial.at([7, 0, 0] m), stiffness = [support, support, 0 N/m]);
-        spring support_8 = bushing(pipe.end, inertial.at([length, 0 m, 0 m]), stiffness = [support, support, 0 N/m]);
+        spring support_0 = bushing(pipe.start, inertial.at([0, 0, 0] m), stiffness = [support, support, 0 [N/m]]);
+        spring support_1 = bushing(pipe.at(1 m), inertial.at([1, 0, 0] m), stiffness = [support, support, 0 [N/m]]);
+        spring support_2 = bushing(pipe.at(2 m), inertial.at([2, 0, 0] m), stiffness = [support, support, 0 [N/m]]);
+        spring support_3 = bushing(pipe.at(3 m), inertial.at([3, 0, 0] m), stiffness = [support, support, 0 [N/m]]);
+        spring support_4 = bushing(pipe.at(4 m), inertial.at([4, 0, 0] m), stiffness = [support, support, 0 [N/m]]);
+        spring support_5 = bushing(pipe.at(5 m), inertial.at([5, 0, 0] m), stiffness = [support, support, 0 [N/m]]);
+        spring support_6 = bushing(pipe.at(6 m), inertial.at([6, 0, 0] m), stiffness = [support, support, 0 [N/m]]);
+        spring support_7 = bushing(pipe.at(7 m), inertial.at([7, 0, 0] m), stiffness = [support, support, 0 [N/m]]);
+        spring support_8 = bushing(pipe.end, inertial.at([8, 0, 0] m), stiffness = [support, support, 0 [N/m]]);
 
         load shake = force(pipe.at(3.5 m), [0 N, push * sin(rate * t), 0 N], in = inertial);
 

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Work-precision charts of the paper's scenes, into docs/charts: CSV and SVG of each. What is there already is kept: an
+# interrupted call goes on where it was, and names of charts behind it make these alone.
+#
+#   bench/charts.sh [name ...]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+work=${CHARTS_WORK:-target/charts}
+target=${CARGO_TARGET_DIR:-target}
+# One thread: cost is that of one core.
+export RAYON_NUM_THREADS=1
+
+chart() { # name, example, arguments
+    local name=$1 example=$2
+    shift 2
+    if [[ ${#chosen[@]} -gt 0 && " ${chosen[*]} " != *" $name "* ]]; then return; fi
+    printf '\n== %s\n' "$name"
+    if [[ $is_built != *" $example "* ]]; then
+        cargo build --locked --release --example "$example"
+        is_built+=" $example "
+    fi
+    "$target/release/examples/$example" chart "$@" --out "$work/$name"
+    mkdir -p docs/charts
+    cp "$work/$name/chart.csv" "docs/charts/$name.csv"
+    cp "$work/$name/chart_time.svg" "docs/charts/$name.svg"
+    cp "$work/$name/chart_work.svg" "docs/charts/${name}_work.svg"
+}
+
+chosen=("$@")
+is_built=""
+all=(--wanted 1e-2,1e-3,1e-4,1e-5,1e-6,1e-7 --limit "20 s")
+
+chart spin_up_4 spin_up elements=4,8,16 omega_s="4 rad/s" "${all[@]}"
+chart spin_up_10 spin_up elements=8,16 omega_s="10 rad/s" "${all[@]}"
+chart spin_up_40 spin_up elements=16,32 omega_s="40 rad/s" "${all[@]}"
+chart spin_up_100 spin_up elements=48 omega_s="100 rad/s" --rtols 1e-3..1e-8 "${all[@]}"
+chart curved_upwind curved_beam --model upwind elements=4,8 --rtols 1e-3..1e-8 "${all[@]}"
+chart curved_downwind curved_beam --model downwind elements=4,8 --rtols 1e-3..1e-8 "${all[@]}"
+chart curved_out_of_plane curved_beam --model out_of_plane elements=4,8 --rtols 1e-3..1e-8 "${all[@]}"
+chart motor motor --t-end "0.1 s" --every "1 ms" --outputs v_mid --rtols 1e-3..1e-8 "${all[@]}"
+chart slider_crank slider_crank elements=4,8 "${all[@]}"
+chart free_flight free_flight elements=3,6 --rtols 1e-3..1e-8 "${all[@]}"
+chart esail esail tethers=20 elements=4,8 --formulations rncf --t-end "200 s" --rtols 1e-3..1e-7 "${all[@]}"
+chart pinned_pipe pinned_pipe elements=8,16 "${all[@]}"
