@@ -86,9 +86,9 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
     /// see [`Statistics::position_correction`].
     ///
     /// # Errors
-    /// A setting out of range, a state of the wrong length, positions or velocities that violate a
-    /// constraint by more than that, constraints that depend on each other, a motion that has neither
-    /// inertia nor a tie, or a singular matrix.
+    /// A setting out of range, a method without dissipation on constraints of index 3, a state of the
+    /// wrong length, positions or velocities that violate a constraint by more than that, constraints
+    /// that depend on each other, a motion that has neither inertia nor a tie, or a singular matrix.
     pub fn new(
         system: &'s mut S,
         start: State,
@@ -105,6 +105,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         };
         start::check_settings(t0, t_end, method, &options).map_err(|kind| fail(kind, None))?;
         let m = system.constraints();
+        start::check_dissipation(m, method, &options).map_err(|kind| fail(kind, None))?;
         let segments = Segments::new(t0, t_end, &system.kinks());
         let mut state = sized(system, start, segments.start()).map_err(|kind| fail(kind, None))?;
         let mut statistics = Statistics::default();

@@ -42,6 +42,23 @@ pub(super) fn check_settings(t: f64, t_end: f64, method: Method, options: &Optio
     check(t_end.is_finite() && t_end > t, "t_end (s)", t_end, &range)
 }
 
+/// Checks that a method on constraints of index 3 has dissipation: without any, errors of the multipliers grow from
+/// step to step, however short the steps are (THEORY 10, T1).
+pub(super) fn check_dissipation(constraints: usize, method: Method, options: &Options) -> Result<(), SolveErrorKind> {
+    let undamped = match method {
+        Method::Hht { alpha } if alpha == 0.0 => "alpha = 0",
+        Method::GeneralizedAlpha { rho_inf } if rho_inf == 1.0 => "rho_inf = 1",
+        _ => return Ok(()),
+    };
+    if constraints == 0 || options.stabilised {
+        return Ok(());
+    }
+    Err(SolveErrorKind::Setting(format!(
+        "{undamped} damps nothing, and without damping errors in the forces of constraints grow from step to step: \
+         take e.g. rho_inf = 0.8 or alpha = -0.05, or `stabilised` constraints"
+    )))
+}
+
 /// A first step (s) from the change of the accelerations over a cautious trial step; `bordered`
 /// is left at the state.
 pub(super) fn first_step<S: System + ?Sized>(
