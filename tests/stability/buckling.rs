@@ -53,12 +53,12 @@ fn a_perfect_column_stands_where_its_linearised_motion_grows() {
     println!("critical {critical:.4} N of 0.1 N; {unstable} unstable direction, rate {rate:.4} 1/s; after 100 s {perfect} m");
     assert!(critical < 0.1 && unstable == 1 && rate > 0.1);
     assert_eq!(perfect, 0.0);
-    // The seed decides when, the linearised motion how fast.
-    let [early, late] = [20.0, 30.0].map(|end| deflection(1e-9, end));
-    let small = deflection(1e-12, 30.0);
-    println!("seed 1e-9 N: {early:.3e} m, {late:.3e} m; 1e-12 N: {small:.3e} m");
-    assert!(((late / early).ln() / (10.0 * rate) - 1.0).abs() < 0.01);
-    assert!((1e3 * small / late - 1.0).abs() < 0.01);
+    // The linearised motion tells how fast it goes, the seed when.
+    let [early, late] = [8.0, 14.0].map(|end| deflection(1e-9, end));
+    let small = deflection(1e-10, 14.0);
+    println!("seed 1e-9 N: {early:.3e} m, {late:.3e} m; 1e-10 N: {small:.3e} m");
+    assert!(((late / early).ln() / (6.0 * rate) - 1.0).abs() < 0.01);
+    assert!((10.0 * small / late - 1.0).abs() < 0.01);
 }
 
 /// The sail of 10 km with fewer tethers.
@@ -86,15 +86,21 @@ fn late(model: &Esail, end: f64, rtol: f64) -> [f64; 3] {
     [row[2] - row[1], row[5], row[6]]
 }
 
+/// Compression that is even around the ring is no strength: a symmetric start stays so for a while and then goes as
+/// round-off and the pointing at the Sun please. What is compared is when and how far, never one tether.
 #[test]
-fn explore() {
-    for spin in [0.25, 0.5] {
-        for asymmetry in [0.0, 1e-6, 1e-4] {
-            for rtol in [1e-5, 1e-6] {
-                for end in [60.0, 80.0, 100.0, 150.0, 200.0] {
-                    println!("{spin} {asymmetry} {rtol} {end}: {:.7?}", late(&sail(spin, asymmetry), end, rtol));
-                }
-            }
-        }
+fn a_slow_sail_buckles_and_a_faster_one_stays_even() {
+    let even = |[_, low, high]: [f64; 3]| high - low;
+    for rtol in [1e-5, 1e-6] {
+        let [perfect, seeded] = [0.0, 1e-4].map(|asymmetry| late(&sail(0.25, asymmetry), 100.0, rtol));
+        println!("100 s, rtol {rtol:e}: symmetric {perfect:.4?}, with a seed {seeded:.4?}");
+        assert!(perfect[2] < -0.14 && even(perfect) < 0.01, "compressed all around, and round");
+        assert!(even(seeded) > 0.1 && seeded[2] > 0.0, "buckled");
+    }
+    for asymmetry in [1e-6, 1e-4] {
+        let [slow, fast] = [0.25, 0.5].map(|spin| late(&sail(spin, asymmetry), 200.0, 1e-5));
+        println!("200 s, seed {asymmetry:e}: 0.25 deg/s {slow:.4?}, 0.5 deg/s {fast:.4?}");
+        assert!((0.05..0.4).contains(&even(slow)) && slow[0] > 1.5);
+        assert!(fast[1] > 0.3 && even(fast) < 1e-4 && fast[0] < 1.0);
     }
 }
