@@ -103,8 +103,14 @@ fn main() -> Outcome {
         println!("{}", path.display());
         Ok(())
     };
-    let whirl = [whirl("without other damping", 0.0)?, whirl("with a damper of 100 N s/m at the disc", 100.0)?];
-    write("stability_motor.svg", Map::to_svg("Growth of a balanced shaft's whirl", &whirl)?)?;
+    let whirl = [
+        whirl("without other damping", 0.0)?,
+        whirl("with a damper of 100 N s/m at the disc", 100.0)?,
+    ];
+    write(
+        "stability_motor.svg",
+        Map::to_svg("Growth of a balanced shaft's whirl", &whirl)?,
+    )?;
     write("stability_softening.svg", softening()?)?;
     let steps = [
         ("absolute coordinates, generalized-alpha", Formulation::Ancf, ALPHA),
@@ -112,8 +118,14 @@ fn main() -> Outcome {
         ("absolute coordinates, Radau", Formulation::Ancf, Method::Radau),
         ("referenced coordinates, Radau", Formulation::Rncf, Method::Radau),
     ];
-    let steps: Result<Vec<Map>, _> = steps.into_iter().map(|(name, formulation, method)| fixed_steps(name, formulation, method)).collect();
-    write("stability_steps.svg", Map::to_svg("Fixed steps and axial stiffness", &steps?)?)
+    let steps: Result<Vec<Map>, _> = steps
+        .into_iter()
+        .map(|(name, formulation, method)| fixed_steps(name, formulation, method))
+        .collect();
+    write(
+        "stability_steps.svg",
+        Map::to_svg("Fixed steps and axial stiffness", &steps?)?,
+    )
 }
 
 /// The scene's lowest frequency (rad/s) and largest rate of growth (1/s) about its relative equilibrium.
@@ -201,7 +213,11 @@ fn softening() -> Result<String, Box<dyn std::error::Error>> {
             x: "spin eta [sqrt(EI/(rhoA L^4))]".into(),
             y: "frequency [sqrt(EI/(rhoA L^4))]".into(),
             logarithmic: false,
-            lines: [whole, bending, small].into_iter().enumerate().map(|(color, points)| Line::new(points, color)).collect(),
+            lines: [whole, bending, small]
+                .into_iter()
+                .enumerate()
+                .map(|(color, points)| Line::new(points, color))
+                .collect(),
             marks: vec![(3.516, "3.516".into())],
             dots: TABLE.map(|point| (point, 0)).to_vec(),
             is_tall: false,
@@ -237,7 +253,13 @@ fn fixed_steps(name: &str, formulation: Formulation, method: Method) -> Result<M
             step,
             ..Options::default()
         };
-        let exact = tip(&model, Formulation::Rncf, Method::Radau, options(1e-9, StepSize::Adaptive)).ok_or("no reference")?;
+        let exact = tip(
+            &model,
+            Formulation::Rncf,
+            Method::Radau,
+            options(1e-9, StepSize::Adaptive),
+        )
+        .ok_or("no reference")?;
         for &h in &steps {
             let found = tip(&model, formulation, method, options(1e-8, StepSize::Fixed(h)));
             classes.push(match found.map(|found| (found - exact).abs() / 0.03) {
@@ -248,7 +270,12 @@ fn fixed_steps(name: &str, formulation: Formulation, method: Method) -> Result<M
             });
         }
     }
-    let names = ["right to 1 %", "Newton fails", "off by more than 10 %", "off by 1 to 10 %"];
+    let names = [
+        "right to 1 %",
+        "Newton fails",
+        "off by more than 10 %",
+        "off by 1 to 10 %",
+    ];
     Ok(Map {
         heading: format!("{name}: tip of a rod spun up to 10 rad/s, fixed steps"),
         x: axis("step [s]", steps, true),

@@ -163,7 +163,12 @@ impl Cells {
                 }
                 Ok((
                     classes.iter().map(|&class| COLORS[class]).collect(),
-                    names.iter().cloned().enumerate().map(|(class, name)| (COLORS[class], name)).collect(),
+                    names
+                        .iter()
+                        .cloned()
+                        .enumerate()
+                        .map(|(class, name)| (COLORS[class], name))
+                        .collect(),
                 ))
             }
         }
@@ -318,17 +323,28 @@ mod tests {
         assert_eq!(colors[3], shade(COLORS[0], 0.5));
         assert_eq!((legend[0].1.as_str(), legend[FIELDS - 1].0), ("-4", COLORS[0]));
         let (colors, legend) = Cells::Decades(vec![1e-3, 0.02, 0.1, 0.0]).colors().unwrap();
-        assert_eq!((colors[0], colors[2], colors[3]), (shade(COLORS[0], 0.0), COLORS[0], NOTHING));
+        assert_eq!(
+            (colors[0], colors[2], colors[3]),
+            (shade(COLORS[0], 0.0), COLORS[0], NOTHING)
+        );
         assert_eq!(legend.len(), 3);
         let svg = Map::to_svg("two maps", &[map(cells.clone()), map(cells)]).unwrap();
         assert_eq!((svg.matches("<svg").count(), svg.matches("</svg>").count()), (1, 1));
-        assert!(svg.contains("rate &lt;1/s&gt;") && svg.contains("critical") && svg.contains("1e-4"), "{svg}");
+        assert!(
+            svg.contains("rate &lt;1/s&gt;") && svg.contains("critical") && svg.contains("1e-4"),
+            "{svg}"
+        );
         assert!(svg.contains("h [s]") && svg.contains(&format!("translate(0 {})", 2 * HEAD + TALL)));
     }
 
     #[test]
     fn classes_have_names_and_cells_a_place() {
-        let named = |classes: Vec<usize>| Map::to_svg("", &[map(Cells::Classes(classes, vec!["fails".into(), "holds".into()]))]);
+        let named = |classes: Vec<usize>| {
+            Map::to_svg(
+                "",
+                &[map(Cells::Classes(classes, vec!["fails".into(), "holds".into()]))],
+            )
+        };
         let svg = named(vec![0, 1, 1, 0, 0, 1]).unwrap();
         assert!(svg.contains("fails") && svg.contains("holds") && svg.contains("#1F5FA8"));
         assert!(named(vec![0, 2, 0, 0, 0, 0]).unwrap_err().contains("rate <1/s>"));

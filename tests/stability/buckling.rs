@@ -50,7 +50,9 @@ fn a_perfect_column_stands_where_its_linearised_motion_grows() {
     let unstable = unstable_directions(scene.as_mut(), &Uniform::steady(0.0), &straight).unwrap();
     let rate = modes.iter().map(|mode| mode.re).fold(0.0, f64::max);
     let perfect = deflection(0.0, 100.0);
-    println!("critical {critical:.4} N of 0.1 N; {unstable} unstable direction, rate {rate:.4} 1/s; after 100 s {perfect} m");
+    println!(
+        "critical {critical:.4} N of 0.1 N; {unstable} unstable direction, rate {rate:.4} 1/s; after 100 s {perfect} m"
+    );
     assert!(critical < 0.1 && unstable == 1 && rate > 0.1);
     assert_eq!(perfect, 0.0);
     // The linearised motion tells how fast it goes, the seed when.
@@ -94,7 +96,10 @@ fn a_slow_sail_buckles_and_a_faster_one_stays_even() {
     for rtol in [1e-5, 1e-6] {
         let [perfect, seeded] = [0.0, 1e-4].map(|asymmetry| late(&sail(0.25, asymmetry), 100.0, rtol));
         println!("100 s, rtol {rtol:e}: symmetric {perfect:.4?}, with a seed {seeded:.4?}");
-        assert!(perfect[2] < -0.14 && even(perfect) < 0.01, "compressed all around, and round");
+        assert!(
+            perfect[2] < -0.14 && even(perfect) < 0.01,
+            "compressed all around, and round"
+        );
         assert!(even(seeded) > 0.1 && seeded[2] > 0.0, "buckled");
     }
     for asymmetry in [1e-6, 1e-4] {

@@ -94,7 +94,10 @@ fn a_bar_that_collapses_is_named() {
         // The run comes to its end in both cases: beyond the largest force the bar has turned inside out.
         assert_eq!(length < 0.0, collapses);
         let named = |text: &String| text.starts_with("body `bar`") && text.contains("1/sqrt 3");
-        assert_eq!(result.warnings.iter().filter(|text| named(text)).count(), usize::from(collapses));
+        assert_eq!(
+            result.warnings.iter().filter(|text| named(text)).count(),
+            usize::from(collapses)
+        );
     }
 }
 

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use rncf::equilibrium::{Uniform, follow};
 use rncf::Model;
+use rncf::equilibrium::{Uniform, follow};
 use rncf_models::{Elastica, RollUp};
 use rncf_tests::dense::Matrix;
 use rncf_tests::section_beam::{Properties, Section};
@@ -43,7 +43,9 @@ fn tip(properties: Properties, elements: usize, shape: impl Fn(f64) -> Shape, fo
     let step: Vec<f64> = tangent.solve(&residual).unwrap().iter().map(|x| -x).collect();
     let mut moved = vec![0.0; rest.len()];
     problem.supports.move_by(&step, &mut moved);
-    problem.chain.read(&moved, problem.chain.vector(elements, Slot::Position))
+    problem
+        .chain
+        .read(&moved, problem.chain.vector(elements, Slot::Position))
 }
 
 /// Deflection over Timoshenko's of a straight cantilever in the runtime.
@@ -158,7 +160,9 @@ fn full_integration_locks_where_the_axis_curves() {
     for elements in [1, 2, 4] {
         let [full, selective] = [(5, 5), (3, 2)].map(|(axis, gradient)| quarter(axis, gradient, elements));
         let held = at_rest(&Quarter { elements })[0] / BERNOULLI;
-        println!("quarter of a circle, {elements} elements: full integration {full:.4}, 3 and 2 points {selective:.4}, ours {held:.4}");
+        println!(
+            "quarter of a circle, {elements} elements: full integration {full:.4}, 3 and 2 points {selective:.4}, ours {held:.4}"
+        );
         assert!((held / selective - 1.0).abs() < 1e-3 && (held - 1.0).abs() < 0.07);
         assert!(elements > 2 || full < 0.1);
     }
@@ -177,10 +181,9 @@ fn full_integration_locks_where_the_axis_curves() {
             loads: vec![Load::Moment(4, 2.0 * PI * section.young * section.i_zz)],
             spin: [0.0; 3],
         };
-        let place = problem.chain.read(
-            &problem.solve(20).unwrap(),
-            problem.chain.vector(4, Slot::Position),
-        );
+        let place = problem
+            .chain
+            .read(&problem.solve(20).unwrap(), problem.chain.vector(4, Slot::Position));
         place[0].hypot(place[1])
     };
     let model = RollUp {

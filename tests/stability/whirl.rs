@@ -130,7 +130,12 @@ fn damping_outside_holds_what_damping_inside_bends() {
 fn numerical_damping_hides_the_instability() {
     let (unstable, free) = (motor(20000.0, 1e-6, 0.0), motor(20000.0, 0.0, 0.0));
     let linear = growth(&unstable);
-    for (rho_inf, h, physical) in [(0.95, 1e-3, true), (0.95, 5e-4, true), (0.6, 2.5e-4, true), (0.6, 4e-3, false)] {
+    for (rho_inf, h, physical) in [
+        (0.95, 1e-3, true),
+        (0.95, 5e-4, true),
+        (0.6, 2.5e-4, true),
+        (0.6, 4e-3, false),
+    ] {
         let [grown, neutral] = [&unstable, &free].map(|model| seen(model, rho_inf, h));
         println!("rho {rho_inf}, h {h}: {grown:.4} 1/s, without damping {neutral:.4} 1/s; linear {linear:.4} 1/s");
         if physical {
@@ -154,6 +159,9 @@ fn the_shaft_ends_bent_and_still() {
     let (state, found) = run(scene.as_mut(), start, 4.0, Method::Radau, options).unwrap();
     let (bent, row) = (radius(scene.as_mut(), &state), outputs(scene.as_mut(), &state));
     let speed = state.v.iter().fold(0.0f64, |most, v| most.max(v.abs()));
-    println!("bent by {bent:.5} m, {row:.3?}; still moves by {speed:.1e} m/s; {} steps", found.steps);
+    println!(
+        "bent by {bent:.5} m, {row:.3?}; still moves by {speed:.1e} m/s; {} steps",
+        found.steps
+    );
     assert!((0.05..0.3).contains(&bent) && speed < 1e-2);
 }

@@ -84,7 +84,9 @@ impl MeshScene {
         };
         let undeformed: Vec<f64> = (0..count).flat_map(|local| spec.undeformed(element, local)).collect();
         let mut local = [0.0; MAX_SIZE];
-        self.bodies[body].connectivity.gather(element, &self.buffers.q, &mut local);
+        self.bodies[body]
+            .connectivity
+            .gather(element, &self.buffers.q, &mut local);
         let (free, mut present) = (fields(&undeformed), fields(&local));
         let (rates, mut forces) = (vec![0.0; present.len()], vec![0.0; present.len()]);
         let own = axial * dimension..(axial + 1) * dimension;
