@@ -295,7 +295,7 @@ pub trait Scene: System + Send {
     fn spin(&self, t: f64) -> f64;
 
     /// Where the model does not describe its bodies well at a state, one sentence each, naming the body
-    /// and what to do (THEORY 10, T10).
+    /// and what to do (THEORY 10, T10, T15).
     fn warnings(&mut self, _state: &State) -> Vec<String> {
         Vec::new()
     }

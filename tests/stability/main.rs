@@ -2,17 +2,25 @@
 
 mod astronomical;
 mod averaged_inertia;
+mod buckling;
+mod collapse;
+mod compression;
 mod drift;
 mod energy_over_time;
 mod failing;
+mod hourglass;
 mod inconsistent_start;
 mod kept_matrix;
+mod locking;
 mod order_loss;
 mod pendulum;
+mod scenes;
 mod singular_angles;
+mod softening;
 mod steps;
 mod undamped;
 mod untied_frame;
+mod whirl;
 
 /// Numbers in two digits.
 fn short(values: &[f64]) -> String {

@@ -8,6 +8,7 @@ mod batches;
 mod build;
 mod carried;
 mod checks;
+mod compression;
 mod conditions;
 mod conserving;
 mod configuration;

@@ -59,7 +59,7 @@ impl SectionState {
 /// interpolated between them, since strains in between contain what the shape functions cannot do in a bent
 /// element.
 const TWO: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
-const THREE: [f64; 3] = [0.112_701_665_379_258_31, 0.5, 0.887_298_334_620_741_7];
+pub(super) const THREE: [f64; 3] = [0.112_701_665_379_258_31, 0.5, 0.887_298_334_620_741_7];
 
 /// Polynomial through values at the points.
 fn interpolated(points: &[f64], values: &[Vector], xi: f64) -> Vector {
@@ -410,7 +410,7 @@ enum Point {
 }
 
 /// Weights of the nodal vectors in every field at a place of an element, one field after the other.
-fn weights(scene: &MeshScene, body: usize, of: &[(Interpolant, usize)], xi: f64) -> Vec<f64> {
+pub(super) fn weights(scene: &MeshScene, body: usize, of: &[(Interpolant, usize)], xi: f64) -> Vec<f64> {
     let count = scene.bodies[body].spec.nodal.len();
     let mut weights = vec![0.0; of.len() * count];
     for (&(of, order), weights) in of.iter().zip(weights.chunks_exact_mut(count)) {

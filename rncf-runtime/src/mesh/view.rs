@@ -139,4 +139,9 @@ impl Scene for MeshScene {
             .chain(free.take(1))
             .fold(0.0, f64::max)
     }
+
+    fn warnings(&mut self, state: &State) -> Vec<String> {
+        self.load_state(state);
+        self.giving_way()
+    }
 }

@@ -90,7 +90,7 @@ pub(super) fn integrators(matches: &ArgMatches) -> Result<Vec<Method>, String> {
     list(matches, "integrators", INTEGRATORS, integrator)
 }
 
-const METHODS: [&str; 3] = ["radau", "hht", "generalized-alpha"];
+const METHODS: [&str; 4] = ["radau", "hht", "generalized-alpha", "energy"];
 
 /// A method with its parameter behind a colon.
 fn integrator(word: &str) -> Result<Method, String> {
@@ -107,10 +107,9 @@ fn integrator(word: &str) -> Result<Method, String> {
         )),
     };
     match name {
-        "radau" => match parameter {
-            None => Ok(Method::Radau),
-            Some(_) => Err(format!("`--integrators {word}`: radau has no parameter")),
-        },
+        "radau" | "energy" if parameter.is_some() => Err(format!("`--integrators {word}`: {name} has no parameter")),
+        "radau" => Ok(Method::Radau),
+        "energy" => Ok(Method::EnergyMomentum),
         "hht" => number(-0.05, -1.0 / 3.0, 0.0, "hht:-0.3").map(|alpha| Method::Hht { alpha }),
         "generalized-alpha" => {
             number(0.8, 0.0, 1.0, "generalized-alpha:0.8").map(|rho_inf| Method::GeneralizedAlpha { rho_inf })
@@ -123,6 +122,7 @@ fn integrator(word: &str) -> Result<Method, String> {
 pub(in crate::app) fn method_name(method: Method) -> String {
     match method {
         Method::Radau => "radau".into(),
+        Method::EnergyMomentum => "energy".into(),
         Method::Hht { alpha } => format!("hht:{}", short(alpha)),
         Method::GeneralizedAlpha { rho_inf } => format!("generalized-alpha:{}", short(rho_inf)),
     }

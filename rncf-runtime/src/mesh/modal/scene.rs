@@ -568,7 +568,7 @@ impl Scene for ModalScene {
     fn warnings(&mut self, state: &State) -> Vec<String> {
         self.expand(state);
         self.scene.load_state(&self.full);
-        let mut warnings = Vec::new();
+        let mut warnings = self.scene.giving_way();
         self.each_body([0.0; 3], |block, _, modes, elements, action| {
             let p = &state.x[block.coordinate..][..block.count];
             let loss = modes.loss_of_stiffness(elements, action, p);

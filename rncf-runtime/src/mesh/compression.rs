@@ -1,0 +1,104 @@
+//! Where compression makes an axis softer (THEORY 10, T15): the axial force `EA (L^2 - 1)/2 L` of the St.
+//! Venant-Kirchhoff law has its minimum at the stretch `L = 1/sqrt 3`; further on it falls to nothing, and a bar
+//! under a dead load collapses. The equations stay solvable, and a run alone does not tell.
+
+use std::fmt;
+
+use super::evaluate::{MAX_SIZE, weighted};
+use super::parts::{Fidelity, Interpolant};
+use super::scene::MeshScene;
+use super::section::{THREE, weights};
+use crate::vector::norm;
+
+/// `1/sqrt 3`.
+const LEAST_STRETCH: f64 = 0.577_350_269_189_625_8;
+/// Relative change of the slope for the derivative of the axial force.
+const CHANGE: f64 = 1e-6;
+
+/// A body whose axis gives way.
+#[derive(Clone, Debug, PartialEq)]
+struct GivesWay {
+    body: String,
+    /// Least stretch of its axis, and at which arclength, m.
+    stretch: f64,
+    x: f64,
+}
+
+impl fmt::Display for GivesWay {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { body, stretch, x } = self;
+        write!(
+            f,
+            "body `{body}`: its axis is compressed to {stretch:.3} of its length at x = {x:.4} m, below 1/sqrt 3 = 0.577, where the axial force of its material law grows weaker with further compression: what follows is the law's, not a material's; lower the load or give the body a greater `area` or `young`"
+        )
+    }
+}
+
+impl MeshScene {
+    /// Bodies whose axes give way at the loaded state. Strains of small deformations are not those of the elements,
+    /// and rigid bodies have none.
+    pub(super) fn giving_way(&self) -> Vec<String> {
+        let told = |&body: &usize| matches!(self.bodies[body].spec.fidelity, Fidelity::Full | Fidelity::Modal(_));
+        let bodies = (0..self.bodies.len()).filter(told);
+        let found = bodies.filter_map(|body| self.most_compressed(body));
+        found.map(|found| found.to_string()).collect()
+    }
+
+    /// The least stretch of a body at points of integration where it softens.
+    fn most_compressed(&self, body: usize) -> Option<GivesWay> {
+        let (spec, connectivity) = (&self.bodies[body].spec, &self.bodies[body].connectivity);
+        let mut slope = vec![0.0; spec.nodal.len()];
+        let mut worst: Option<GivesWay> = None;
+        for xi in THREE {
+            self.parts.shapes(body, Interpolant::Position, 1, xi, &mut slope);
+            for element in 0..spec.count {
+                let components = connectivity.element(element);
+                let stretch = norm(weighted(&self.buffers.q, components, spec.dimension(), &slope));
+                let limit = worst.as_ref().map_or(LEAST_STRETCH, |worst| worst.stretch);
+                if stretch < limit && self.softens(body, element, xi) {
+                    worst = Some(GivesWay {
+                        body: spec.label(),
+                        stretch,
+                        x: spec.line.length() * (element as f64 + xi) / spec.count as f64,
+                    });
+                }
+            }
+        }
+        worst
+    }
+
+    /// Whether the axis is in compression and its axial force grows with shortening no more: not so in slack strings and
+    /// with other laws.
+    fn softens(&self, body: usize, element: usize, xi: f64) -> bool {
+        let (spec, of) = (&self.bodies[body].spec, self.parts.fields(body));
+        let (dimension, count) = (spec.dimension(), spec.nodal.len());
+        let Some(axial) = of.iter().position(|&field| field == (Interpolant::Position, 1)) else {
+            return false;
+        };
+        let weights = weights(self, body, of, xi);
+        let fields = |local: &[f64]| -> Vec<f64> {
+            let vectors = weights.chunks_exact(count).flat_map(|weights| {
+                (0..dimension).map(move |k| (0..count).map(|a| weights[a] * local[a * dimension + k]).sum())
+            });
+            vectors.collect()
+        };
+        let undeformed: Vec<f64> = (0..count).flat_map(|local| spec.undeformed(element, local)).collect();
+        let mut local = [0.0; MAX_SIZE];
+        self.bodies[body]
+            .connectivity
+            .gather(element, &self.buffers.q, &mut local);
+        let (free, mut present) = (fields(&undeformed), fields(&local));
+        let (rates, mut forces) = (vec![0.0; present.len()], vec![0.0; present.len()]);
+        let own = axial * dimension..(axial + 1) * dimension;
+        let slope = present[own.clone()].to_vec();
+        let [force, further] = [0.0, CHANGE].map(|change| {
+            for (value, slope) in present[own.clone()].iter_mut().zip(&slope) {
+                *value = (1.0 + change) * slope;
+            }
+            forces.fill(0.0);
+            self.parts.field_forces(body, &free, &present, &rates, &mut forces);
+            forces[own.clone()].iter().zip(&slope).map(|(f, a)| f * a).sum::<f64>()
+        });
+        force < 0.0 && further < force
+    }
+}
