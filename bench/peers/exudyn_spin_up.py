@@ -31,10 +31,10 @@ class Setting:
 
     def __str__(self) -> str:
         if self.plain:
-            return f"defaults, h {self.step:g} s, {self.elements} elements"
-        solver = self.solver if self.solver != "GeneralizedAlpha" else f"generalized-alpha {self.radius:g}"
-        extra = ("" if self.sparse else ", dense") + (", reduced quadrature" if self.reduced else "")
-        return f"{solver}, h {self.step:g} s, Newton {self.tolerance:.0e}{extra}, {self.elements} elements"
+            return f"defaults; h {self.step:.3g} s; {self.elements} elements"
+        solver = {"TrapezoidalIndex2": "trapezoidal", "GeneralizedAlpha": f"generalized-alpha {self.radius:g}"}[self.solver]
+        extra = ("" if self.sparse else " dense") + (" reduced quadrature" if self.reduced else "")
+        return f"{solver}{extra} h {self.step:.3g} s Newton {self.tolerance:.0e}; {self.elements} elements"
 
 
 def missing() -> str | None:

@@ -29,7 +29,7 @@ class Setting:
     formulation: str = "rncf"
 
     def __str__(self) -> str:
-        return f"{self.formulation.upper()} {self.integrator} rtol {self.rtol:.1e}, {self.elements} elements"
+        return f"{self.formulation.upper()} {self.integrator} rtol {self.rtol:.0e}; {self.elements} elements"
 
 
 def missing() -> str | None:
@@ -48,7 +48,7 @@ def run(speed: float, setting: Setting) -> Run:
     return Run(u, v, summary["cpu_seconds"], summary["steps"], counts, share)
 
 
-def integration_alone(speed: float, setting: Setting) -> float:
+def without_rows(speed: float, setting: Setting) -> float:
     """Processor time of the same steps with rows at the start and the end only, s."""
     return started(speed, setting, spin_up.RAMP)[0]["cpu_seconds"]
 

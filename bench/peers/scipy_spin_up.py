@@ -19,16 +19,18 @@ QUARTER_TURN = np.array([[0.0, -1.0], [1.0, 0.0]])
 
 @dataclass(frozen=True)
 class Setting:
-    """`method` and `rtol` of `solve_ivp`; `law` of the strain energy; `free_norm`: the root's slope may change its length."""
+    """`method` and `rtol` of `solve_ivp`; `law` of the strain energy; `free_norm`: the root's slope may
+    change its length; `patience`: processor time after which the run is given up (s)."""
 
     elements: int
     method: str
     rtol: float
     law: str = "quartic"
     free_norm: bool = True
+    patience: float = 60.0
 
     def __str__(self) -> str:
-        return f"{self.method} rtol {self.rtol:.0e}, {self.elements} elements"
+        return f"{self.method} rtol {self.rtol:.0e}; {self.elements} elements"
 
 
 class Beam:
@@ -138,6 +140,8 @@ def run(speed: float, setting: Setting) -> Run:
     gyro, rows = beam.turning
 
     def derivative(t, y):
+        if time.process_time() - begin > setting.patience:
+            raise Failed(f"given up at t = {t:.3g} s, after {setting.patience:g} s of processor time")
         q[free], rate[free] = y[:count], y[count:]
         w, dw = spin_up.hub_rate(speed, t), spin_up.hub_acceleration(speed, t)
         force = beam.inverse @ beam.forces(q)[free]
@@ -165,16 +169,17 @@ def run(speed: float, setting: Setting) -> Run:
         rtol=setting.rtol,
         atol=1e-2 * setting.rtol,
         first_step=1e-4,
+        dense_output=True,
         **implicit,
     )
     cpu = time.process_time() - begin
     if not solution.success:
         raise Failed(solution.message)
-    tip_x, tip_y = solution.y[np.searchsorted(free, 4 * setting.elements)], solution.y[np.searchsorted(free, 4 * setting.elements + 1)]
+    x, y = (solution.y[np.searchsorted(free, 4 * setting.elements + component)] for component in (0, 1))
     counts = f"{solution.nfev} evaluations, {solution.njev} Jacobians, {solution.nlu} factorizations"
-    return Run(tip_x - LENGTH, tip_y, cpu, steps(solution), counts)
+    return Run(x - LENGTH, y, cpu, len(solution.sol.ts) - 1, counts)
 
 
-def steps(solution) -> int:
-    """Steps are not counted by `solve_ivp`; -1 where they cannot be told."""
-    return -1
+def missing() -> str | None:
+    """What to do before this code can run; `None`: `run.py` itself needs numpy and scipy."""
+    return None
