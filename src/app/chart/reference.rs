@@ -171,8 +171,11 @@ pub(super) fn references<M: Model>(
     })
 }
 
+/// A converged run.
+type Converged = (Setting, History);
+
 /// The tightest two runs that were found, the tightest first.
-fn best_two(grid: &Grid, asked: Vec<Asked>) -> Result<((Setting, History), (Setting, History)), String> {
+fn best_two(grid: &Grid, asked: Vec<Asked>) -> Result<(Converged, Converged), String> {
     let mut found = Vec::new();
     let mut refusal = String::new();
     for Asked {

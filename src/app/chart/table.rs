@@ -251,24 +251,26 @@ impl Table {
         }
         let cpu = point.cpu.map_or_else(String::new, |cpu| format!("{cpu:.4e}"));
         let _ = write!(line, ",{cpu},{}", point.repetitions);
-        let kinds: [(&[ColumnError], fn(&ColumnError) -> f64); 4] = [
-            (&point.errors, |error| error.max),
-            (&point.errors, |error| error.rms),
-            (&point.time_errors, |error| error.max),
-            (&point.time_errors, |error| error.rms),
-        ];
-        for (errors, of) in kinds {
-            for index in 0..self.columns.len() {
-                match errors.get(index) {
-                    Some(error) => {
-                        let _ = write!(line, ",{:.6e}", of(error));
-                    }
-                    None => line.push(','),
-                }
-            }
+        for errors in [&point.errors, &point.time_errors] {
+            let max = errors.iter().map(|error| error.max);
+            self.values(&mut line, max);
+            let rms = errors.iter().map(|error| error.rms);
+            self.values(&mut line, rms);
         }
         line.push('\n');
         line
+    }
+
+    /// A field for every column, empty where there is no value.
+    fn values(&self, line: &mut String, mut values: impl Iterator<Item = f64>) {
+        for _ in &self.columns {
+            match values.next() {
+                Some(value) => {
+                    let _ = write!(line, ",{value:.6e}");
+                }
+                None => line.push(','),
+            }
+        }
     }
 
     /// Writes the whole file anew.

@@ -194,23 +194,57 @@ fn several_meshes_are_measured_against_the_finest() {
 }
 
 #[test]
-fn failures_and_long_runs_are_reported_and_the_rest_is_there() {
+fn failures_and_long_runs_are_reported_and_tried_again_with_more_patience() {
     let out = temporary_folder("chart-failing");
-    let words = [
-        "--formulations",
-        "rncf",
-        "--integrators",
-        "radau,hht",
-        "--limit",
-        "1 us",
-        "--rtols",
-        "1e-2,1e-8",
-    ];
-    // Ten times that is too short for a converged run, too.
-    let failure = command(&out, &words, || false).unwrap_err();
-    let long = ["--t-end", "20000 s", "--every", "1 s"];
-    assert!(failure.message.is_empty() || failure.code != 0);
-    let failure = command(&out, &[&words[..], &long].concat(), || false).unwrap_err();
+    let words = [&SMALL[..], &["--formulations", "rncf", "--integrators", "radau"]].concat();
+    done(&out, &words);
+    // As if the first run had failed, and the second one had taken longer than 60 s.
+    let table = text(&out, "chart.csv");
+    let mut lines: Vec<String> = table.lines().map(String::from).collect();
+    lines.truncate(3);
+    let commas = ",".repeat(12);
+    lines[1] = lines[1].replace("complete,", "failed,the step became too small");
+    let end = lines[1].find("too small").unwrap() + "too small".len();
+    lines[1] = lines[1][..end].to_owned() + ",2,0,0,0,0,0,0,0,0,0,,0" + &commas;
+    lines[2] = lines[2].replace("complete,", "too long,60 s");
+    let end = lines[2].find("60 s").unwrap() + "60 s".len();
+    lines[2] = lines[2][..end].to_owned() + ",2,0,0,0,0,0,0,0,0,0,,0" + &commas;
+    fs::write(out.join("chart.csv"), lines.join("\n") + "\n").unwrap();
+    let said = done(&out, &words);
+    assert!(
+        said.contains("note: rncf, radau, rtol 1e-3: the step became too small"),
+        "{said}"
+    );
+    assert!(
+        said.contains("note: rncf, radau, rtol 1e-4: ended after 60 s"),
+        "{said}"
+    );
+    assert!(said.contains("no point competes yet"), "{said}");
+    assert_eq!(text(&out, "chart.csv").lines().count(), 3);
+    assert_eq!(
+        (&summary(&out)["failed"], &summary(&out)["too_long"]),
+        (&1.into(), &1.into())
+    );
+    done(&out, &[&words[..], &["--limit", "61 s"]].concat());
+    assert_eq!(
+        (&summary(&out)["complete"], &summary(&out)["too_long"]),
+        (&3.into(), &0.into())
+    );
+    // A converged run needs time, too.
+    let short = ["--limit", "1 us", "--t-end", "20000 s", "--every", "1 s"];
+    let all = [
+        &[
+            "--rtols",
+            "1e-2,1e-8",
+            "--formulations",
+            "rncf",
+            "--integrators",
+            "radau",
+        ][..],
+        &short,
+    ]
+    .concat();
+    let failure = command(&out, &all, || false).unwrap_err();
     assert!(failure.message.contains("raise `--limit`"), "{}", failure.message);
     fs::remove_dir_all(out).unwrap();
 }
