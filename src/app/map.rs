@@ -17,7 +17,8 @@ const SCALE: u32 = 4;
 const FIELD: u32 = 64;
 /// Fields of the legend of values.
 const FIELDS: usize = 9;
-/// Colours of classes, in their order; values ascend from white to the first, negative ones to the second.
+/// Colours of classes, in their order; negative values and decades deepen from white to the first, positive values to
+/// the second.
 const COLORS: [RGBColor; 6] = [
     RGBColor(0x1f, 0x5f, 0xa8),
     RGBColor(0xc2, 0x51, 0x0c),
@@ -43,7 +44,7 @@ pub struct Axis {
 /// What the cells show, rows of constant y one after the other, from the least y on, each from the least x on.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cells {
-    /// Numbers: blue for positive, orange for negative ones, white for zero; grey where a number is not finite. Colours
+    /// Numbers: orange for positive, blue for negative ones, white for zero; grey where a number is not finite. Colours
     /// deepen with the square root of the magnitude, so that small values differ from zero.
     Signed(Vec<f64>),
     /// Positive numbers by their decade, from white to blue; grey where a number is not positive and finite.
@@ -128,7 +129,7 @@ impl Cells {
                 let color = |value: f64| match value {
                     value if !value.is_finite() => NOTHING,
                     value if largest == 0.0 => shade(COLORS[0], value),
-                    value => shade(COLORS[usize::from(value < 0.0)], (value.abs() / largest).sqrt()),
+                    value => shade(COLORS[usize::from(value > 0.0)], (value.abs() / largest).sqrt()),
                 };
                 let half = (FIELDS / 2) as f64;
                 let steps = (0..FIELDS).map(|field| (field as f64 - half) / half);
@@ -226,7 +227,12 @@ impl Map {
         // The drawing is an element of its own: here it is a group at its place.
         let inside = drawing.split_once('>').map_or("", |(_, inside)| inside).trim_end();
         let inside = inside.strip_suffix("</svg>").unwrap_or(inside);
-        let _ = writeln!(body, "<g transform=\"translate(0 {})\">{inside}</g>", top + HEAD);
+        // Without smoothing no white lines show between cells.
+        let _ = writeln!(
+            body,
+            "<g transform=\"translate(0 {})\" shape-rendering=\"crispEdges\">{inside}</g>",
+            top + HEAD
+        );
         Ok(())
     }
 
@@ -317,11 +323,11 @@ mod tests {
     fn every_cell_has_the_colour_of_its_value() {
         let cells = Cells::Signed(vec![-4.0, -1.0, 0.0, 1.0, 4.0, f64::NAN]);
         let (colors, legend) = cells.colors().unwrap();
-        assert_eq!(colors[0], COLORS[1]);
-        assert_eq!(colors[4], COLORS[0]);
+        assert_eq!(colors[0], COLORS[0]);
+        assert_eq!(colors[4], COLORS[1]);
         assert_eq!((colors[2], colors[5]), (RGBColor(255, 255, 255), NOTHING));
-        assert_eq!(colors[3], shade(COLORS[0], 0.5));
-        assert_eq!((legend[0].1.as_str(), legend[FIELDS - 1].0), ("-4", COLORS[0]));
+        assert_eq!(colors[3], shade(COLORS[1], 0.5));
+        assert_eq!((legend[0].1.as_str(), legend[FIELDS - 1].0), ("-4", COLORS[1]));
         let (colors, legend) = Cells::Decades(vec![1e-3, 0.02, 0.1, 0.0]).colors().unwrap();
         assert_eq!(
             (colors[0], colors[2], colors[3]),
