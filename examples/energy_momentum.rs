@@ -12,7 +12,9 @@ const SPANS: [f64; 2] = [2.0, 20.0];
 
 fn main() {
     let reference = places(Method::Radau, adaptive(1e-12));
-    println!("| integrator | setting | steps | residuals | factorizations | CPU (ms) | error of the end (m) | change of energy |");
+    println!(
+        "| integrator | setting | steps | residuals | factorizations | CPU (ms) | error of the end (m) | change of energy |"
+    );
     println!("|---|---|---|---|---|---|---|---|");
     let energy = ("energy-momentum", Method::EnergyMomentum);
     for h in [0.01, 0.005, 0.002, 0.001] {
@@ -88,7 +90,9 @@ fn places(method: Method, options: Options) -> Vec<[f64; 3]> {
     };
     let result = run(&FreeFlight::default(), &settings).unwrap_or_else(|error| panic!("{error}"));
     let columns: [Vec<f64>; 3] = [3, 4, 5].map(|column| result.history.column(column).collect());
-    (0..columns[0].len()).map(|at| [0, 1, 2].map(|k| columns[k][at])).collect()
+    (0..columns[0].len())
+        .map(|at| [0, 1, 2].map(|k| columns[k][at]))
+        .collect()
 }
 
 /// Largest relative change of the energy at the ends of the steps, as text, and the number of steps.

@@ -140,8 +140,7 @@ impl Parts<'_> {
                 "fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {{ Some({obstacle:?}) }}\n"
             );
         }
-        let mut text =
-            "fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> { None }\n".to_string();
+        let mut text = "fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> { None }\n".to_string();
         if kernels.is_empty() {
             return text;
         }

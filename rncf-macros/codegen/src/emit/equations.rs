@@ -193,7 +193,9 @@ impl Equations {
         }
         for between in &self.conserving.kernels {
             let points = between.rules.iter().flat_map(|rule| &rule.kernels);
-            points.chain(&between.kernels).for_each(|kernel| text += &function(kernel));
+            points
+                .chain(&between.kernels)
+                .for_each(|kernel| text += &function(kernel));
         }
         self.rest().into_iter().for_each(|kernel| text += &function(kernel));
         text += &self.density_functions();
@@ -202,10 +204,14 @@ impl Equations {
             let fields = variant.elastic.fields.as_ref()?;
             Some(super::points::tables(&variant.name, variant.variant.dimension, fields))
         });
-        let between = self.variants.iter().zip(&self.conserving.kernels).map(|(variant, between)| {
-            let size = variant.elastic.fields.as_ref().map_or(0, |fields| fields.groups.size());
-            super::points::tables_between(&variant.name, size, between)
-        });
+        let between = self
+            .variants
+            .iter()
+            .zip(&self.conserving.kernels)
+            .map(|(variant, between)| {
+                let size = variant.elastic.fields.as_ref().map_or(0, |fields| fields.groups.size());
+                super::points::tables_between(&variant.name, size, between)
+            });
         let tables = tables.chain(between);
         rows + &tables.collect::<String>() + &text
     }

@@ -61,7 +61,10 @@ impl System for Spring {
         let (k, x) = (self.stiffness, &state.x);
         let stress = 0.5 * k * (dot(x, x) - 1.0);
         let entry = |i: usize, j: usize| k * x[i] * x[j] + if i == j { stress } else { 0.0 };
-        self.values([[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]], &mut out.stiffness);
+        self.values(
+            [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]],
+            &mut out.stiffness,
+        );
     }
     fn constraint(&mut self, _level: ConstraintLevel, _state: &State, _out: &mut [f64]) {}
     fn constraint_jacobian(&mut self, _state: &State, _values: &mut [f64]) {}
@@ -150,7 +153,12 @@ fn run(method: Method, stiffness: f64, options: Options, end: f64) -> (State, [f
 fn energy_and_angular_momentum_stay_at_any_step() {
     // Periods of the spring: 2 pi / sqrt(k) = 0.2 s and 0.006 s.
     for (stiffness, h, steps) in [(1e3, 1e-3, 1e4), (1e3, 0.03, 1e4), (1e6, 0.01, 1e4)] {
-        let (_, changes) = run(Method::EnergyMomentum, stiffness, options(StepSize::Fixed(h), 1e-6), h * steps);
+        let (_, changes) = run(
+            Method::EnergyMomentum,
+            stiffness,
+            options(StepSize::Fixed(h), 1e-6),
+            h * steps,
+        );
         assert!(changes.iter().all(|change| *change < 2e-13), "{h}: {changes:e?}");
     }
 }

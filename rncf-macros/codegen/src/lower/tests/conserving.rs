@@ -110,7 +110,11 @@ fn where_there_are_no_such_forces_the_reason_is_named() {
     slack.options[1] = 1;
     let mut damped = variant(3, false);
     damped.damped = true;
-    for (variant, what) in [(exact, "`bending = exact`"), (slack, "`slack = true`"), (damped, "damped")] {
+    for (variant, what) in [
+        (exact, "`bending = exact`"),
+        (slack, "`slack = true`"),
+        (damped, "damped"),
+    ] {
         let text = conserving_obstacle(&variant, &library).unwrap();
         assert!(text.contains(what), "{text}");
         assert!(conserving_kernels(&variant, &library, Form::Points, None).is_none());
