@@ -49,7 +49,7 @@ impl ::rncf::Model for Bend45 {
         "Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).",
         "Body `bend` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `bend` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
-        "Energy-momentum integration: no forces that conserve energy are emitted, as body `bend` is made of the element `beam`, for which such forces are not derived.",
+        "Energy-momentum integration: forces between two states that conserve energy are derived.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -251,6 +251,60 @@ pub mod bend45_equations {
                 (4, 4),
             ],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 7), (4, 7, 11), (5, 11, 15)],
+        );
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_SPATIAL_CURVED_POINTS3_BETWEEN: ::rncf::mesh::Blocks<3, 9, 9> = BEAM_SPATIAL_CURVED_POINTS3
+        .blocks(
+            &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)],
+            &[
+                (0, 0, 1),
+                (1, 1, 2),
+                (2, 2, 3),
+                (3, 3, 4),
+                (4, 4, 5),
+                (5, 5, 6),
+                (6, 6, 7),
+                (7, 7, 8),
+                (8, 8, 9),
+            ],
+        );
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_SPATIAL_CURVED_POINTS2_BETWEEN: ::rncf::mesh::Blocks<2, 9, 21> = BEAM_SPATIAL_CURVED_POINTS2
+        .blocks(
+            &[
+                (0, 0),
+                (0, 3),
+                (0, 4),
+                (3, 0),
+                (1, 1),
+                (1, 3),
+                (3, 1),
+                (3, 3),
+                (1, 2),
+                (1, 4),
+                (3, 2),
+                (3, 4),
+                (4, 0),
+                (2, 1),
+                (2, 3),
+                (4, 1),
+                (4, 3),
+                (2, 2),
+                (2, 4),
+                (4, 2),
+                (4, 4),
+            ],
+            &[
+                (0, 0, 1),
+                (1, 1, 2),
+                (2, 2, 3),
+                (3, 3, 4),
+                (4, 4, 8),
+                (5, 8, 12),
+                (6, 12, 13),
+                (7, 13, 17),
+                (8, 17, 21),
+            ],
         );
     /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -1459,6 +1513,752 @@ pub mod bend45_equations {
         forces[13] = fields[1] * t70 - t72 * (fields[4] * 0.5) + fields[7] * t82;
         forces[14] = fields[2] * t70 - t72 * (fields[5] * 0.5) + fields[8] * t82;
     }
+    /// Writes the conserving forces on the fields a, b, c at a point of weight one on the unit element between two states, for the terms that are integrated with 3 points.
+    ///
+    /// Operations: 66 additions, 103 multiplications.
+    pub fn beam_spatial_curved_points3_conserving_force(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 6],
+        start: &[[f64; 3]; 3],
+        end: &[[f64; 3]; 3],
+        forces: &mut [[f64; 3]; 3],
+    ) {
+        let BeamSpatialCurved {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            GA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            ..
+        } = *row;
+        let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z]] = *start;
+        let [[e_a_x, e_a_y, e_a_z], [e_b_x, e_b_y, e_b_z], [e_c_x, e_c_y, e_c_z]] = *end;
+        let t41 = 0.5 * (o_a_x + e_a_x);
+        let t42 = 0.5 * (o_a_y + e_a_y);
+        let t43 = 0.5 * (o_a_z + e_a_z);
+        let t44 = 0.5 * (o_b_x + e_b_x);
+        let t45 = 0.5 * (o_b_y + e_b_y);
+        let t46 = 0.5 * (o_b_z + e_b_z);
+        let t47 = 0.5 * (o_c_x + e_c_x);
+        let t48 = 0.5 * (o_c_y + e_c_y);
+        let t49 = 0.5 * (o_c_z + e_c_z);
+        let t50 = o_a_x * o_a_x + o_a_y * o_a_y + o_a_z * o_a_z
+            + (e_a_x * e_a_x + e_a_y * e_a_y + e_a_z * e_a_z);
+        let t51 = o_a_x * o_b_x + o_a_y * o_b_y + o_a_z * o_b_z
+            + (e_a_x * e_b_x + e_a_y * e_b_y + e_a_z * e_b_z);
+        let t52 = o_a_x * o_c_x + o_a_y * o_c_y + o_a_z * o_c_z
+            + (e_a_x * e_c_x + e_a_y * e_c_y + e_a_z * e_c_z);
+        let t53 = o_b_x * o_b_x + o_b_y * o_b_y + o_b_z * o_b_z
+            + (e_b_x * e_b_x + e_b_y * e_b_y + e_b_z * e_b_z);
+        let t54 = o_b_x * o_c_x + o_b_y * o_c_y + o_b_z * o_c_z
+            + (e_b_x * e_c_x + e_b_y * e_c_y + e_b_z * e_c_z);
+        let t55 = o_c_x * o_c_x + o_c_y * o_c_y + o_c_z * o_c_z
+            + (e_c_x * e_c_x + e_c_y * e_c_y + e_c_z * e_c_z);
+        let t56 = length * EA;
+        let t57 = 0.5 * (t56 * (0.5 * (0.5 * t50 - 1.0) - reference[0]));
+        let t58 = length * kyGA * (0.5 * t51 - reference[3]);
+        let t59 = length * kzGA * (0.5 * t52 - reference[4]);
+        let t60 = 0.5 * (t56 * (0.5 * (0.5 * t53 - 1.0) - reference[1]));
+        let t61 = length * GA * (0.5 * t54 - reference[5]);
+        let t62 = 0.5 * (t56 * (0.5 * (0.5 * t55 - 1.0) - reference[2]));
+        forces[0][0] = t57 * (t41 * 2.0) + t44 * t58 + t47 * t59;
+        forces[0][1] = t57 * (t42 * 2.0) + t45 * t58 + t48 * t59;
+        forces[0][2] = t57 * (t43 * 2.0) + t46 * t58 + t49 * t59;
+        forces[1][0] = t41 * t58 + t60 * (t44 * 2.0) + t47 * t61;
+        forces[1][1] = t42 * t58 + t60 * (t45 * 2.0) + t48 * t61;
+        forces[1][2] = t43 * t58 + t60 * (t46 * 2.0) + t49 * t61;
+        forces[2][0] = t41 * t59 + t44 * t61 + t62 * (t47 * 2.0);
+        forces[2][1] = t42 * t59 + t45 * t61 + t62 * (t48 * 2.0);
+        forces[2][2] = t43 * t59 + t46 * t61 + t62 * (t49 * 2.0);
+    }
+    /// Writes the blocks of the derivative by the mean of both states on the fields a, b, c at a point of weight one on the unit element between two states, for the terms that are integrated with 3 points.
+    ///
+    /// Operations: 129 additions, 252 multiplications.
+    pub fn beam_spatial_curved_points3_conserving_tangent(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 6],
+        start: &[[f64; 3]; 3],
+        end: &[[f64; 3]; 3],
+        stiffness: &mut [[f64; 9]; 9],
+    ) {
+        let BeamSpatialCurved {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            GA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            ..
+        } = *row;
+        let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z]] = *start;
+        let [[e_a_x, e_a_y, e_a_z], [e_b_x, e_b_y, e_b_z], [e_c_x, e_c_y, e_c_z]] = *end;
+        let t41 = 0.5 * (o_a_x + e_a_x);
+        let t42 = 0.5 * (o_a_y + e_a_y);
+        let t43 = 0.5 * (o_a_z + e_a_z);
+        let t44 = 0.5 * (o_b_x + e_b_x);
+        let t45 = 0.5 * (o_b_y + e_b_y);
+        let t46 = 0.5 * (o_b_z + e_b_z);
+        let t47 = 0.5 * (o_c_x + e_c_x);
+        let t48 = 0.5 * (o_c_y + e_c_y);
+        let t49 = 0.5 * (o_c_z + e_c_z);
+        let t50 = o_a_x * o_a_x + o_a_y * o_a_y + o_a_z * o_a_z
+            + (e_a_x * e_a_x + e_a_y * e_a_y + e_a_z * e_a_z);
+        let t51 = o_a_x * o_b_x + o_a_y * o_b_y + o_a_z * o_b_z
+            + (e_a_x * e_b_x + e_a_y * e_b_y + e_a_z * e_b_z);
+        let t52 = o_a_x * o_c_x + o_a_y * o_c_y + o_a_z * o_c_z
+            + (e_a_x * e_c_x + e_a_y * e_c_y + e_a_z * e_c_z);
+        let t53 = o_b_x * o_b_x + o_b_y * o_b_y + o_b_z * o_b_z
+            + (e_b_x * e_b_x + e_b_y * e_b_y + e_b_z * e_b_z);
+        let t54 = o_b_x * o_c_x + o_b_y * o_c_y + o_b_z * o_c_z
+            + (e_b_x * e_c_x + e_b_y * e_c_y + e_b_z * e_c_z);
+        let t55 = o_c_x * o_c_x + o_c_y * o_c_y + o_c_z * o_c_z
+            + (e_c_x * e_c_x + e_c_y * e_c_y + e_c_z * e_c_z);
+        let t56 = length * EA;
+        let t57 = length * kyGA;
+        let t58 = length * kzGA;
+        let t59 = length * GA;
+        let t60 = 0.5 * (0.5 * t56);
+        let t61 = t57 * (0.5 * t51 - reference[3]);
+        let t62 = t58 * (0.5 * t52 - reference[4]);
+        let t63 = t59 * (0.5 * t54 - reference[5]);
+        let t64 = t41 * 2.0;
+        let t65 = t42 * 2.0;
+        let t66 = t43 * 2.0;
+        let t67 = t44 * 2.0;
+        let t68 = t45 * 2.0;
+        let t69 = t46 * 2.0;
+        let t70 = t47 * 2.0;
+        let t71 = t48 * 2.0;
+        let t72 = t49 * 2.0;
+        let t73 = t60 * (e_a_x * 2.0);
+        let t74 = t60 * (e_a_y * 2.0);
+        let t75 = t60 * (e_a_z * 2.0);
+        let t76 = e_b_x * t57;
+        let t77 = e_b_y * t57;
+        let t78 = e_b_z * t57;
+        let t79 = e_a_x * t57;
+        let t80 = e_a_y * t57;
+        let t81 = e_a_z * t57;
+        let t82 = e_c_x * t58;
+        let t83 = e_c_y * t58;
+        let t84 = e_c_z * t58;
+        let t85 = e_a_x * t58;
+        let t86 = e_a_y * t58;
+        let t87 = e_a_z * t58;
+        let t88 = t60 * (e_b_x * 2.0);
+        let t89 = t60 * (e_b_y * 2.0);
+        let t90 = t60 * (e_b_z * 2.0);
+        let t91 = e_c_x * t59;
+        let t92 = e_c_y * t59;
+        let t93 = e_c_z * t59;
+        let t94 = e_b_x * t59;
+        let t95 = e_b_y * t59;
+        let t96 = e_b_z * t59;
+        let t97 = t60 * (e_c_x * 2.0);
+        let t98 = t60 * (e_c_y * 2.0);
+        let t99 = t60 * (e_c_z * 2.0);
+        let t100 = 0.5 * (t56 * (0.5 * (0.5 * t50 - 1.0) - reference[0])) * 2.0;
+        let t101 = 0.5 * (t56 * (0.5 * (0.5 * t53 - 1.0) - reference[1])) * 2.0;
+        let t102 = 0.5 * (t56 * (0.5 * (0.5 * t55 - 1.0) - reference[2])) * 2.0;
+        stiffness[0][0] = t64 * t73 + t44 * t76 + t47 * t82 + t100;
+        stiffness[0][1] = t64 * t74 + t44 * t77 + t47 * t83;
+        stiffness[0][2] = t64 * t75 + t44 * t78 + t47 * t84;
+        stiffness[0][3] = t65 * t73 + t45 * t76 + t48 * t82;
+        stiffness[0][4] = t65 * t74 + t45 * t77 + t48 * t83 + t100;
+        stiffness[0][5] = t65 * t75 + t45 * t78 + t48 * t84;
+        stiffness[0][6] = t66 * t73 + t46 * t76 + t49 * t82;
+        stiffness[0][7] = t66 * t74 + t46 * t77 + t49 * t83;
+        stiffness[0][8] = t66 * t75 + t46 * t78 + t49 * t84 + t100;
+        stiffness[1][0] = t61 + t44 * t79;
+        stiffness[1][1] = t44 * t80;
+        stiffness[1][2] = t44 * t81;
+        stiffness[1][3] = t45 * t79;
+        stiffness[1][4] = t61 + t45 * t80;
+        stiffness[1][5] = t45 * t81;
+        stiffness[1][6] = t46 * t79;
+        stiffness[1][7] = t46 * t80;
+        stiffness[1][8] = t61 + t46 * t81;
+        stiffness[2][0] = t62 + t47 * t85;
+        stiffness[2][1] = t47 * t86;
+        stiffness[2][2] = t47 * t87;
+        stiffness[2][3] = t48 * t85;
+        stiffness[2][4] = t62 + t48 * t86;
+        stiffness[2][5] = t48 * t87;
+        stiffness[2][6] = t49 * t85;
+        stiffness[2][7] = t49 * t86;
+        stiffness[2][8] = t62 + t49 * t87;
+        stiffness[3][0] = t61 + t41 * t76;
+        stiffness[3][1] = t41 * t77;
+        stiffness[3][2] = t41 * t78;
+        stiffness[3][3] = t42 * t76;
+        stiffness[3][4] = t61 + t42 * t77;
+        stiffness[3][5] = t42 * t78;
+        stiffness[3][6] = t43 * t76;
+        stiffness[3][7] = t43 * t77;
+        stiffness[3][8] = t61 + t43 * t78;
+        stiffness[4][0] = t41 * t79 + t67 * t88 + t47 * t91 + t101;
+        stiffness[4][1] = t41 * t80 + t67 * t89 + t47 * t92;
+        stiffness[4][2] = t41 * t81 + t67 * t90 + t47 * t93;
+        stiffness[4][3] = t42 * t79 + t68 * t88 + t48 * t91;
+        stiffness[4][4] = t42 * t80 + t68 * t89 + t48 * t92 + t101;
+        stiffness[4][5] = t42 * t81 + t68 * t90 + t48 * t93;
+        stiffness[4][6] = t43 * t79 + t69 * t88 + t49 * t91;
+        stiffness[4][7] = t43 * t80 + t69 * t89 + t49 * t92;
+        stiffness[4][8] = t43 * t81 + t69 * t90 + t49 * t93 + t101;
+        stiffness[5][0] = t63 + t47 * t94;
+        stiffness[5][1] = t47 * t95;
+        stiffness[5][2] = t47 * t96;
+        stiffness[5][3] = t48 * t94;
+        stiffness[5][4] = t63 + t48 * t95;
+        stiffness[5][5] = t48 * t96;
+        stiffness[5][6] = t49 * t94;
+        stiffness[5][7] = t49 * t95;
+        stiffness[5][8] = t63 + t49 * t96;
+        stiffness[6][0] = t62 + t41 * t82;
+        stiffness[6][1] = t41 * t83;
+        stiffness[6][2] = t41 * t84;
+        stiffness[6][3] = t42 * t82;
+        stiffness[6][4] = t62 + t42 * t83;
+        stiffness[6][5] = t42 * t84;
+        stiffness[6][6] = t43 * t82;
+        stiffness[6][7] = t43 * t83;
+        stiffness[6][8] = t62 + t43 * t84;
+        stiffness[7][0] = t63 + t44 * t91;
+        stiffness[7][1] = t44 * t92;
+        stiffness[7][2] = t44 * t93;
+        stiffness[7][3] = t45 * t91;
+        stiffness[7][4] = t63 + t45 * t92;
+        stiffness[7][5] = t45 * t93;
+        stiffness[7][6] = t46 * t91;
+        stiffness[7][7] = t46 * t92;
+        stiffness[7][8] = t63 + t46 * t93;
+        stiffness[8][0] = t41 * t85 + t44 * t94 + t70 * t97 + t102;
+        stiffness[8][1] = t41 * t86 + t44 * t95 + t70 * t98;
+        stiffness[8][2] = t41 * t87 + t44 * t96 + t70 * t99;
+        stiffness[8][3] = t42 * t85 + t45 * t94 + t71 * t97;
+        stiffness[8][4] = t42 * t86 + t45 * t95 + t71 * t98 + t102;
+        stiffness[8][5] = t42 * t87 + t45 * t96 + t71 * t99;
+        stiffness[8][6] = t43 * t85 + t46 * t94 + t72 * t97;
+        stiffness[8][7] = t43 * t86 + t46 * t95 + t72 * t98;
+        stiffness[8][8] = t43 * t87 + t46 * t96 + t72 * t99 + t102;
+    }
+    /// Writes the conserving forces on the fields a, b, c, db, dc at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
+    ///
+    /// Operations: 72 additions, 124 multiplications, 1 divisions.
+    pub fn beam_spatial_curved_points2_conserving_force(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 5],
+        start: &[[f64; 3]; 5],
+        end: &[[f64; 3]; 5],
+        forces: &mut [[f64; 3]; 5],
+    ) {
+        let BeamSpatialCurved {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            GA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            ..
+        } = *row;
+        let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z],
+        [o_unit_db_x, o_unit_db_y, o_unit_db_z], [o_unit_dc_x, o_unit_dc_y, o_unit_dc_z],
+        ] = *start;
+        let [[e_a_x, e_a_y, e_a_z], [e_b_x, e_b_y, e_b_z], [e_c_x, e_c_y, e_c_z],
+        [e_unit_db_x, e_unit_db_y, e_unit_db_z], [e_unit_dc_x, e_unit_dc_y, e_unit_dc_z],
+        ] = *end;
+        let inverse_length = 1.0 / length;
+        let o_db_x = inverse_length * o_unit_db_x;
+        let o_db_y = inverse_length * o_unit_db_y;
+        let o_db_z = inverse_length * o_unit_db_z;
+        let o_dc_x = inverse_length * o_unit_dc_x;
+        let o_dc_y = inverse_length * o_unit_dc_y;
+        let o_dc_z = inverse_length * o_unit_dc_z;
+        let e_db_x = inverse_length * e_unit_db_x;
+        let e_db_y = inverse_length * e_unit_db_y;
+        let e_db_z = inverse_length * e_unit_db_z;
+        let e_dc_x = inverse_length * e_unit_dc_x;
+        let e_dc_y = inverse_length * e_unit_dc_y;
+        let e_dc_z = inverse_length * e_unit_dc_z;
+        let t66 = 0.5 * (o_a_x + e_a_x);
+        let t67 = 0.5 * (o_a_y + e_a_y);
+        let t68 = 0.5 * (o_a_z + e_a_z);
+        let t69 = 0.5 * (o_b_x + e_b_x);
+        let t70 = 0.5 * (o_b_y + e_b_y);
+        let t71 = 0.5 * (o_b_z + e_b_z);
+        let t72 = 0.5 * (o_c_x + e_c_x);
+        let t73 = 0.5 * (o_c_y + e_c_y);
+        let t74 = 0.5 * (o_c_z + e_c_z);
+        let t75 = 0.5 * (o_unit_db_x + e_unit_db_x);
+        let t76 = 0.5 * (o_unit_db_y + e_unit_db_y);
+        let t77 = 0.5 * (o_unit_db_z + e_unit_db_z);
+        let t78 = 0.5 * (o_unit_dc_x + e_unit_dc_x);
+        let t79 = 0.5 * (o_unit_dc_y + e_unit_dc_y);
+        let t80 = 0.5 * (o_unit_dc_z + e_unit_dc_z);
+        let t81 = o_a_x * o_db_x + o_a_y * o_db_y + o_a_z * o_db_z
+            + (e_a_x * e_db_x + e_a_y * e_db_y + e_a_z * e_db_z);
+        let t82 = o_a_x * o_dc_x + o_a_y * o_dc_y + o_a_z * o_dc_z
+            + (e_a_x * e_dc_x + e_a_y * e_dc_y + e_a_z * e_dc_z);
+        let t83 = o_b_x * o_db_x + o_b_y * o_db_y + o_b_z * o_db_z
+            + (e_b_x * e_db_x + e_b_y * e_db_y + e_b_z * e_db_z);
+        let t84 = o_b_x * o_dc_x + o_b_y * o_dc_y + o_b_z * o_dc_z
+            + (e_b_x * e_dc_x + e_b_y * e_dc_y + e_b_z * e_dc_z);
+        let t85 = o_c_x * o_db_x + o_c_y * o_db_y + o_c_z * o_db_z
+            + (e_c_x * e_db_x + e_c_y * e_db_y + e_c_z * e_db_z);
+        let t86 = o_c_x * o_dc_x + o_c_y * o_dc_y + o_c_z * o_dc_z
+            + (e_c_x * e_dc_x + e_c_y * e_dc_y + e_c_z * e_dc_z);
+        let t87 = length * GJ * (0.5 * (0.5 * t85 - 0.5 * t84) - reference[2]);
+        let t88 = inverse_length * (length * EIz * (0.5 * t81 - reference[0]));
+        let t89 = inverse_length * (length * EIy * (0.5 * t82 - reference[1]));
+        let t90 = inverse_length * (length * GIz * (0.5 * t83 - reference[3]));
+        let t91 = inverse_length * (-0.5 * t87);
+        let t92 = inverse_length * (0.5 * t87);
+        let t93 = inverse_length * (length * GIy * (0.5 * t86 - reference[4]));
+        forces[0][0] = t75 * t88 + t78 * t89;
+        forces[0][1] = t76 * t88 + t79 * t89;
+        forces[0][2] = t77 * t88 + t80 * t89;
+        forces[1][0] = t75 * t90 + t78 * t91;
+        forces[1][1] = t76 * t90 + t79 * t91;
+        forces[1][2] = t77 * t90 + t80 * t91;
+        forces[2][0] = t75 * t92 + t78 * t93;
+        forces[2][1] = t76 * t92 + t79 * t93;
+        forces[2][2] = t77 * t92 + t80 * t93;
+        forces[3][0] = t66 * t88 + t69 * t90 + t72 * t92;
+        forces[3][1] = t67 * t88 + t70 * t90 + t73 * t92;
+        forces[3][2] = t68 * t88 + t71 * t90 + t74 * t92;
+        forces[4][0] = t66 * t89 + t69 * t91 + t72 * t93;
+        forces[4][1] = t67 * t89 + t70 * t91 + t73 * t93;
+        forces[4][2] = t68 * t89 + t71 * t91 + t74 * t93;
+    }
+    /// Writes the blocks of the derivative by the mean of both states on the fields a, b, c, db, dc at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
+    ///
+    /// Operations: 186 additions, 439 multiplications, 1 divisions.
+    pub fn beam_spatial_curved_points2_conserving_tangent(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 5],
+        start: &[[f64; 3]; 5],
+        end: &[[f64; 3]; 5],
+        stiffness: &mut [[f64; 9]; 21],
+    ) {
+        let BeamSpatialCurved {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            GA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            ..
+        } = *row;
+        let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z],
+        [o_unit_db_x, o_unit_db_y, o_unit_db_z], [o_unit_dc_x, o_unit_dc_y, o_unit_dc_z],
+        ] = *start;
+        let [[e_a_x, e_a_y, e_a_z], [e_b_x, e_b_y, e_b_z], [e_c_x, e_c_y, e_c_z],
+        [e_unit_db_x, e_unit_db_y, e_unit_db_z], [e_unit_dc_x, e_unit_dc_y, e_unit_dc_z],
+        ] = *end;
+        let inverse_length = 1.0 / length;
+        let o_db_x = inverse_length * o_unit_db_x;
+        let o_db_y = inverse_length * o_unit_db_y;
+        let o_db_z = inverse_length * o_unit_db_z;
+        let o_dc_x = inverse_length * o_unit_dc_x;
+        let o_dc_y = inverse_length * o_unit_dc_y;
+        let o_dc_z = inverse_length * o_unit_dc_z;
+        let e_db_x = inverse_length * e_unit_db_x;
+        let e_db_y = inverse_length * e_unit_db_y;
+        let e_db_z = inverse_length * e_unit_db_z;
+        let e_dc_x = inverse_length * e_unit_dc_x;
+        let e_dc_y = inverse_length * e_unit_dc_y;
+        let e_dc_z = inverse_length * e_unit_dc_z;
+        let t66 = 0.5 * (o_a_x + e_a_x);
+        let t67 = 0.5 * (o_a_y + e_a_y);
+        let t68 = 0.5 * (o_a_z + e_a_z);
+        let t69 = 0.5 * (o_b_x + e_b_x);
+        let t70 = 0.5 * (o_b_y + e_b_y);
+        let t71 = 0.5 * (o_b_z + e_b_z);
+        let t72 = 0.5 * (o_c_x + e_c_x);
+        let t73 = 0.5 * (o_c_y + e_c_y);
+        let t74 = 0.5 * (o_c_z + e_c_z);
+        let t75 = 0.5 * (o_unit_db_x + e_unit_db_x);
+        let t76 = 0.5 * (o_unit_db_y + e_unit_db_y);
+        let t77 = 0.5 * (o_unit_db_z + e_unit_db_z);
+        let t78 = 0.5 * (o_unit_dc_x + e_unit_dc_x);
+        let t79 = 0.5 * (o_unit_dc_y + e_unit_dc_y);
+        let t80 = 0.5 * (o_unit_dc_z + e_unit_dc_z);
+        let t81 = o_a_x * o_db_x + o_a_y * o_db_y + o_a_z * o_db_z
+            + (e_a_x * e_db_x + e_a_y * e_db_y + e_a_z * e_db_z);
+        let t82 = o_a_x * o_dc_x + o_a_y * o_dc_y + o_a_z * o_dc_z
+            + (e_a_x * e_dc_x + e_a_y * e_dc_y + e_a_z * e_dc_z);
+        let t83 = o_b_x * o_db_x + o_b_y * o_db_y + o_b_z * o_db_z
+            + (e_b_x * e_db_x + e_b_y * e_db_y + e_b_z * e_db_z);
+        let t84 = o_b_x * o_dc_x + o_b_y * o_dc_y + o_b_z * o_dc_z
+            + (e_b_x * e_dc_x + e_b_y * e_dc_y + e_b_z * e_dc_z);
+        let t85 = o_c_x * o_db_x + o_c_y * o_db_y + o_c_z * o_db_z
+            + (e_c_x * e_db_x + e_c_y * e_db_y + e_c_z * e_db_z);
+        let t86 = o_c_x * o_dc_x + o_c_y * o_dc_y + o_c_z * o_dc_z
+            + (e_c_x * e_dc_x + e_c_y * e_dc_y + e_c_z * e_dc_z);
+        let t87 = length * EIz;
+        let t88 = length * EIy;
+        let t89 = length * GJ;
+        let t90 = 0.5 * t89;
+        let t91 = length * GIz;
+        let t92 = length * GIy;
+        let t93 = t89 * (-0.5);
+        let t94 = t89 * (0.5 * (0.5 * t85 - 0.5 * t84) - reference[2]);
+        let t95 = inverse_length * (t87 * (0.5 * t81 - reference[0]));
+        let t96 = inverse_length * inverse_length;
+        let t97 = t87 * t96;
+        let t98 = inverse_length * (t88 * (0.5 * t82 - reference[1]));
+        let t99 = t88 * t96;
+        let t100 = inverse_length * (t91 * (0.5 * t83 - reference[3]));
+        let t101 = t91 * t96;
+        let t102 = inverse_length * (-0.5 * t94);
+        let t103 = -0.5 * t93 * t96;
+        let t104 = -0.5 * t90 * t96;
+        let t105 = inverse_length * (0.5 * t94);
+        let t106 = 0.5 * t93 * t96;
+        let t107 = 0.5 * t90 * t96;
+        let t108 = inverse_length * (t92 * (0.5 * t86 - reference[4]));
+        let t109 = t92 * t96;
+        let t110 = e_unit_db_x * t97;
+        let t111 = e_unit_db_y * t97;
+        let t112 = e_unit_db_z * t97;
+        let t113 = e_a_x * t97;
+        let t114 = e_a_y * t97;
+        let t115 = e_a_z * t97;
+        let t116 = e_unit_dc_x * t99;
+        let t117 = e_unit_dc_y * t99;
+        let t118 = e_unit_dc_z * t99;
+        let t119 = e_a_x * t99;
+        let t120 = e_a_y * t99;
+        let t121 = e_a_z * t99;
+        let t122 = e_unit_db_x * t101;
+        let t123 = e_unit_db_y * t101;
+        let t124 = e_unit_db_z * t101;
+        let t125 = e_b_x * t101;
+        let t126 = e_b_y * t101;
+        let t127 = e_b_z * t101;
+        let t128 = e_unit_dc_x * t103;
+        let t129 = e_unit_dc_y * t103;
+        let t130 = e_unit_dc_z * t103;
+        let t131 = e_unit_db_x * t104;
+        let t132 = e_unit_db_y * t104;
+        let t133 = e_unit_db_z * t104;
+        let t134 = e_c_x * t104;
+        let t135 = e_c_y * t104;
+        let t136 = e_c_z * t104;
+        let t137 = e_b_x * t103;
+        let t138 = e_b_y * t103;
+        let t139 = e_b_z * t103;
+        let t140 = e_unit_dc_x * t106;
+        let t141 = e_unit_dc_y * t106;
+        let t142 = e_unit_dc_z * t106;
+        let t143 = e_unit_db_x * t107;
+        let t144 = e_unit_db_y * t107;
+        let t145 = e_unit_db_z * t107;
+        let t146 = e_c_x * t107;
+        let t147 = e_c_y * t107;
+        let t148 = e_c_z * t107;
+        let t149 = e_b_x * t106;
+        let t150 = e_b_y * t106;
+        let t151 = e_b_z * t106;
+        let t152 = e_unit_dc_x * t109;
+        let t153 = e_unit_dc_y * t109;
+        let t154 = e_unit_dc_z * t109;
+        let t155 = e_c_x * t109;
+        let t156 = e_c_y * t109;
+        let t157 = e_c_z * t109;
+        stiffness[0][0] = t75 * t110 + t78 * t116;
+        stiffness[0][1] = t75 * t111 + t78 * t117;
+        stiffness[0][2] = t75 * t112 + t78 * t118;
+        stiffness[0][3] = t76 * t110 + t79 * t116;
+        stiffness[0][4] = t76 * t111 + t79 * t117;
+        stiffness[0][5] = t76 * t112 + t79 * t118;
+        stiffness[0][6] = t77 * t110 + t80 * t116;
+        stiffness[0][7] = t77 * t111 + t80 * t117;
+        stiffness[0][8] = t77 * t112 + t80 * t118;
+        stiffness[1][0] = t95 + t75 * t113;
+        stiffness[1][1] = t75 * t114;
+        stiffness[1][2] = t75 * t115;
+        stiffness[1][3] = t76 * t113;
+        stiffness[1][4] = t95 + t76 * t114;
+        stiffness[1][5] = t76 * t115;
+        stiffness[1][6] = t77 * t113;
+        stiffness[1][7] = t77 * t114;
+        stiffness[1][8] = t95 + t77 * t115;
+        stiffness[2][0] = t98 + t78 * t119;
+        stiffness[2][1] = t78 * t120;
+        stiffness[2][2] = t78 * t121;
+        stiffness[2][3] = t79 * t119;
+        stiffness[2][4] = t98 + t79 * t120;
+        stiffness[2][5] = t79 * t121;
+        stiffness[2][6] = t80 * t119;
+        stiffness[2][7] = t80 * t120;
+        stiffness[2][8] = t98 + t80 * t121;
+        stiffness[3][0] = t95 + t66 * t110;
+        stiffness[3][1] = t66 * t111;
+        stiffness[3][2] = t66 * t112;
+        stiffness[3][3] = t67 * t110;
+        stiffness[3][4] = t95 + t67 * t111;
+        stiffness[3][5] = t67 * t112;
+        stiffness[3][6] = t68 * t110;
+        stiffness[3][7] = t68 * t111;
+        stiffness[3][8] = t95 + t68 * t112;
+        stiffness[4][0] = t75 * t122 + t78 * t128;
+        stiffness[4][1] = t75 * t123 + t78 * t129;
+        stiffness[4][2] = t75 * t124 + t78 * t130;
+        stiffness[4][3] = t76 * t122 + t79 * t128;
+        stiffness[4][4] = t76 * t123 + t79 * t129;
+        stiffness[4][5] = t76 * t124 + t79 * t130;
+        stiffness[4][6] = t77 * t122 + t80 * t128;
+        stiffness[4][7] = t77 * t123 + t80 * t129;
+        stiffness[4][8] = t77 * t124 + t80 * t130;
+        stiffness[5][0] = t100 + (t75 * t125 + t78 * t134);
+        stiffness[5][1] = t75 * t126 + t78 * t135;
+        stiffness[5][2] = t75 * t127 + t78 * t136;
+        stiffness[5][3] = t76 * t125 + t79 * t134;
+        stiffness[5][4] = t100 + (t76 * t126 + t79 * t135);
+        stiffness[5][5] = t76 * t127 + t79 * t136;
+        stiffness[5][6] = t77 * t125 + t80 * t134;
+        stiffness[5][7] = t77 * t126 + t80 * t135;
+        stiffness[5][8] = t100 + (t77 * t127 + t80 * t136);
+        stiffness[6][0] = t100 + (t69 * t122 + t72 * t140);
+        stiffness[6][1] = t69 * t123 + t72 * t141;
+        stiffness[6][2] = t69 * t124 + t72 * t142;
+        stiffness[6][3] = t70 * t122 + t73 * t140;
+        stiffness[6][4] = t100 + (t70 * t123 + t73 * t141);
+        stiffness[6][5] = t70 * t124 + t73 * t142;
+        stiffness[6][6] = t71 * t122 + t74 * t140;
+        stiffness[6][7] = t71 * t123 + t74 * t141;
+        stiffness[6][8] = t100 + (t71 * t124 + t74 * t142);
+        stiffness[7][0] = t66 * t113 + t69 * t125 + t72 * t146;
+        stiffness[7][1] = t66 * t114 + t69 * t126 + t72 * t147;
+        stiffness[7][2] = t66 * t115 + t69 * t127 + t72 * t148;
+        stiffness[7][3] = t67 * t113 + t70 * t125 + t73 * t146;
+        stiffness[7][4] = t67 * t114 + t70 * t126 + t73 * t147;
+        stiffness[7][5] = t67 * t115 + t70 * t127 + t73 * t148;
+        stiffness[7][6] = t68 * t113 + t71 * t125 + t74 * t146;
+        stiffness[7][7] = t68 * t114 + t71 * t126 + t74 * t147;
+        stiffness[7][8] = t68 * t115 + t71 * t127 + t74 * t148;
+        stiffness[8][0] = t78 * t131;
+        stiffness[8][1] = t78 * t132;
+        stiffness[8][2] = t78 * t133;
+        stiffness[8][3] = t79 * t131;
+        stiffness[8][4] = t79 * t132;
+        stiffness[8][5] = t79 * t133;
+        stiffness[8][6] = t80 * t131;
+        stiffness[8][7] = t80 * t132;
+        stiffness[8][8] = t80 * t133;
+        stiffness[9][0] = t102 + t78 * t137;
+        stiffness[9][1] = t78 * t138;
+        stiffness[9][2] = t78 * t139;
+        stiffness[9][3] = t79 * t137;
+        stiffness[9][4] = t102 + t79 * t138;
+        stiffness[9][5] = t79 * t139;
+        stiffness[9][6] = t80 * t137;
+        stiffness[9][7] = t80 * t138;
+        stiffness[9][8] = t102 + t80 * t139;
+        stiffness[10][0] = t105 + t72 * t143;
+        stiffness[10][1] = t72 * t144;
+        stiffness[10][2] = t72 * t145;
+        stiffness[10][3] = t73 * t143;
+        stiffness[10][4] = t105 + t73 * t144;
+        stiffness[10][5] = t73 * t145;
+        stiffness[10][6] = t74 * t143;
+        stiffness[10][7] = t74 * t144;
+        stiffness[10][8] = t105 + t74 * t145;
+        stiffness[11][0] = t72 * t149;
+        stiffness[11][1] = t72 * t150;
+        stiffness[11][2] = t72 * t151;
+        stiffness[11][3] = t73 * t149;
+        stiffness[11][4] = t73 * t150;
+        stiffness[11][5] = t73 * t151;
+        stiffness[11][6] = t74 * t149;
+        stiffness[11][7] = t74 * t150;
+        stiffness[11][8] = t74 * t151;
+        stiffness[12][0] = t98 + t66 * t116;
+        stiffness[12][1] = t66 * t117;
+        stiffness[12][2] = t66 * t118;
+        stiffness[12][3] = t67 * t116;
+        stiffness[12][4] = t98 + t67 * t117;
+        stiffness[12][5] = t67 * t118;
+        stiffness[12][6] = t68 * t116;
+        stiffness[12][7] = t68 * t117;
+        stiffness[12][8] = t98 + t68 * t118;
+        stiffness[13][0] = t75 * t140;
+        stiffness[13][1] = t75 * t141;
+        stiffness[13][2] = t75 * t142;
+        stiffness[13][3] = t76 * t140;
+        stiffness[13][4] = t76 * t141;
+        stiffness[13][5] = t76 * t142;
+        stiffness[13][6] = t77 * t140;
+        stiffness[13][7] = t77 * t141;
+        stiffness[13][8] = t77 * t142;
+        stiffness[14][0] = t105 + t75 * t146;
+        stiffness[14][1] = t75 * t147;
+        stiffness[14][2] = t75 * t148;
+        stiffness[14][3] = t76 * t146;
+        stiffness[14][4] = t105 + t76 * t147;
+        stiffness[14][5] = t76 * t148;
+        stiffness[14][6] = t77 * t146;
+        stiffness[14][7] = t77 * t147;
+        stiffness[14][8] = t105 + t77 * t148;
+        stiffness[15][0] = t102 + t69 * t128;
+        stiffness[15][1] = t69 * t129;
+        stiffness[15][2] = t69 * t130;
+        stiffness[15][3] = t70 * t128;
+        stiffness[15][4] = t102 + t70 * t129;
+        stiffness[15][5] = t70 * t130;
+        stiffness[15][6] = t71 * t128;
+        stiffness[15][7] = t71 * t129;
+        stiffness[15][8] = t102 + t71 * t130;
+        stiffness[16][0] = t69 * t134;
+        stiffness[16][1] = t69 * t135;
+        stiffness[16][2] = t69 * t136;
+        stiffness[16][3] = t70 * t134;
+        stiffness[16][4] = t70 * t135;
+        stiffness[16][5] = t70 * t136;
+        stiffness[16][6] = t71 * t134;
+        stiffness[16][7] = t71 * t135;
+        stiffness[16][8] = t71 * t136;
+        stiffness[17][0] = t75 * t143 + t78 * t152;
+        stiffness[17][1] = t75 * t144 + t78 * t153;
+        stiffness[17][2] = t75 * t145 + t78 * t154;
+        stiffness[17][3] = t76 * t143 + t79 * t152;
+        stiffness[17][4] = t76 * t144 + t79 * t153;
+        stiffness[17][5] = t76 * t145 + t79 * t154;
+        stiffness[17][6] = t77 * t143 + t80 * t152;
+        stiffness[17][7] = t77 * t144 + t80 * t153;
+        stiffness[17][8] = t77 * t145 + t80 * t154;
+        stiffness[18][0] = t108 + (t75 * t149 + t78 * t155);
+        stiffness[18][1] = t75 * t150 + t78 * t156;
+        stiffness[18][2] = t75 * t151 + t78 * t157;
+        stiffness[18][3] = t76 * t149 + t79 * t155;
+        stiffness[18][4] = t108 + (t76 * t150 + t79 * t156);
+        stiffness[18][5] = t76 * t151 + t79 * t157;
+        stiffness[18][6] = t77 * t149 + t80 * t155;
+        stiffness[18][7] = t77 * t150 + t80 * t156;
+        stiffness[18][8] = t108 + (t77 * t151 + t80 * t157);
+        stiffness[19][0] = t108 + (t69 * t131 + t72 * t152);
+        stiffness[19][1] = t69 * t132 + t72 * t153;
+        stiffness[19][2] = t69 * t133 + t72 * t154;
+        stiffness[19][3] = t70 * t131 + t73 * t152;
+        stiffness[19][4] = t108 + (t70 * t132 + t73 * t153);
+        stiffness[19][5] = t70 * t133 + t73 * t154;
+        stiffness[19][6] = t71 * t131 + t74 * t152;
+        stiffness[19][7] = t71 * t132 + t74 * t153;
+        stiffness[19][8] = t108 + (t71 * t133 + t74 * t154);
+        stiffness[20][0] = t66 * t119 + t69 * t137 + t72 * t155;
+        stiffness[20][1] = t66 * t120 + t69 * t138 + t72 * t156;
+        stiffness[20][2] = t66 * t121 + t69 * t139 + t72 * t157;
+        stiffness[20][3] = t67 * t119 + t70 * t137 + t73 * t155;
+        stiffness[20][4] = t67 * t120 + t70 * t138 + t73 * t156;
+        stiffness[20][5] = t67 * t121 + t70 * t139 + t73 * t157;
+        stiffness[20][6] = t68 * t119 + t71 * t137 + t74 * t155;
+        stiffness[20][7] = t68 * t120 + t71 * t138 + t74 * t156;
+        stiffness[20][8] = t68 * t121 + t71 * t139 + t74 * t157;
+    }
+    /// Adds the elastic force of one element between two states that does the work U(end) - U(start) over the step and has no moment about the mean positions: S_A(mean of I) dI_A/dq(mean of q).
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    pub fn beam_spatial_curved_conserving_force(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 28],
+        start: &[f64; 30],
+        end: &[f64; 30],
+        force: &mut [f64; 30],
+    ) {
+        let start = BEAM_SPATIAL_CURVED_VECTORS.relative(row.length, start);
+        let end = BEAM_SPATIAL_CURVED_VECTORS.relative(row.length, end);
+        let mut sums = Default::default();
+        BEAM_SPATIAL_CURVED_POINTS3
+            .force(
+                &start,
+                &end,
+                |point, start, end, forces| beam_spatial_curved_points3_conserving_force(
+                    row,
+                    ::rncf::mesh::array(&reference[0 + 6 * point..][..6]),
+                    start,
+                    end,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_SPATIAL_CURVED_POINTS2
+            .force(
+                &start,
+                &end,
+                |point, start, end, forces| beam_spatial_curved_points2_conserving_force(
+                    row,
+                    ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                    start,
+                    end,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_SPATIAL_CURVED_VECTORS.add_force(row.length, &sums, force);
+    }
+    /// Adds the derivative of the conserving force of one element with respect to the mean of both states at a fixed start (half of it is that with respect to the end), rows first; not symmetric.
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    pub fn beam_spatial_curved_conserving_tangent(
+        row: &BeamSpatialCurved,
+        reference: &[f64; 28],
+        start: &[f64; 30],
+        end: &[f64; 30],
+        stiffness: &mut [f64; 900],
+    ) {
+        let start = BEAM_SPATIAL_CURVED_VECTORS.relative(row.length, start);
+        let end = BEAM_SPATIAL_CURVED_VECTORS.relative(row.length, end);
+        let mut tiles = [[[0.0; 9]; 9]; 9];
+        BEAM_SPATIAL_CURVED_POINTS3
+            .tangent_between(
+                &start,
+                &end,
+                (&BEAM_SPATIAL_CURVED_POINTS3_BETWEEN, &mut tiles),
+                |point, start, end, stiffness| beam_spatial_curved_points3_conserving_tangent(
+                    row,
+                    ::rncf::mesh::array(&reference[0 + 6 * point..][..6]),
+                    start,
+                    end,
+                    stiffness,
+                ),
+            );
+        BEAM_SPATIAL_CURVED_POINTS2
+            .tangent_between(
+                &start,
+                &end,
+                (&BEAM_SPATIAL_CURVED_POINTS2_BETWEEN, &mut tiles),
+                |point, start, end, stiffness| beam_spatial_curved_points2_conserving_tangent(
+                    row,
+                    ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                    start,
+                    end,
+                    stiffness,
+                ),
+            );
+        BEAM_SPATIAL_CURVED_VECTORS.add_general(row.length, &tiles, stiffness);
+    }
     /// Load `pull` in its frame's axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -2089,9 +2889,39 @@ pub mod bend45_equations {
             }
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some(
-                "body `bend` is made of the element `beam`, for which such forces are not derived",
-            )
+            None
+        }
+        fn conserving_force(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            force: &mut [f64],
+        ) {
+            beam_spatial_curved_conserving_force(
+                &self.row_bend,
+                &self.reference_bend[element],
+                ::rncf::mesh::array(start),
+                ::rncf::mesh::array(end),
+                ::rncf::mesh::array_mut(force),
+            );
+        }
+        fn conserving_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            stiffness: &mut [f64],
+        ) {
+            beam_spatial_curved_conserving_tangent(
+                &self.row_bend,
+                &self.reference_bend[element],
+                ::rncf::mesh::array(start),
+                ::rncf::mesh::array(end),
+                ::rncf::mesh::array_mut(stiffness),
+            );
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

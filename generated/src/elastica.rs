@@ -63,7 +63,7 @@ impl ::rncf::Model for Elastica {
         "Body `beam` is planar: two components a vector, no motion along the normal.",
         "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear, twist and have rotary inertia.",
         "Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
-        "Energy-momentum integration: no forces that conserve energy are emitted, as body `beam` is made of the element `beam`, for which such forces are not derived.",
+        "Energy-momentum integration: forces between two states that conserve energy are derived.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -233,6 +233,18 @@ pub mod elastica_equations {
         .blocks(
             &[(0, 0), (0, 2), (1, 1), (1, 2), (2, 1), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 6)],
+        );
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_PLANAR_POINTS3_BETWEEN: ::rncf::mesh::Blocks<3, 9, 4> = BEAM_PLANAR_POINTS3
+        .blocks(
+            &[(0, 0), (0, 1), (1, 0), (1, 1)],
+            &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 4)],
+        );
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_PLANAR_POINTS2_BETWEEN: ::rncf::mesh::Blocks<2, 9, 7> = BEAM_PLANAR_POINTS2
+        .blocks(
+            &[(0, 0), (0, 2), (2, 0), (1, 1), (1, 2), (2, 1), (2, 2)],
+            &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 7)],
         );
     /// Writes the forces on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -678,6 +690,279 @@ pub mod elastica_equations {
         forces[3] = t31 * (0.5 * (fields[3] * 2.0)) + fields[1] * t32 + fields[5] * t34;
         forces[4] = fields[0] * t33 + fields[2] * t34;
         forces[5] = fields[1] * t33 + fields[3] * t34;
+    }
+    /// Writes the conserving forces on the fields a, b at a point of weight one on the unit element between two states, for the terms that are integrated with 3 points.
+    ///
+    /// Operations: 19 additions, 40 multiplications.
+    pub fn beam_planar_points3_conserving_force(
+        row: &BeamPlanar,
+        start: &[[f64; 2]; 2],
+        end: &[[f64; 2]; 2],
+        forces: &mut [[f64; 2]; 2],
+    ) {
+        let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[o_a_x, o_a_y], [o_b_x, o_b_y]] = *start;
+        let [[e_a_x, e_a_y], [e_b_x, e_b_y]] = *end;
+        let t23 = 0.5 * (o_a_x + e_a_x);
+        let t24 = 0.5 * (o_a_y + e_a_y);
+        let t25 = 0.5 * (o_b_x + e_b_x);
+        let t26 = 0.5 * (o_b_y + e_b_y);
+        let t27 = length * EA;
+        let t28 = 0.5 * (o_a_x * o_a_x + o_a_y * o_a_y + (e_a_x * e_a_x + e_a_y * e_a_y))
+            - 1.0;
+        let t29 = 0.5 * (t27 * (0.5 * t28));
+        let t30 = 0.5 * (o_a_x * o_b_x + o_a_y * o_b_y + (e_a_x * e_b_x + e_a_y * e_b_y))
+            * (length * kyGA);
+        let t31 = 0.5 * (o_b_x * o_b_x + o_b_y * o_b_y + (e_b_x * e_b_x + e_b_y * e_b_y))
+            - 1.0;
+        let t32 = 0.5 * (t27 * (0.5 * t31));
+        forces[0][0] = t29 * (t23 * 2.0) + t25 * t30;
+        forces[0][1] = t29 * (t24 * 2.0) + t26 * t30;
+        forces[1][0] = t23 * t30 + t32 * (t25 * 2.0);
+        forces[1][1] = t24 * t30 + t32 * (t26 * 2.0);
+    }
+    /// Writes the blocks of the derivative by the mean of both states on the fields a, b at a point of weight one on the unit element between two states, for the terms that are integrated with 3 points.
+    ///
+    /// Operations: 31 additions, 72 multiplications.
+    pub fn beam_planar_points3_conserving_tangent(
+        row: &BeamPlanar,
+        start: &[[f64; 2]; 2],
+        end: &[[f64; 2]; 2],
+        stiffness: &mut [[f64; 4]; 4],
+    ) {
+        let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[o_a_x, o_a_y], [o_b_x, o_b_y]] = *start;
+        let [[e_a_x, e_a_y], [e_b_x, e_b_y]] = *end;
+        let t23 = 0.5 * (o_a_x + e_a_x);
+        let t24 = 0.5 * (o_a_y + e_a_y);
+        let t25 = 0.5 * (o_b_x + e_b_x);
+        let t26 = 0.5 * (o_b_y + e_b_y);
+        let t27 = length * EA;
+        let t28 = length * kyGA;
+        let t29 = 0.5 * (0.5 * t27);
+        let t30 = 0.5 * (o_a_x * o_a_x + o_a_y * o_a_y + (e_a_x * e_a_x + e_a_y * e_a_y))
+            - 1.0;
+        let t31 = 0.5 * (o_a_x * o_b_x + o_a_y * o_b_y + (e_a_x * e_b_x + e_a_y * e_b_y))
+            * t28;
+        let t32 = 0.5 * (o_b_x * o_b_x + o_b_y * o_b_y + (e_b_x * e_b_x + e_b_y * e_b_y))
+            - 1.0;
+        let t33 = t23 * 2.0;
+        let t34 = t24 * 2.0;
+        let t35 = t25 * 2.0;
+        let t36 = t26 * 2.0;
+        let t37 = t29 * (e_a_x * 2.0);
+        let t38 = t29 * (e_a_y * 2.0);
+        let t39 = e_b_x * t28;
+        let t40 = e_b_y * t28;
+        let t41 = e_a_x * t28;
+        let t42 = e_a_y * t28;
+        let t43 = t29 * (e_b_x * 2.0);
+        let t44 = t29 * (e_b_y * 2.0);
+        let t45 = 0.5 * (t27 * (0.5 * t30)) * 2.0;
+        let t46 = 0.5 * (t27 * (0.5 * t32)) * 2.0;
+        stiffness[0][0] = t33 * t37 + t25 * t39 + t45;
+        stiffness[0][1] = t33 * t38 + t25 * t40;
+        stiffness[0][2] = t34 * t37 + t26 * t39;
+        stiffness[0][3] = t34 * t38 + t26 * t40 + t45;
+        stiffness[1][0] = t31 + t25 * t41;
+        stiffness[1][1] = t25 * t42;
+        stiffness[1][2] = t26 * t41;
+        stiffness[1][3] = t31 + t26 * t42;
+        stiffness[2][0] = t31 + t23 * t39;
+        stiffness[2][1] = t23 * t40;
+        stiffness[2][2] = t24 * t39;
+        stiffness[2][3] = t31 + t24 * t40;
+        stiffness[3][0] = t23 * t41 + t35 * t43 + t46;
+        stiffness[3][1] = t23 * t42 + t35 * t44;
+        stiffness[3][2] = t24 * t41 + t36 * t43;
+        stiffness[3][3] = t24 * t42 + t36 * t44 + t46;
+    }
+    /// Writes the conserving forces on the fields a, b, db at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
+    ///
+    /// Operations: 14 additions, 34 multiplications, 1 divisions.
+    pub fn beam_planar_points2_conserving_force(
+        row: &BeamPlanar,
+        start: &[[f64; 2]; 3],
+        end: &[[f64; 2]; 3],
+        forces: &mut [[f64; 2]; 3],
+    ) {
+        let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[o_a_x, o_a_y], [o_b_x, o_b_y], [o_unit_db_x, o_unit_db_y]] = *start;
+        let [[e_a_x, e_a_y], [e_b_x, e_b_y], [e_unit_db_x, e_unit_db_y]] = *end;
+        let inverse_length = 1.0 / length;
+        let o_db_x = inverse_length * o_unit_db_x;
+        let o_db_y = inverse_length * o_unit_db_y;
+        let e_db_x = inverse_length * e_unit_db_x;
+        let e_db_y = inverse_length * e_unit_db_y;
+        let t32 = 0.5 * (o_unit_db_x + e_unit_db_x);
+        let t33 = 0.5 * (o_unit_db_y + e_unit_db_y);
+        let t34 = 0.5
+            * (o_a_x * o_db_x + o_a_y * o_db_y + (e_a_x * e_db_x + e_a_y * e_db_y))
+            * (length * EIz);
+        let t35 = 0.5
+            * (o_b_x * o_db_x + o_b_y * o_db_y + (e_b_x * e_db_x + e_b_y * e_db_y))
+            * (length * GIz);
+        let t36 = inverse_length * t34;
+        let t37 = inverse_length * t35;
+        forces[0][0] = t32 * t36;
+        forces[0][1] = t33 * t36;
+        forces[1][0] = t32 * t37;
+        forces[1][1] = t33 * t37;
+        forces[2][0] = 0.5 * (o_a_x + e_a_x) * t36 + 0.5 * (o_b_x + e_b_x) * t37;
+        forces[2][1] = 0.5 * (o_a_y + e_a_y) * t36 + 0.5 * (o_b_y + e_b_y) * t37;
+    }
+    /// Writes the blocks of the derivative by the mean of both states on the fields a, b, db at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
+    ///
+    /// Operations: 24 additions, 69 multiplications, 1 divisions.
+    pub fn beam_planar_points2_conserving_tangent(
+        row: &BeamPlanar,
+        start: &[[f64; 2]; 3],
+        end: &[[f64; 2]; 3],
+        stiffness: &mut [[f64; 4]; 7],
+    ) {
+        let BeamPlanar { length, EA, kyGA, EIz, GIz, .. } = *row;
+        let [[o_a_x, o_a_y], [o_b_x, o_b_y], [o_unit_db_x, o_unit_db_y]] = *start;
+        let [[e_a_x, e_a_y], [e_b_x, e_b_y], [e_unit_db_x, e_unit_db_y]] = *end;
+        let inverse_length = 1.0 / length;
+        let o_db_x = inverse_length * o_unit_db_x;
+        let o_db_y = inverse_length * o_unit_db_y;
+        let e_db_x = inverse_length * e_unit_db_x;
+        let e_db_y = inverse_length * e_unit_db_y;
+        let t32 = 0.5 * (o_a_x + e_a_x);
+        let t33 = 0.5 * (o_a_y + e_a_y);
+        let t34 = 0.5 * (o_b_x + e_b_x);
+        let t35 = 0.5 * (o_b_y + e_b_y);
+        let t36 = 0.5 * (o_unit_db_x + e_unit_db_x);
+        let t37 = 0.5 * (o_unit_db_y + e_unit_db_y);
+        let t38 = length * EIz;
+        let t39 = length * GIz;
+        let t40 = 0.5
+            * (o_a_x * o_db_x + o_a_y * o_db_y + (e_a_x * e_db_x + e_a_y * e_db_y))
+            * t38;
+        let t41 = 0.5
+            * (o_b_x * o_db_x + o_b_y * o_db_y + (e_b_x * e_db_x + e_b_y * e_db_y))
+            * t39;
+        let t42 = inverse_length * t40;
+        let t43 = inverse_length * inverse_length;
+        let t44 = t38 * t43;
+        let t45 = inverse_length * t41;
+        let t46 = t39 * t43;
+        let t47 = e_unit_db_x * t44;
+        let t48 = e_unit_db_y * t44;
+        let t49 = e_a_x * t44;
+        let t50 = e_a_y * t44;
+        let t51 = e_unit_db_x * t46;
+        let t52 = e_unit_db_y * t46;
+        let t53 = e_b_x * t46;
+        let t54 = e_b_y * t46;
+        stiffness[0][0] = t36 * t47;
+        stiffness[0][1] = t36 * t48;
+        stiffness[0][2] = t37 * t47;
+        stiffness[0][3] = t37 * t48;
+        stiffness[1][0] = t42 + t36 * t49;
+        stiffness[1][1] = t36 * t50;
+        stiffness[1][2] = t37 * t49;
+        stiffness[1][3] = t42 + t37 * t50;
+        stiffness[2][0] = t42 + t32 * t47;
+        stiffness[2][1] = t32 * t48;
+        stiffness[2][2] = t33 * t47;
+        stiffness[2][3] = t42 + t33 * t48;
+        stiffness[3][0] = t36 * t51;
+        stiffness[3][1] = t36 * t52;
+        stiffness[3][2] = t37 * t51;
+        stiffness[3][3] = t37 * t52;
+        stiffness[4][0] = t45 + t36 * t53;
+        stiffness[4][1] = t36 * t54;
+        stiffness[4][2] = t37 * t53;
+        stiffness[4][3] = t45 + t37 * t54;
+        stiffness[5][0] = t45 + t34 * t51;
+        stiffness[5][1] = t34 * t52;
+        stiffness[5][2] = t35 * t51;
+        stiffness[5][3] = t45 + t35 * t52;
+        stiffness[6][0] = t32 * t49 + t34 * t53;
+        stiffness[6][1] = t32 * t50 + t34 * t54;
+        stiffness[6][2] = t33 * t49 + t35 * t53;
+        stiffness[6][3] = t33 * t50 + t35 * t54;
+    }
+    /// Adds the elastic force of one element between two states that does the work U(end) - U(start) over the step and has no moment about the mean positions: S_A(mean of I) dI_A/dq(mean of q).
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    pub fn beam_planar_conserving_force(
+        row: &BeamPlanar,
+        start: &[f64; 14],
+        end: &[f64; 14],
+        force: &mut [f64; 14],
+    ) {
+        let start = BEAM_PLANAR_VECTORS.relative(row.length, start);
+        let end = BEAM_PLANAR_VECTORS.relative(row.length, end);
+        let mut sums = Default::default();
+        BEAM_PLANAR_POINTS3
+            .force(
+                &start,
+                &end,
+                |point, start, end, forces| beam_planar_points3_conserving_force(
+                    row,
+                    start,
+                    end,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_PLANAR_POINTS2
+            .force(
+                &start,
+                &end,
+                |point, start, end, forces| beam_planar_points2_conserving_force(
+                    row,
+                    start,
+                    end,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_PLANAR_VECTORS.add_force(row.length, &sums, force);
+    }
+    /// Adds the derivative of the conserving force of one element with respect to the mean of both states at a fixed start (half of it is that with respect to the end), rows first; not symmetric.
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    pub fn beam_planar_conserving_tangent(
+        row: &BeamPlanar,
+        start: &[f64; 14],
+        end: &[f64; 14],
+        stiffness: &mut [f64; 196],
+    ) {
+        let start = BEAM_PLANAR_VECTORS.relative(row.length, start);
+        let end = BEAM_PLANAR_VECTORS.relative(row.length, end);
+        let mut tiles = [[[0.0; 9]; 4]; 4];
+        BEAM_PLANAR_POINTS3
+            .tangent_between(
+                &start,
+                &end,
+                (&BEAM_PLANAR_POINTS3_BETWEEN, &mut tiles),
+                |point, start, end, stiffness| beam_planar_points3_conserving_tangent(
+                    row,
+                    start,
+                    end,
+                    stiffness,
+                ),
+            );
+        BEAM_PLANAR_POINTS2
+            .tangent_between(
+                &start,
+                &end,
+                (&BEAM_PLANAR_POINTS2_BETWEEN, &mut tiles),
+                |point, start, end, stiffness| beam_planar_points2_conserving_tangent(
+                    row,
+                    start,
+                    end,
+                    stiffness,
+                ),
+            );
+        BEAM_PLANAR_VECTORS.add_general(row.length, &tiles, stiffness);
     }
     /// Load `pull` in its frame's axes.
     ///
@@ -1161,9 +1446,37 @@ pub mod elastica_equations {
             }
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some(
-                "body `beam` is made of the element `beam`, for which such forces are not derived",
-            )
+            None
+        }
+        fn conserving_force(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            force: &mut [f64],
+        ) {
+            beam_planar_conserving_force(
+                &self.row_beam,
+                ::rncf::mesh::array(start),
+                ::rncf::mesh::array(end),
+                ::rncf::mesh::array_mut(force),
+            );
+        }
+        fn conserving_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            stiffness: &mut [f64],
+        ) {
+            beam_planar_conserving_tangent(
+                &self.row_beam,
+                ::rncf::mesh::array(start),
+                ::rncf::mesh::array(end),
+                ::rncf::mesh::array_mut(stiffness),
+            );
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

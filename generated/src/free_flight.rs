@@ -86,7 +86,7 @@ impl ::rncf::Model for FreeFlight {
         "Constraint `root` (clamp in absolute coordinates): 5 multipliers; gradient and second derivatives are derived.",
         "Constraint `twist` (hold in absolute coordinates): 1 multiplier; gradient and second derivatives are derived.",
         "Fixture `tip` adds constants to the inertia of `cable` and no unknowns.",
-        "Energy-momentum integration: forces between two states that conserve energy are derived (operations of force and tangent: 283 and 1108).",
+        "Energy-momentum integration: forces between two states that conserve energy are derived.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[

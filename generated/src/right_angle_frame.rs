@@ -69,7 +69,7 @@ impl ::rncf::Model for RightAngleFrame {
         "Body `second` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `second` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
         "Constraint `corner` (weld): 6 multipliers; gradient and second derivatives are derived.",
-        "Energy-momentum integration: no forces that conserve energy are emitted, as body `first` is made of the element `beam`, for which such forces are not derived.",
+        "Energy-momentum integration: forces between two states that conserve energy are derived.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -282,6 +282,60 @@ pub mod right_angle_frame_equations {
                 (4, 4),
             ],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 7), (4, 7, 11), (5, 11, 15)],
+        );
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_SPATIAL_POINTS3_BETWEEN: ::rncf::mesh::Blocks<3, 9, 9> = BEAM_SPATIAL_POINTS3
+        .blocks(
+            &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)],
+            &[
+                (0, 0, 1),
+                (1, 1, 2),
+                (2, 2, 3),
+                (3, 3, 4),
+                (4, 4, 5),
+                (5, 5, 6),
+                (6, 6, 7),
+                (7, 7, 8),
+                (8, 8, 9),
+            ],
+        );
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static BEAM_SPATIAL_POINTS2_BETWEEN: ::rncf::mesh::Blocks<2, 9, 21> = BEAM_SPATIAL_POINTS2
+        .blocks(
+            &[
+                (0, 0),
+                (0, 3),
+                (0, 4),
+                (3, 0),
+                (1, 1),
+                (1, 3),
+                (3, 1),
+                (3, 3),
+                (1, 2),
+                (1, 4),
+                (3, 2),
+                (3, 4),
+                (4, 0),
+                (2, 1),
+                (2, 3),
+                (4, 1),
+                (4, 3),
+                (2, 2),
+                (2, 4),
+                (4, 2),
+                (4, 4),
+            ],
+            &[
+                (0, 0, 1),
+                (1, 1, 2),
+                (2, 2, 3),
+                (3, 3, 4),
+                (4, 4, 8),
+                (5, 8, 12),
+                (6, 12, 13),
+                (7, 13, 17),
+                (8, 17, 21),
+            ],
         );
     /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
     ///
@@ -1213,6 +1267,694 @@ pub mod right_angle_frame_equations {
         forces[12] = fields[0] * t70 - t72 * (fields[3] * 0.5) + fields[6] * t82;
         forces[13] = fields[1] * t70 - t72 * (fields[4] * 0.5) + fields[7] * t82;
         forces[14] = fields[2] * t70 - t72 * (fields[5] * 0.5) + fields[8] * t82;
+    }
+    /// Writes the conserving forces on the fields a, b, c at a point of weight one on the unit element between two states, for the terms that are integrated with 3 points.
+    ///
+    /// Operations: 60 additions, 103 multiplications.
+    pub fn beam_spatial_points3_conserving_force(
+        row: &BeamSpatial,
+        start: &[[f64; 3]; 3],
+        end: &[[f64; 3]; 3],
+        forces: &mut [[f64; 3]; 3],
+    ) {
+        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z]] = *start;
+        let [[e_a_x, e_a_y, e_a_z], [e_b_x, e_b_y, e_b_z], [e_c_x, e_c_y, e_c_z]] = *end;
+        let t35 = 0.5 * (o_a_x + e_a_x);
+        let t36 = 0.5 * (o_a_y + e_a_y);
+        let t37 = 0.5 * (o_a_z + e_a_z);
+        let t38 = 0.5 * (o_b_x + e_b_x);
+        let t39 = 0.5 * (o_b_y + e_b_y);
+        let t40 = 0.5 * (o_b_z + e_b_z);
+        let t41 = 0.5 * (o_c_x + e_c_x);
+        let t42 = 0.5 * (o_c_y + e_c_y);
+        let t43 = 0.5 * (o_c_z + e_c_z);
+        let t44 = o_a_x * o_a_x + o_a_y * o_a_y + o_a_z * o_a_z
+            + (e_a_x * e_a_x + e_a_y * e_a_y + e_a_z * e_a_z);
+        let t45 = o_a_x * o_b_x + o_a_y * o_b_y + o_a_z * o_b_z
+            + (e_a_x * e_b_x + e_a_y * e_b_y + e_a_z * e_b_z);
+        let t46 = o_a_x * o_c_x + o_a_y * o_c_y + o_a_z * o_c_z
+            + (e_a_x * e_c_x + e_a_y * e_c_y + e_a_z * e_c_z);
+        let t47 = o_b_x * o_b_x + o_b_y * o_b_y + o_b_z * o_b_z
+            + (e_b_x * e_b_x + e_b_y * e_b_y + e_b_z * e_b_z);
+        let t48 = o_b_x * o_c_x + o_b_y * o_c_y + o_b_z * o_c_z
+            + (e_b_x * e_c_x + e_b_y * e_c_y + e_b_z * e_c_z);
+        let t49 = o_c_x * o_c_x + o_c_y * o_c_y + o_c_z * o_c_z
+            + (e_c_x * e_c_x + e_c_y * e_c_y + e_c_z * e_c_z);
+        let t50 = length * EA;
+        let t51 = 0.5 * (t50 * (0.5 * (0.5 * t44 - 1.0)));
+        let t52 = 0.5 * t45 * (length * kyGA);
+        let t53 = 0.5 * t46 * (length * kzGA);
+        let t54 = 0.5 * (t50 * (0.5 * (0.5 * t47 - 1.0)));
+        let t55 = 0.5 * t48 * (length * GA);
+        let t56 = 0.5 * (t50 * (0.5 * (0.5 * t49 - 1.0)));
+        forces[0][0] = t51 * (t35 * 2.0) + t38 * t52 + t41 * t53;
+        forces[0][1] = t51 * (t36 * 2.0) + t39 * t52 + t42 * t53;
+        forces[0][2] = t51 * (t37 * 2.0) + t40 * t52 + t43 * t53;
+        forces[1][0] = t35 * t52 + t54 * (t38 * 2.0) + t41 * t55;
+        forces[1][1] = t36 * t52 + t54 * (t39 * 2.0) + t42 * t55;
+        forces[1][2] = t37 * t52 + t54 * (t40 * 2.0) + t43 * t55;
+        forces[2][0] = t35 * t53 + t38 * t55 + t56 * (t41 * 2.0);
+        forces[2][1] = t36 * t53 + t39 * t55 + t56 * (t42 * 2.0);
+        forces[2][2] = t37 * t53 + t40 * t55 + t56 * (t43 * 2.0);
+    }
+    /// Writes the blocks of the derivative by the mean of both states on the fields a, b, c at a point of weight one on the unit element between two states, for the terms that are integrated with 3 points.
+    ///
+    /// Operations: 123 additions, 252 multiplications.
+    pub fn beam_spatial_points3_conserving_tangent(
+        row: &BeamSpatial,
+        start: &[[f64; 3]; 3],
+        end: &[[f64; 3]; 3],
+        stiffness: &mut [[f64; 9]; 9],
+    ) {
+        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z]] = *start;
+        let [[e_a_x, e_a_y, e_a_z], [e_b_x, e_b_y, e_b_z], [e_c_x, e_c_y, e_c_z]] = *end;
+        let t35 = 0.5 * (o_a_x + e_a_x);
+        let t36 = 0.5 * (o_a_y + e_a_y);
+        let t37 = 0.5 * (o_a_z + e_a_z);
+        let t38 = 0.5 * (o_b_x + e_b_x);
+        let t39 = 0.5 * (o_b_y + e_b_y);
+        let t40 = 0.5 * (o_b_z + e_b_z);
+        let t41 = 0.5 * (o_c_x + e_c_x);
+        let t42 = 0.5 * (o_c_y + e_c_y);
+        let t43 = 0.5 * (o_c_z + e_c_z);
+        let t44 = o_a_x * o_a_x + o_a_y * o_a_y + o_a_z * o_a_z
+            + (e_a_x * e_a_x + e_a_y * e_a_y + e_a_z * e_a_z);
+        let t45 = o_a_x * o_b_x + o_a_y * o_b_y + o_a_z * o_b_z
+            + (e_a_x * e_b_x + e_a_y * e_b_y + e_a_z * e_b_z);
+        let t46 = o_a_x * o_c_x + o_a_y * o_c_y + o_a_z * o_c_z
+            + (e_a_x * e_c_x + e_a_y * e_c_y + e_a_z * e_c_z);
+        let t47 = o_b_x * o_b_x + o_b_y * o_b_y + o_b_z * o_b_z
+            + (e_b_x * e_b_x + e_b_y * e_b_y + e_b_z * e_b_z);
+        let t48 = o_b_x * o_c_x + o_b_y * o_c_y + o_b_z * o_c_z
+            + (e_b_x * e_c_x + e_b_y * e_c_y + e_b_z * e_c_z);
+        let t49 = o_c_x * o_c_x + o_c_y * o_c_y + o_c_z * o_c_z
+            + (e_c_x * e_c_x + e_c_y * e_c_y + e_c_z * e_c_z);
+        let t50 = length * EA;
+        let t51 = length * kyGA;
+        let t52 = length * kzGA;
+        let t53 = length * GA;
+        let t54 = 0.5 * (0.5 * t50);
+        let t55 = 0.5 * t45 * t51;
+        let t56 = 0.5 * t46 * t52;
+        let t57 = 0.5 * t48 * t53;
+        let t58 = t35 * 2.0;
+        let t59 = t36 * 2.0;
+        let t60 = t37 * 2.0;
+        let t61 = t38 * 2.0;
+        let t62 = t39 * 2.0;
+        let t63 = t40 * 2.0;
+        let t64 = t41 * 2.0;
+        let t65 = t42 * 2.0;
+        let t66 = t43 * 2.0;
+        let t67 = t54 * (e_a_x * 2.0);
+        let t68 = t54 * (e_a_y * 2.0);
+        let t69 = t54 * (e_a_z * 2.0);
+        let t70 = e_b_x * t51;
+        let t71 = e_b_y * t51;
+        let t72 = e_b_z * t51;
+        let t73 = e_a_x * t51;
+        let t74 = e_a_y * t51;
+        let t75 = e_a_z * t51;
+        let t76 = e_c_x * t52;
+        let t77 = e_c_y * t52;
+        let t78 = e_c_z * t52;
+        let t79 = e_a_x * t52;
+        let t80 = e_a_y * t52;
+        let t81 = e_a_z * t52;
+        let t82 = t54 * (e_b_x * 2.0);
+        let t83 = t54 * (e_b_y * 2.0);
+        let t84 = t54 * (e_b_z * 2.0);
+        let t85 = e_c_x * t53;
+        let t86 = e_c_y * t53;
+        let t87 = e_c_z * t53;
+        let t88 = e_b_x * t53;
+        let t89 = e_b_y * t53;
+        let t90 = e_b_z * t53;
+        let t91 = t54 * (e_c_x * 2.0);
+        let t92 = t54 * (e_c_y * 2.0);
+        let t93 = t54 * (e_c_z * 2.0);
+        let t94 = 0.5 * (t50 * (0.5 * (0.5 * t44 - 1.0))) * 2.0;
+        let t95 = 0.5 * (t50 * (0.5 * (0.5 * t47 - 1.0))) * 2.0;
+        let t96 = 0.5 * (t50 * (0.5 * (0.5 * t49 - 1.0))) * 2.0;
+        stiffness[0][0] = t58 * t67 + t38 * t70 + t41 * t76 + t94;
+        stiffness[0][1] = t58 * t68 + t38 * t71 + t41 * t77;
+        stiffness[0][2] = t58 * t69 + t38 * t72 + t41 * t78;
+        stiffness[0][3] = t59 * t67 + t39 * t70 + t42 * t76;
+        stiffness[0][4] = t59 * t68 + t39 * t71 + t42 * t77 + t94;
+        stiffness[0][5] = t59 * t69 + t39 * t72 + t42 * t78;
+        stiffness[0][6] = t60 * t67 + t40 * t70 + t43 * t76;
+        stiffness[0][7] = t60 * t68 + t40 * t71 + t43 * t77;
+        stiffness[0][8] = t60 * t69 + t40 * t72 + t43 * t78 + t94;
+        stiffness[1][0] = t55 + t38 * t73;
+        stiffness[1][1] = t38 * t74;
+        stiffness[1][2] = t38 * t75;
+        stiffness[1][3] = t39 * t73;
+        stiffness[1][4] = t55 + t39 * t74;
+        stiffness[1][5] = t39 * t75;
+        stiffness[1][6] = t40 * t73;
+        stiffness[1][7] = t40 * t74;
+        stiffness[1][8] = t55 + t40 * t75;
+        stiffness[2][0] = t56 + t41 * t79;
+        stiffness[2][1] = t41 * t80;
+        stiffness[2][2] = t41 * t81;
+        stiffness[2][3] = t42 * t79;
+        stiffness[2][4] = t56 + t42 * t80;
+        stiffness[2][5] = t42 * t81;
+        stiffness[2][6] = t43 * t79;
+        stiffness[2][7] = t43 * t80;
+        stiffness[2][8] = t56 + t43 * t81;
+        stiffness[3][0] = t55 + t35 * t70;
+        stiffness[3][1] = t35 * t71;
+        stiffness[3][2] = t35 * t72;
+        stiffness[3][3] = t36 * t70;
+        stiffness[3][4] = t55 + t36 * t71;
+        stiffness[3][5] = t36 * t72;
+        stiffness[3][6] = t37 * t70;
+        stiffness[3][7] = t37 * t71;
+        stiffness[3][8] = t55 + t37 * t72;
+        stiffness[4][0] = t35 * t73 + t61 * t82 + t41 * t85 + t95;
+        stiffness[4][1] = t35 * t74 + t61 * t83 + t41 * t86;
+        stiffness[4][2] = t35 * t75 + t61 * t84 + t41 * t87;
+        stiffness[4][3] = t36 * t73 + t62 * t82 + t42 * t85;
+        stiffness[4][4] = t36 * t74 + t62 * t83 + t42 * t86 + t95;
+        stiffness[4][5] = t36 * t75 + t62 * t84 + t42 * t87;
+        stiffness[4][6] = t37 * t73 + t63 * t82 + t43 * t85;
+        stiffness[4][7] = t37 * t74 + t63 * t83 + t43 * t86;
+        stiffness[4][8] = t37 * t75 + t63 * t84 + t43 * t87 + t95;
+        stiffness[5][0] = t57 + t41 * t88;
+        stiffness[5][1] = t41 * t89;
+        stiffness[5][2] = t41 * t90;
+        stiffness[5][3] = t42 * t88;
+        stiffness[5][4] = t57 + t42 * t89;
+        stiffness[5][5] = t42 * t90;
+        stiffness[5][6] = t43 * t88;
+        stiffness[5][7] = t43 * t89;
+        stiffness[5][8] = t57 + t43 * t90;
+        stiffness[6][0] = t56 + t35 * t76;
+        stiffness[6][1] = t35 * t77;
+        stiffness[6][2] = t35 * t78;
+        stiffness[6][3] = t36 * t76;
+        stiffness[6][4] = t56 + t36 * t77;
+        stiffness[6][5] = t36 * t78;
+        stiffness[6][6] = t37 * t76;
+        stiffness[6][7] = t37 * t77;
+        stiffness[6][8] = t56 + t37 * t78;
+        stiffness[7][0] = t57 + t38 * t85;
+        stiffness[7][1] = t38 * t86;
+        stiffness[7][2] = t38 * t87;
+        stiffness[7][3] = t39 * t85;
+        stiffness[7][4] = t57 + t39 * t86;
+        stiffness[7][5] = t39 * t87;
+        stiffness[7][6] = t40 * t85;
+        stiffness[7][7] = t40 * t86;
+        stiffness[7][8] = t57 + t40 * t87;
+        stiffness[8][0] = t35 * t79 + t38 * t88 + t64 * t91 + t96;
+        stiffness[8][1] = t35 * t80 + t38 * t89 + t64 * t92;
+        stiffness[8][2] = t35 * t81 + t38 * t90 + t64 * t93;
+        stiffness[8][3] = t36 * t79 + t39 * t88 + t65 * t91;
+        stiffness[8][4] = t36 * t80 + t39 * t89 + t65 * t92 + t96;
+        stiffness[8][5] = t36 * t81 + t39 * t90 + t65 * t93;
+        stiffness[8][6] = t37 * t79 + t40 * t88 + t66 * t91;
+        stiffness[8][7] = t37 * t80 + t40 * t89 + t66 * t92;
+        stiffness[8][8] = t37 * t81 + t40 * t90 + t66 * t93 + t96;
+    }
+    /// Writes the conserving forces on the fields a, b, c, db, dc at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
+    ///
+    /// Operations: 67 additions, 124 multiplications, 1 divisions.
+    pub fn beam_spatial_points2_conserving_force(
+        row: &BeamSpatial,
+        start: &[[f64; 3]; 5],
+        end: &[[f64; 3]; 5],
+        forces: &mut [[f64; 3]; 5],
+    ) {
+        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z],
+        [o_unit_db_x, o_unit_db_y, o_unit_db_z], [o_unit_dc_x, o_unit_dc_y, o_unit_dc_z],
+        ] = *start;
+        let [[e_a_x, e_a_y, e_a_z], [e_b_x, e_b_y, e_b_z], [e_c_x, e_c_y, e_c_z],
+        [e_unit_db_x, e_unit_db_y, e_unit_db_z], [e_unit_dc_x, e_unit_dc_y, e_unit_dc_z],
+        ] = *end;
+        let inverse_length = 1.0 / length;
+        let o_db_x = inverse_length * o_unit_db_x;
+        let o_db_y = inverse_length * o_unit_db_y;
+        let o_db_z = inverse_length * o_unit_db_z;
+        let o_dc_x = inverse_length * o_unit_dc_x;
+        let o_dc_y = inverse_length * o_unit_dc_y;
+        let o_dc_z = inverse_length * o_unit_dc_z;
+        let e_db_x = inverse_length * e_unit_db_x;
+        let e_db_y = inverse_length * e_unit_db_y;
+        let e_db_z = inverse_length * e_unit_db_z;
+        let e_dc_x = inverse_length * e_unit_dc_x;
+        let e_dc_y = inverse_length * e_unit_dc_y;
+        let e_dc_z = inverse_length * e_unit_dc_z;
+        let t61 = 0.5 * (o_a_x + e_a_x);
+        let t62 = 0.5 * (o_a_y + e_a_y);
+        let t63 = 0.5 * (o_a_z + e_a_z);
+        let t64 = 0.5 * (o_b_x + e_b_x);
+        let t65 = 0.5 * (o_b_y + e_b_y);
+        let t66 = 0.5 * (o_b_z + e_b_z);
+        let t67 = 0.5 * (o_c_x + e_c_x);
+        let t68 = 0.5 * (o_c_y + e_c_y);
+        let t69 = 0.5 * (o_c_z + e_c_z);
+        let t70 = 0.5 * (o_unit_db_x + e_unit_db_x);
+        let t71 = 0.5 * (o_unit_db_y + e_unit_db_y);
+        let t72 = 0.5 * (o_unit_db_z + e_unit_db_z);
+        let t73 = 0.5 * (o_unit_dc_x + e_unit_dc_x);
+        let t74 = 0.5 * (o_unit_dc_y + e_unit_dc_y);
+        let t75 = 0.5 * (o_unit_dc_z + e_unit_dc_z);
+        let t76 = o_a_x * o_db_x + o_a_y * o_db_y + o_a_z * o_db_z
+            + (e_a_x * e_db_x + e_a_y * e_db_y + e_a_z * e_db_z);
+        let t77 = o_a_x * o_dc_x + o_a_y * o_dc_y + o_a_z * o_dc_z
+            + (e_a_x * e_dc_x + e_a_y * e_dc_y + e_a_z * e_dc_z);
+        let t78 = o_b_x * o_db_x + o_b_y * o_db_y + o_b_z * o_db_z
+            + (e_b_x * e_db_x + e_b_y * e_db_y + e_b_z * e_db_z);
+        let t79 = o_b_x * o_dc_x + o_b_y * o_dc_y + o_b_z * o_dc_z
+            + (e_b_x * e_dc_x + e_b_y * e_dc_y + e_b_z * e_dc_z);
+        let t80 = o_c_x * o_db_x + o_c_y * o_db_y + o_c_z * o_db_z
+            + (e_c_x * e_db_x + e_c_y * e_db_y + e_c_z * e_db_z);
+        let t81 = o_c_x * o_dc_x + o_c_y * o_dc_y + o_c_z * o_dc_z
+            + (e_c_x * e_dc_x + e_c_y * e_dc_y + e_c_z * e_dc_z);
+        let t82 = length * GJ * (0.5 * (0.5 * t80 - 0.5 * t79));
+        let t83 = inverse_length * (0.5 * t76 * (length * EIz));
+        let t84 = inverse_length * (0.5 * t77 * (length * EIy));
+        let t85 = inverse_length * (0.5 * t78 * (length * GIz));
+        let t86 = inverse_length * (-0.5 * t82);
+        let t87 = inverse_length * (0.5 * t82);
+        let t88 = inverse_length * (0.5 * t81 * (length * GIy));
+        forces[0][0] = t70 * t83 + t73 * t84;
+        forces[0][1] = t71 * t83 + t74 * t84;
+        forces[0][2] = t72 * t83 + t75 * t84;
+        forces[1][0] = t70 * t85 + t73 * t86;
+        forces[1][1] = t71 * t85 + t74 * t86;
+        forces[1][2] = t72 * t85 + t75 * t86;
+        forces[2][0] = t70 * t87 + t73 * t88;
+        forces[2][1] = t71 * t87 + t74 * t88;
+        forces[2][2] = t72 * t87 + t75 * t88;
+        forces[3][0] = t61 * t83 + t64 * t85 + t67 * t87;
+        forces[3][1] = t62 * t83 + t65 * t85 + t68 * t87;
+        forces[3][2] = t63 * t83 + t66 * t85 + t69 * t87;
+        forces[4][0] = t61 * t84 + t64 * t86 + t67 * t88;
+        forces[4][1] = t62 * t84 + t65 * t86 + t68 * t88;
+        forces[4][2] = t63 * t84 + t66 * t86 + t69 * t88;
+    }
+    /// Writes the blocks of the derivative by the mean of both states on the fields a, b, c, db, dc at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
+    ///
+    /// Operations: 181 additions, 439 multiplications, 1 divisions.
+    pub fn beam_spatial_points2_conserving_tangent(
+        row: &BeamSpatial,
+        start: &[[f64; 3]; 5],
+        end: &[[f64; 3]; 5],
+        stiffness: &mut [[f64; 9]; 21],
+    ) {
+        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z],
+        [o_unit_db_x, o_unit_db_y, o_unit_db_z], [o_unit_dc_x, o_unit_dc_y, o_unit_dc_z],
+        ] = *start;
+        let [[e_a_x, e_a_y, e_a_z], [e_b_x, e_b_y, e_b_z], [e_c_x, e_c_y, e_c_z],
+        [e_unit_db_x, e_unit_db_y, e_unit_db_z], [e_unit_dc_x, e_unit_dc_y, e_unit_dc_z],
+        ] = *end;
+        let inverse_length = 1.0 / length;
+        let o_db_x = inverse_length * o_unit_db_x;
+        let o_db_y = inverse_length * o_unit_db_y;
+        let o_db_z = inverse_length * o_unit_db_z;
+        let o_dc_x = inverse_length * o_unit_dc_x;
+        let o_dc_y = inverse_length * o_unit_dc_y;
+        let o_dc_z = inverse_length * o_unit_dc_z;
+        let e_db_x = inverse_length * e_unit_db_x;
+        let e_db_y = inverse_length * e_unit_db_y;
+        let e_db_z = inverse_length * e_unit_db_z;
+        let e_dc_x = inverse_length * e_unit_dc_x;
+        let e_dc_y = inverse_length * e_unit_dc_y;
+        let e_dc_z = inverse_length * e_unit_dc_z;
+        let t61 = 0.5 * (o_a_x + e_a_x);
+        let t62 = 0.5 * (o_a_y + e_a_y);
+        let t63 = 0.5 * (o_a_z + e_a_z);
+        let t64 = 0.5 * (o_b_x + e_b_x);
+        let t65 = 0.5 * (o_b_y + e_b_y);
+        let t66 = 0.5 * (o_b_z + e_b_z);
+        let t67 = 0.5 * (o_c_x + e_c_x);
+        let t68 = 0.5 * (o_c_y + e_c_y);
+        let t69 = 0.5 * (o_c_z + e_c_z);
+        let t70 = 0.5 * (o_unit_db_x + e_unit_db_x);
+        let t71 = 0.5 * (o_unit_db_y + e_unit_db_y);
+        let t72 = 0.5 * (o_unit_db_z + e_unit_db_z);
+        let t73 = 0.5 * (o_unit_dc_x + e_unit_dc_x);
+        let t74 = 0.5 * (o_unit_dc_y + e_unit_dc_y);
+        let t75 = 0.5 * (o_unit_dc_z + e_unit_dc_z);
+        let t76 = o_a_x * o_db_x + o_a_y * o_db_y + o_a_z * o_db_z
+            + (e_a_x * e_db_x + e_a_y * e_db_y + e_a_z * e_db_z);
+        let t77 = o_a_x * o_dc_x + o_a_y * o_dc_y + o_a_z * o_dc_z
+            + (e_a_x * e_dc_x + e_a_y * e_dc_y + e_a_z * e_dc_z);
+        let t78 = o_b_x * o_db_x + o_b_y * o_db_y + o_b_z * o_db_z
+            + (e_b_x * e_db_x + e_b_y * e_db_y + e_b_z * e_db_z);
+        let t79 = o_b_x * o_dc_x + o_b_y * o_dc_y + o_b_z * o_dc_z
+            + (e_b_x * e_dc_x + e_b_y * e_dc_y + e_b_z * e_dc_z);
+        let t80 = o_c_x * o_db_x + o_c_y * o_db_y + o_c_z * o_db_z
+            + (e_c_x * e_db_x + e_c_y * e_db_y + e_c_z * e_db_z);
+        let t81 = o_c_x * o_dc_x + o_c_y * o_dc_y + o_c_z * o_dc_z
+            + (e_c_x * e_dc_x + e_c_y * e_dc_y + e_c_z * e_dc_z);
+        let t82 = length * EIz;
+        let t83 = length * EIy;
+        let t84 = length * GJ;
+        let t85 = 0.5 * t84;
+        let t86 = length * GIz;
+        let t87 = length * GIy;
+        let t88 = t84 * (-0.5);
+        let t89 = t84 * (0.5 * (0.5 * t80 - 0.5 * t79));
+        let t90 = inverse_length * (0.5 * t76 * t82);
+        let t91 = inverse_length * inverse_length;
+        let t92 = t82 * t91;
+        let t93 = inverse_length * (0.5 * t77 * t83);
+        let t94 = t83 * t91;
+        let t95 = inverse_length * (0.5 * t78 * t86);
+        let t96 = t86 * t91;
+        let t97 = inverse_length * (-0.5 * t89);
+        let t98 = -0.5 * t88 * t91;
+        let t99 = -0.5 * t85 * t91;
+        let t100 = inverse_length * (0.5 * t89);
+        let t101 = 0.5 * t88 * t91;
+        let t102 = 0.5 * t85 * t91;
+        let t103 = inverse_length * (0.5 * t81 * t87);
+        let t104 = t87 * t91;
+        let t105 = e_unit_db_x * t92;
+        let t106 = e_unit_db_y * t92;
+        let t107 = e_unit_db_z * t92;
+        let t108 = e_a_x * t92;
+        let t109 = e_a_y * t92;
+        let t110 = e_a_z * t92;
+        let t111 = e_unit_dc_x * t94;
+        let t112 = e_unit_dc_y * t94;
+        let t113 = e_unit_dc_z * t94;
+        let t114 = e_a_x * t94;
+        let t115 = e_a_y * t94;
+        let t116 = e_a_z * t94;
+        let t117 = e_unit_db_x * t96;
+        let t118 = e_unit_db_y * t96;
+        let t119 = e_unit_db_z * t96;
+        let t120 = e_b_x * t96;
+        let t121 = e_b_y * t96;
+        let t122 = e_b_z * t96;
+        let t123 = e_unit_dc_x * t98;
+        let t124 = e_unit_dc_y * t98;
+        let t125 = e_unit_dc_z * t98;
+        let t126 = e_unit_db_x * t99;
+        let t127 = e_unit_db_y * t99;
+        let t128 = e_unit_db_z * t99;
+        let t129 = e_c_x * t99;
+        let t130 = e_c_y * t99;
+        let t131 = e_c_z * t99;
+        let t132 = e_b_x * t98;
+        let t133 = e_b_y * t98;
+        let t134 = e_b_z * t98;
+        let t135 = e_unit_dc_x * t101;
+        let t136 = e_unit_dc_y * t101;
+        let t137 = e_unit_dc_z * t101;
+        let t138 = e_unit_db_x * t102;
+        let t139 = e_unit_db_y * t102;
+        let t140 = e_unit_db_z * t102;
+        let t141 = e_c_x * t102;
+        let t142 = e_c_y * t102;
+        let t143 = e_c_z * t102;
+        let t144 = e_b_x * t101;
+        let t145 = e_b_y * t101;
+        let t146 = e_b_z * t101;
+        let t147 = e_unit_dc_x * t104;
+        let t148 = e_unit_dc_y * t104;
+        let t149 = e_unit_dc_z * t104;
+        let t150 = e_c_x * t104;
+        let t151 = e_c_y * t104;
+        let t152 = e_c_z * t104;
+        stiffness[0][0] = t70 * t105 + t73 * t111;
+        stiffness[0][1] = t70 * t106 + t73 * t112;
+        stiffness[0][2] = t70 * t107 + t73 * t113;
+        stiffness[0][3] = t71 * t105 + t74 * t111;
+        stiffness[0][4] = t71 * t106 + t74 * t112;
+        stiffness[0][5] = t71 * t107 + t74 * t113;
+        stiffness[0][6] = t72 * t105 + t75 * t111;
+        stiffness[0][7] = t72 * t106 + t75 * t112;
+        stiffness[0][8] = t72 * t107 + t75 * t113;
+        stiffness[1][0] = t90 + t70 * t108;
+        stiffness[1][1] = t70 * t109;
+        stiffness[1][2] = t70 * t110;
+        stiffness[1][3] = t71 * t108;
+        stiffness[1][4] = t90 + t71 * t109;
+        stiffness[1][5] = t71 * t110;
+        stiffness[1][6] = t72 * t108;
+        stiffness[1][7] = t72 * t109;
+        stiffness[1][8] = t90 + t72 * t110;
+        stiffness[2][0] = t93 + t73 * t114;
+        stiffness[2][1] = t73 * t115;
+        stiffness[2][2] = t73 * t116;
+        stiffness[2][3] = t74 * t114;
+        stiffness[2][4] = t93 + t74 * t115;
+        stiffness[2][5] = t74 * t116;
+        stiffness[2][6] = t75 * t114;
+        stiffness[2][7] = t75 * t115;
+        stiffness[2][8] = t93 + t75 * t116;
+        stiffness[3][0] = t90 + t61 * t105;
+        stiffness[3][1] = t61 * t106;
+        stiffness[3][2] = t61 * t107;
+        stiffness[3][3] = t62 * t105;
+        stiffness[3][4] = t90 + t62 * t106;
+        stiffness[3][5] = t62 * t107;
+        stiffness[3][6] = t63 * t105;
+        stiffness[3][7] = t63 * t106;
+        stiffness[3][8] = t90 + t63 * t107;
+        stiffness[4][0] = t70 * t117 + t73 * t123;
+        stiffness[4][1] = t70 * t118 + t73 * t124;
+        stiffness[4][2] = t70 * t119 + t73 * t125;
+        stiffness[4][3] = t71 * t117 + t74 * t123;
+        stiffness[4][4] = t71 * t118 + t74 * t124;
+        stiffness[4][5] = t71 * t119 + t74 * t125;
+        stiffness[4][6] = t72 * t117 + t75 * t123;
+        stiffness[4][7] = t72 * t118 + t75 * t124;
+        stiffness[4][8] = t72 * t119 + t75 * t125;
+        stiffness[5][0] = t95 + (t70 * t120 + t73 * t129);
+        stiffness[5][1] = t70 * t121 + t73 * t130;
+        stiffness[5][2] = t70 * t122 + t73 * t131;
+        stiffness[5][3] = t71 * t120 + t74 * t129;
+        stiffness[5][4] = t95 + (t71 * t121 + t74 * t130);
+        stiffness[5][5] = t71 * t122 + t74 * t131;
+        stiffness[5][6] = t72 * t120 + t75 * t129;
+        stiffness[5][7] = t72 * t121 + t75 * t130;
+        stiffness[5][8] = t95 + (t72 * t122 + t75 * t131);
+        stiffness[6][0] = t95 + (t64 * t117 + t67 * t135);
+        stiffness[6][1] = t64 * t118 + t67 * t136;
+        stiffness[6][2] = t64 * t119 + t67 * t137;
+        stiffness[6][3] = t65 * t117 + t68 * t135;
+        stiffness[6][4] = t95 + (t65 * t118 + t68 * t136);
+        stiffness[6][5] = t65 * t119 + t68 * t137;
+        stiffness[6][6] = t66 * t117 + t69 * t135;
+        stiffness[6][7] = t66 * t118 + t69 * t136;
+        stiffness[6][8] = t95 + (t66 * t119 + t69 * t137);
+        stiffness[7][0] = t61 * t108 + t64 * t120 + t67 * t141;
+        stiffness[7][1] = t61 * t109 + t64 * t121 + t67 * t142;
+        stiffness[7][2] = t61 * t110 + t64 * t122 + t67 * t143;
+        stiffness[7][3] = t62 * t108 + t65 * t120 + t68 * t141;
+        stiffness[7][4] = t62 * t109 + t65 * t121 + t68 * t142;
+        stiffness[7][5] = t62 * t110 + t65 * t122 + t68 * t143;
+        stiffness[7][6] = t63 * t108 + t66 * t120 + t69 * t141;
+        stiffness[7][7] = t63 * t109 + t66 * t121 + t69 * t142;
+        stiffness[7][8] = t63 * t110 + t66 * t122 + t69 * t143;
+        stiffness[8][0] = t73 * t126;
+        stiffness[8][1] = t73 * t127;
+        stiffness[8][2] = t73 * t128;
+        stiffness[8][3] = t74 * t126;
+        stiffness[8][4] = t74 * t127;
+        stiffness[8][5] = t74 * t128;
+        stiffness[8][6] = t75 * t126;
+        stiffness[8][7] = t75 * t127;
+        stiffness[8][8] = t75 * t128;
+        stiffness[9][0] = t97 + t73 * t132;
+        stiffness[9][1] = t73 * t133;
+        stiffness[9][2] = t73 * t134;
+        stiffness[9][3] = t74 * t132;
+        stiffness[9][4] = t97 + t74 * t133;
+        stiffness[9][5] = t74 * t134;
+        stiffness[9][6] = t75 * t132;
+        stiffness[9][7] = t75 * t133;
+        stiffness[9][8] = t97 + t75 * t134;
+        stiffness[10][0] = t100 + t67 * t138;
+        stiffness[10][1] = t67 * t139;
+        stiffness[10][2] = t67 * t140;
+        stiffness[10][3] = t68 * t138;
+        stiffness[10][4] = t100 + t68 * t139;
+        stiffness[10][5] = t68 * t140;
+        stiffness[10][6] = t69 * t138;
+        stiffness[10][7] = t69 * t139;
+        stiffness[10][8] = t100 + t69 * t140;
+        stiffness[11][0] = t67 * t144;
+        stiffness[11][1] = t67 * t145;
+        stiffness[11][2] = t67 * t146;
+        stiffness[11][3] = t68 * t144;
+        stiffness[11][4] = t68 * t145;
+        stiffness[11][5] = t68 * t146;
+        stiffness[11][6] = t69 * t144;
+        stiffness[11][7] = t69 * t145;
+        stiffness[11][8] = t69 * t146;
+        stiffness[12][0] = t93 + t61 * t111;
+        stiffness[12][1] = t61 * t112;
+        stiffness[12][2] = t61 * t113;
+        stiffness[12][3] = t62 * t111;
+        stiffness[12][4] = t93 + t62 * t112;
+        stiffness[12][5] = t62 * t113;
+        stiffness[12][6] = t63 * t111;
+        stiffness[12][7] = t63 * t112;
+        stiffness[12][8] = t93 + t63 * t113;
+        stiffness[13][0] = t70 * t135;
+        stiffness[13][1] = t70 * t136;
+        stiffness[13][2] = t70 * t137;
+        stiffness[13][3] = t71 * t135;
+        stiffness[13][4] = t71 * t136;
+        stiffness[13][5] = t71 * t137;
+        stiffness[13][6] = t72 * t135;
+        stiffness[13][7] = t72 * t136;
+        stiffness[13][8] = t72 * t137;
+        stiffness[14][0] = t100 + t70 * t141;
+        stiffness[14][1] = t70 * t142;
+        stiffness[14][2] = t70 * t143;
+        stiffness[14][3] = t71 * t141;
+        stiffness[14][4] = t100 + t71 * t142;
+        stiffness[14][5] = t71 * t143;
+        stiffness[14][6] = t72 * t141;
+        stiffness[14][7] = t72 * t142;
+        stiffness[14][8] = t100 + t72 * t143;
+        stiffness[15][0] = t97 + t64 * t123;
+        stiffness[15][1] = t64 * t124;
+        stiffness[15][2] = t64 * t125;
+        stiffness[15][3] = t65 * t123;
+        stiffness[15][4] = t97 + t65 * t124;
+        stiffness[15][5] = t65 * t125;
+        stiffness[15][6] = t66 * t123;
+        stiffness[15][7] = t66 * t124;
+        stiffness[15][8] = t97 + t66 * t125;
+        stiffness[16][0] = t64 * t129;
+        stiffness[16][1] = t64 * t130;
+        stiffness[16][2] = t64 * t131;
+        stiffness[16][3] = t65 * t129;
+        stiffness[16][4] = t65 * t130;
+        stiffness[16][5] = t65 * t131;
+        stiffness[16][6] = t66 * t129;
+        stiffness[16][7] = t66 * t130;
+        stiffness[16][8] = t66 * t131;
+        stiffness[17][0] = t70 * t138 + t73 * t147;
+        stiffness[17][1] = t70 * t139 + t73 * t148;
+        stiffness[17][2] = t70 * t140 + t73 * t149;
+        stiffness[17][3] = t71 * t138 + t74 * t147;
+        stiffness[17][4] = t71 * t139 + t74 * t148;
+        stiffness[17][5] = t71 * t140 + t74 * t149;
+        stiffness[17][6] = t72 * t138 + t75 * t147;
+        stiffness[17][7] = t72 * t139 + t75 * t148;
+        stiffness[17][8] = t72 * t140 + t75 * t149;
+        stiffness[18][0] = t103 + (t70 * t144 + t73 * t150);
+        stiffness[18][1] = t70 * t145 + t73 * t151;
+        stiffness[18][2] = t70 * t146 + t73 * t152;
+        stiffness[18][3] = t71 * t144 + t74 * t150;
+        stiffness[18][4] = t103 + (t71 * t145 + t74 * t151);
+        stiffness[18][5] = t71 * t146 + t74 * t152;
+        stiffness[18][6] = t72 * t144 + t75 * t150;
+        stiffness[18][7] = t72 * t145 + t75 * t151;
+        stiffness[18][8] = t103 + (t72 * t146 + t75 * t152);
+        stiffness[19][0] = t103 + (t64 * t126 + t67 * t147);
+        stiffness[19][1] = t64 * t127 + t67 * t148;
+        stiffness[19][2] = t64 * t128 + t67 * t149;
+        stiffness[19][3] = t65 * t126 + t68 * t147;
+        stiffness[19][4] = t103 + (t65 * t127 + t68 * t148);
+        stiffness[19][5] = t65 * t128 + t68 * t149;
+        stiffness[19][6] = t66 * t126 + t69 * t147;
+        stiffness[19][7] = t66 * t127 + t69 * t148;
+        stiffness[19][8] = t103 + (t66 * t128 + t69 * t149);
+        stiffness[20][0] = t61 * t114 + t64 * t132 + t67 * t150;
+        stiffness[20][1] = t61 * t115 + t64 * t133 + t67 * t151;
+        stiffness[20][2] = t61 * t116 + t64 * t134 + t67 * t152;
+        stiffness[20][3] = t62 * t114 + t65 * t132 + t68 * t150;
+        stiffness[20][4] = t62 * t115 + t65 * t133 + t68 * t151;
+        stiffness[20][5] = t62 * t116 + t65 * t134 + t68 * t152;
+        stiffness[20][6] = t63 * t114 + t66 * t132 + t69 * t150;
+        stiffness[20][7] = t63 * t115 + t66 * t133 + t69 * t151;
+        stiffness[20][8] = t63 * t116 + t66 * t134 + t69 * t152;
+    }
+    /// Adds the elastic force of one element between two states that does the work U(end) - U(start) over the step and has no moment about the mean positions: S_A(mean of I) dI_A/dq(mean of q).
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    pub fn beam_spatial_conserving_force(
+        row: &BeamSpatial,
+        start: &[f64; 30],
+        end: &[f64; 30],
+        force: &mut [f64; 30],
+    ) {
+        let start = BEAM_SPATIAL_VECTORS.relative(row.length, start);
+        let end = BEAM_SPATIAL_VECTORS.relative(row.length, end);
+        let mut sums = Default::default();
+        BEAM_SPATIAL_POINTS3
+            .force(
+                &start,
+                &end,
+                |point, start, end, forces| beam_spatial_points3_conserving_force(
+                    row,
+                    start,
+                    end,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_SPATIAL_POINTS2
+            .force(
+                &start,
+                &end,
+                |point, start, end, forces| beam_spatial_points2_conserving_force(
+                    row,
+                    start,
+                    end,
+                    forces,
+                ),
+                &mut sums,
+            );
+        BEAM_SPATIAL_VECTORS.add_force(row.length, &sums, force);
+    }
+    /// Adds the derivative of the conserving force of one element with respect to the mean of both states at a fixed start (half of it is that with respect to the end), rows first; not symmetric.
+    ///
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    ///
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    pub fn beam_spatial_conserving_tangent(
+        row: &BeamSpatial,
+        start: &[f64; 30],
+        end: &[f64; 30],
+        stiffness: &mut [f64; 900],
+    ) {
+        let start = BEAM_SPATIAL_VECTORS.relative(row.length, start);
+        let end = BEAM_SPATIAL_VECTORS.relative(row.length, end);
+        let mut tiles = [[[0.0; 9]; 9]; 9];
+        BEAM_SPATIAL_POINTS3
+            .tangent_between(
+                &start,
+                &end,
+                (&BEAM_SPATIAL_POINTS3_BETWEEN, &mut tiles),
+                |point, start, end, stiffness| beam_spatial_points3_conserving_tangent(
+                    row,
+                    start,
+                    end,
+                    stiffness,
+                ),
+            );
+        BEAM_SPATIAL_POINTS2
+            .tangent_between(
+                &start,
+                &end,
+                (&BEAM_SPATIAL_POINTS2_BETWEEN, &mut tiles),
+                |point, start, end, stiffness| beam_spatial_points2_conserving_tangent(
+                    row,
+                    start,
+                    end,
+                    stiffness,
+                ),
+            );
+        BEAM_SPATIAL_VECTORS.add_general(row.length, &tiles, stiffness);
     }
     /// Load `push` in its frame's axes.
     ///
@@ -2999,9 +3741,61 @@ pub mod right_angle_frame_equations {
             }
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some(
-                "body `first` is made of the element `beam`, for which such forces are not derived",
-            )
+            None
+        }
+        fn conserving_force(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            force: &mut [f64],
+        ) {
+            match body {
+                0 => {
+                    beam_spatial_conserving_force(
+                        &self.row_first,
+                        ::rncf::mesh::array(start),
+                        ::rncf::mesh::array(end),
+                        ::rncf::mesh::array_mut(force),
+                    );
+                }
+                _ => {
+                    beam_spatial_conserving_force(
+                        &self.row_second,
+                        ::rncf::mesh::array(start),
+                        ::rncf::mesh::array(end),
+                        ::rncf::mesh::array_mut(force),
+                    );
+                }
+            }
+        }
+        fn conserving_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            stiffness: &mut [f64],
+        ) {
+            match body {
+                0 => {
+                    beam_spatial_conserving_tangent(
+                        &self.row_first,
+                        ::rncf::mesh::array(start),
+                        ::rncf::mesh::array(end),
+                        ::rncf::mesh::array_mut(stiffness),
+                    );
+                }
+                _ => {
+                    beam_spatial_conserving_tangent(
+                        &self.row_second,
+                        ::rncf::mesh::array(start),
+                        ::rncf::mesh::array(end),
+                        ::rncf::mesh::array_mut(stiffness),
+                    );
+                }
+            }
         }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;

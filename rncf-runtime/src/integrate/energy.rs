@@ -45,7 +45,7 @@ pub(super) struct EnergyMomentum {
     before: State,
     /// What rounding took from `now`.
     low: Low,
-    /// Acceleration of the last step, and rate of the accelerations over it; zero after a start.
+    /// Rate of the accelerations over the last step; zero after a start.
     jerk: Vec<f64>,
     trial: Trial,
     work: Vec<f64>,

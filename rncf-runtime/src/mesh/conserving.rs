@@ -40,7 +40,10 @@ impl MeshScene {
                 "energy-momentum integration has no conserving form of force `{name}`: take another integrator"
             ));
         }
-        let linked = self.constraint_rows.iter().filter(|row| matches!(row, Row::Linked { .. }));
+        let linked = self
+            .constraint_rows
+            .iter()
+            .filter(|row| matches!(row, Row::Linked { .. }));
         let border = self.layout.border();
         if linked.count() != border {
             let name = self.constraints.first().map_or("", |linked| linked.spec.name);

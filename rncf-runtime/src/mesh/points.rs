@@ -281,6 +281,23 @@ impl<const P: usize, const F: usize, const S: usize> Rule<P, F, S> {
         stiffness.0.add(&blocks, stiffness.1);
     }
 
+    /// Adds the derivative of a force between two states to its tiles; `point(point, start, end, blocks)` writes that on
+    /// fields.
+    #[inline]
+    pub fn tangent_between<const D: usize, const DD: usize, const G: usize, const SS: usize, const B: usize>(
+        &self,
+        start: &Relative<D, G, S>,
+        end: &Relative<D, G, S>,
+        stiffness: (&Blocks<P, SS, B>, &mut [Tile<DD, SS>]),
+        mut point: impl FnMut(usize, &[[f64; D]; F], &[[f64; D]; F], &mut [[f64; DD]; B]),
+    ) {
+        let mut blocks = [[[0.0; DD]; B]; P];
+        for p in 0..P {
+            point(p, &self.fields(p, start), &self.fields(p, end), &mut blocks[p]);
+        }
+        stiffness.0.add(&blocks, stiffness.1);
+    }
+
     /// Adds a damped tangent to the tiles of the stiffness and of the damping matrix;
     /// `point(point, fields, rates, stiffness, damping)` writes the blocks on fields.
     #[inline]

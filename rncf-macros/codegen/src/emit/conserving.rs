@@ -5,8 +5,8 @@ use std::fmt::Write;
 use super::equations::{Equations, VariantKernels, is_free};
 use super::parts::Parts;
 use crate::elements::Library;
-use crate::lower::elastic::{conserving_kernels, conserving_obstacle};
-use crate::lower::{Kernel, motions};
+use crate::lower::elastic::{Between, conserving_kernels, conserving_obstacle};
+use crate::lower::motions;
 use crate::model::{Expr, Fidelity, FrameId, LoadKind, Model};
 
 /// The conserving forces of a model.
@@ -14,7 +14,7 @@ pub struct Conserving {
     /// Why the model has none, for the user: a sentence without its end.
     pub obstacle: Option<String>,
     /// Force and tangent of every element variant; empty where there is an obstacle.
-    pub kernels: Vec<[Kernel; 2]>,
+    pub kernels: Vec<Between>,
 }
 
 impl Conserving {
@@ -34,7 +34,7 @@ impl Conserving {
         });
         let elements = model.bodies.iter().zip(variant_of).find_map(|(body, &variant)| {
             let variant = &variants[variant];
-            let why = conserving_obstacle(&variant.variant, library, variant.elastic.form)?;
+            let why = conserving_obstacle(&variant.variant, library)?;
             Some(format!("body `{}` {why}", body.name))
         });
         let obstacle = dissipation.map(str::to_string).or(not_full).or(elements);
@@ -42,7 +42,10 @@ impl Conserving {
             Some(_) => Vec::new(),
             None => variants
                 .iter()
-                .filter_map(|variant| conserving_kernels(&variant.variant, library, variant.elastic.form))
+                .filter_map(|variant| {
+                    let elastic = &variant.elastic;
+                    conserving_kernels(&variant.variant, library, elastic.form, elastic.fields.as_ref())
+                })
                 .collect(),
         };
         Self { obstacle, kernels }
@@ -119,22 +122,11 @@ fn frame_that_moves(model: &Model) -> Option<String> {
 pub fn note(equations: &Equations) -> String {
     let Conserving { obstacle, kernels } = &equations.conserving;
     let Some(obstacle) = obstacle else {
-        let costs: Vec<String> = kernels
-            .iter()
-            .flatten()
-            .map(|kernel| {
-                let cost = kernel.cost();
-                (cost.additions + cost.multiplications + cost.divisions + cost.functions).to_string()
-            })
-            .collect();
-        return match &costs[..] {
-            [] => "Energy-momentum integration: there is no flexible body to derive forces for.".to_string(),
-            _ => format!(
-                "Energy-momentum integration: forces between two states that conserve energy are derived (operations of \
-                 force and tangent: {}).",
-                costs.join(" and ")
-            ),
+        let text = match kernels.is_empty() {
+            true => "there is no flexible body to derive forces for",
+            false => "forces between two states that conserve energy are derived",
         };
+        return format!("Energy-momentum integration: {text}.");
     };
     format!("Energy-momentum integration: no forces that conserve energy are emitted, as {obstacle}.")
 }
@@ -148,8 +140,7 @@ impl Parts<'_> {
                 "fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {{ Some({obstacle:?}) }}\n"
             );
         }
-        let mut text =
-            "fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> { None }\n".to_string();
+        let mut text = "fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> { None }\n".to_string();
         if kernels.is_empty() {
             return text;
         }
@@ -158,7 +149,7 @@ impl Parts<'_> {
             let calls = self.by_body(|index, body| {
                 format!(
                     "{}(&{}, {}::rncf::mesh::array(start), ::rncf::mesh::array(end), ::rncf::mesh::array_mut({result}));",
-                    kernels[self.equations.variant_of[index]][place].name,
+                    kernels[self.equations.variant_of[index]].kernels[place].name,
                     self.row(body),
                     self.reference(index, body),
                 )

@@ -191,7 +191,12 @@ impl Equations {
             variant.shapes.iter().flat_map(|(_, orders)| orders).for_each(&mut add);
             add(&variant.field_forces);
         }
-        self.conserving.kernels.iter().flatten().for_each(|kernel| text += &function(kernel));
+        for between in &self.conserving.kernels {
+            let points = between.rules.iter().flat_map(|rule| &rule.kernels);
+            points
+                .chain(&between.kernels)
+                .for_each(|kernel| text += &function(kernel));
+        }
         self.rest().into_iter().for_each(|kernel| text += &function(kernel));
         text += &self.density_functions();
         let rows: String = self.variants.iter().map(|variant| variant.row.clone()).collect();
@@ -199,6 +204,15 @@ impl Equations {
             let fields = variant.elastic.fields.as_ref()?;
             Some(super::points::tables(&variant.name, variant.variant.dimension, fields))
         });
+        let between = self
+            .variants
+            .iter()
+            .zip(&self.conserving.kernels)
+            .map(|(variant, between)| {
+                let size = variant.elastic.fields.as_ref().map_or(0, |fields| fields.groups.size());
+                super::points::tables_between(&variant.name, size, between)
+            });
+        let tables = tables.chain(between);
         rows + &tables.collect::<String>() + &text
     }
 

@@ -2,7 +2,7 @@
 
 use super::number::number;
 use crate::lower::camel_case;
-use crate::lower::elastic::{FieldBlocks, FieldKernels, FieldRule};
+use crate::lower::elastic::{Between, FieldBlocks, FieldKernels, FieldRule};
 use crate::lower::material::{Material, SectionRule};
 use crate::model::{Body, Expr, SectionShape};
 
@@ -62,17 +62,31 @@ fn rule_table(name: &str, size: usize, rule: &FieldRule) -> String {
     );
     let blocks = [("STIFFNESS", Some(&rule.stiffness)), ("DAMPING", rule.damping.as_ref())];
     for (word, blocks) in blocks {
-        if let Some(FieldBlocks { pairs, tiles }) = blocks {
-            text += &format!(
-                "/// Blocks that the tangent's kernel writes, by pairs of fields.\n\
-                 static {name}_POINTS{points}_{word}: ::rncf::mesh::Blocks<{points}, {}, {}> =\n\
-                 {name}_POINTS{points}.blocks(&{pairs:?}, &{tiles:?});\n",
-                size * size,
-                pairs.len(),
-            );
+        if let Some(blocks) = blocks {
+            text += &block_table(name, word, size, points, blocks);
         }
     }
     text
+}
+
+fn block_table(name: &str, word: &str, size: usize, points: usize, blocks: &FieldBlocks) -> String {
+    let FieldBlocks { pairs, tiles } = blocks;
+    format!(
+        "/// Blocks that the tangent's kernel writes, by pairs of fields.\n\
+         static {name}_POINTS{points}_{word}: ::rncf::mesh::Blocks<{points}, {}, {}> =\n\
+         {name}_POINTS{points}.blocks(&{pairs:?}, &{tiles:?});\n",
+        size * size,
+        pairs.len(),
+    )
+}
+
+/// Statics `{NAME}_POINTS{n}_BETWEEN` of forces between two states; `size` vectors in a group.
+pub fn tables_between(name: &str, size: usize, between: &Between) -> String {
+    let name = name.to_uppercase();
+    let rules = between.rules.iter();
+    rules
+        .map(|rule| block_table(&name, "BETWEEN", size, rule.points, &rule.blocks))
+        .collect()
 }
 
 /// The last fields of the struct with the constants of an element whose material is given by its energy, and

@@ -182,6 +182,49 @@ impl Signature<'_> {
         }
     }
 
+    /// Wraps the expressions of a kernel of the fields at a point in two states: names of the fields, of their
+    /// components in both states, number of blocks.
+    pub fn point_between_states(
+        &self,
+        (points, quantity): (usize, Quantity),
+        graph: Graph,
+        outputs: Vec<(String, Id)>,
+        (names, inputs, blocks): (&[&str], &[Vec<Vec<String>>; 2], usize),
+    ) -> Kernel {
+        let (dimension, count) = (self.variant.dimension, names.len());
+        let mut arguments = vec![format!("row: &{}", self.row())];
+        if self.variant.curved {
+            arguments.push(format!("reference: &[f64; {}]", self.references));
+        }
+        let mut bindings = self.bindings(true, &[]);
+        for (argument, components) in ["start", "end"].into_iter().zip(inputs) {
+            arguments.push(format!("{argument}: &[[f64; {dimension}]; {count}]"));
+            let vectors: Vec<String> = components.iter().map(|c| format!("[{}]", c.join(", "))).collect();
+            bindings.push(format!("let [{}] = *{argument};", vectors.join(", ")));
+        }
+        let (word, what) = if quantity == Quantity::Tangent {
+            arguments.push(format!("stiffness: &mut [[f64; {}]; {blocks}]", dimension * dimension));
+            ("tangent", "the blocks of the derivative by the mean of both states")
+        } else {
+            arguments.push(format!("forces: &mut [[f64; {dimension}]; {count}]"));
+            ("force", "the conserving forces")
+        };
+        Kernel {
+            name: format!("{}_points{points}_conserving_{word}", self.variant.name(self.library)),
+            doc: vec![format!(
+                "Writes {what} on the fields {} at a point of weight one on the unit element between two states, for the \
+                 terms that are integrated with {points} points.",
+                names.join(", ")
+            )],
+            arguments,
+            bindings,
+            graph,
+            points: None,
+            outputs,
+            assign: true,
+        }
+    }
+
     /// Wraps the expressions of a kernel of the fields at a point.
     pub fn field_point(
         &self,

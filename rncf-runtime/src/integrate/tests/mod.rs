@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod axis;
+mod energy;
 mod heavy_top;
 mod lie;
 mod long;

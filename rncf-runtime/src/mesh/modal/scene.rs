@@ -325,7 +325,10 @@ impl System for ModalScene {
     }
 
     fn conserving(&mut self) -> Result<&mut dyn Conserving, String> {
-        let body = self.bodies.first().map_or("", |&body| self.scene.bodies[body].spec.name);
+        let body = self
+            .bodies
+            .first()
+            .map_or("", |&body| self.scene.bodies[body].spec.name);
         Err(format!(
             "body `{body}` is described by modes or is rigid: energy-momentum integration needs all its nodal vectors"
         ))

@@ -26,7 +26,7 @@ pub struct Groups {
 }
 
 impl Groups {
-    fn of(vectors: &[&NodalVector]) -> Self {
+    pub(super) fn of(vectors: &[&NodalVector]) -> Self {
         let base = base_vector(vectors);
         let mut groups = Self {
             of: Vec::new(),
@@ -258,7 +258,7 @@ impl Builder<'_> {
     }
 
     /// The fields' derivatives on the unit element, and the fields.
-    fn field_symbols(&mut self, prefix: &str) -> [Vec<Vector>; 2] {
+    pub(super) fn field_symbols(&mut self, prefix: &str) -> [Vec<Vector>; 2] {
         let (mut inputs, mut fields) = (Vec::new(), Vec::new());
         for (index, field) in self.declared.clone().into_iter().enumerate() {
             let scale = self.length_power(length_power(field));
@@ -279,7 +279,7 @@ impl Builder<'_> {
     }
 
     /// The stress on invariants of the fields as one on those of their derivatives on the unit element.
-    fn on_unit_element(&mut self, state: &mut State) {
+    pub(super) fn on_unit_element(&mut self, state: &mut State) {
         let power = |builder: &Self, it: &Invariant| {
             length_power(builder.declared[it.i]) + length_power(builder.declared[it.j])
         };
@@ -298,7 +298,7 @@ impl Builder<'_> {
     }
 
     /// Force, tangent and energy of a stress on the inner products of fields.
-    fn respond(&mut self, state: &State, fields: &[Vector], rates: &[Vector]) -> OnFields {
+    pub(super) fn respond(&mut self, state: &State, fields: &[Vector], rates: &[Vector]) -> OnFields {
         let response = Response {
             invariants: &state.invariants,
             stress: &state.stress,
@@ -317,7 +317,10 @@ impl Builder<'_> {
             Quantity::Energy | Quantity::Reference => {}
             Quantity::Force => result.force = response.force(&mut self.graph),
             Quantity::Tangent => {
-                (result.stiffness, result.viscosity) = response.combined_tangent(&mut self.graph);
+                (result.stiffness, result.viscosity) = match &self.averaged {
+                    Some([_, end]) => (response.averaged_tangent(&mut self.graph, end), None),
+                    None => response.combined_tangent(&mut self.graph),
+                }
             }
         }
         result
@@ -342,7 +345,7 @@ impl Builder<'_> {
                 (outputs, None, None)
             }
             Quantity::Tangent => {
-                let symmetric = on_fields.viscosity.is_none();
+                let symmetric = on_fields.viscosity.is_none() && self.averaged.is_none();
                 let (mut outputs, stiffness) = self.blocks(&on_fields.stiffness, "stiffness", symmetric, used, groups);
                 let damping = on_fields.viscosity.as_ref().map(|viscosity| {
                     let (more, damping) = self.blocks(viscosity, "damping_matrix", true, used, groups);

@@ -11,7 +11,7 @@ mod tensor;
 
 use std::collections::HashMap;
 
-pub use conserving::{conserving_kernels, conserving_obstacle};
+pub use conserving::{Between, BetweenRule, conserving_kernels, conserving_obstacle};
 pub use fields::{FieldBlocks, FieldKernels, FieldRule, Groups, field_kernels};
 
 use crate::elements::{Element, Field, Library, NodalVector};

@@ -37,7 +37,7 @@ fn the_work_is_the_change_of_energy_and_there_is_no_resultant() {
         for form in [Form::Tensor, Form::Points] {
             let variant = variant(dimension, curved);
             let names: Vec<String> = variant.component_names(&library, "").concat();
-            let [force, tangent] = conserving_kernels(&variant, &library, form).unwrap();
+            let [force, tangent] = conserving_kernels(&variant, &library, form, None).unwrap().kernels;
             let one = |quantity| kernel(&variant, &library, form, quantity).unwrap();
             let (elastic, energy) = (one(Quantity::Force), one(Quantity::Energy));
             let (mut inputs, mut random) = (Inputs::new(), Random(7));
@@ -110,9 +110,13 @@ fn where_there_are_no_such_forces_the_reason_is_named() {
     slack.options[1] = 1;
     let mut damped = variant(3, false);
     damped.damped = true;
-    for (variant, what) in [(exact, "`bending = exact`"), (slack, "`slack = true`"), (damped, "damped")] {
-        let text = conserving_obstacle(&variant, &library, Form::Points).unwrap();
+    for (variant, what) in [
+        (exact, "`bending = exact`"),
+        (slack, "`slack = true`"),
+        (damped, "damped"),
+    ] {
+        let text = conserving_obstacle(&variant, &library).unwrap();
         assert!(text.contains(what), "{text}");
-        assert!(conserving_kernels(&variant, &library, Form::Points).is_none());
+        assert!(conserving_kernels(&variant, &library, Form::Points, None).is_none());
     }
 }
