@@ -219,6 +219,11 @@ pub trait System {
     /// An integrator ends a step just before and restarts just after each.
     fn kinks(&self) -> Vec<f64>;
 
+    /// Appends values (in any unit) that change their sign, at time `t`, s, where else a derivative of a prescribed motion or
+    /// load may jump, and their time derivatives: always the same number of them, in the same order. An integrator finds
+    /// their roots as it goes on, and treats them as [`System::kinks`].
+    fn gaps(&self, _t: f64, _out: &mut Vec<[f64; 2]>) {}
+
     /// Total energy (J) where the model conserves it, else `None`.
     fn energy(&mut self, state: &State) -> Option<f64>;
 

@@ -188,6 +188,13 @@ fn settings(matches: &ArgMatches) -> Result<RunSettings, String> {
     if step.is_some() && max_step.is_some() {
         return Err("`--max-step` is a ceiling of the adaptive step; `--step` fixes the step: give one of them".into());
     }
+    let proportional = matches.get_flag("proportional");
+    if step.is_some() && proportional {
+        return Err(
+            "`--proportional` rescales the tolerance of the adaptive step; `--step` fixes the step: give one of them"
+                .into(),
+        );
+    }
     let rtol = match number(matches, "rtol")? {
         Some(rtol) if !(rtol > 0.0 && rtol < 1.0) => {
             return Err(format!(
@@ -214,6 +221,7 @@ fn settings(matches: &ArgMatches) -> Result<RunSettings, String> {
             step: step.map_or(StepSize::Adaptive, StepSize::Fixed),
             max_step: max_step.unwrap_or(f64::INFINITY),
             stabilised: matches.get_flag("stabilised"),
+            proportional,
             ..Options::default()
         },
         t_end: flag_time("t-end", "20 s")?,
@@ -328,6 +336,10 @@ fn command_line<M: Model>(program: &Program<'_>) -> clap::Command {
             "rtol",
             "NUMBER",
             "Tolerance, relative to the size of each kind of unknown (default 1e-6)",
+        ))
+        .arg(flag(
+            "proportional",
+            "Rescale the tolerance so that the error of the result, not of a step, is proportional to it",
         ))
         .arg(value("step", "TIME", "Fixed step, e.g. \"0.01 s\" (default: adaptive)"))
         .arg(value(
@@ -474,6 +486,7 @@ mod tests {
             .settings;
         assert_eq!(fixed.options.step, StepSize::Fixed(5e-3));
         assert_eq!(fixed.method, Method::GeneralizedAlpha { rho_inf: 0.8 });
+        assert!(!fixed.options.proportional && read(&["--proportional"]).unwrap().settings.options.proportional);
         let line = "campbell omega=0..60rpm --at 1s --steps 7 --modes 5 --frequency Hz --spin 2rad/s --axis x";
         let arguments = read(&line.split_whitespace().collect::<Vec<_>>()).unwrap();
         assert_eq!(
@@ -488,7 +501,11 @@ mod tests {
 
     #[test]
     fn flags_that_make_no_sense_together_are_refused() {
-        let cases: [(&[&str], &str); 12] = [
+        let cases: [(&[&str], &str); 13] = [
+            (
+                &["--step", "1 ms", "--proportional"],
+                "`--proportional` rescales the tolerance of the adaptive step; `--step` fixes the step: give one of them",
+            ),
             (
                 &["--alpha", "-0.1"],
                 "`--alpha` belongs to `--integrator hht`; this run uses radau",

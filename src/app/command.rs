@@ -83,7 +83,7 @@ impl Command {
         match flag {
             "start" | "every" | "t-end" | "stabilised" | "no-elimination" | "max-step" => self.runs(),
             "integrator" | "rtol" | "alpha" | "rho-inf" => matches!(self, Command::Run | Command::Advise),
-            "step" | "animate" | "vtu" | "fidelity" => self == Command::Run,
+            "step" | "proportional" | "animate" | "vtu" | "fidelity" => self == Command::Run,
             "formulation" => self != Command::Chart,
             "formulations" | "integrators" | "rtols" | "reference" | "beside" => self == Command::Chart,
             "fresh" => self == Command::Chart,
@@ -115,7 +115,9 @@ impl Command {
             (Command::Chart, "formulation" | "integrator" | "rtol" | "alpha" | "rho-inf") => {
                 "give lists, `--formulations`, `--integrators` or `--rtols`"
             }
-            (Command::Chart | Command::Advise, "step" | "animate" | "vtu" | "fidelity") => "it compares many runs",
+            (Command::Chart | Command::Advise, "step" | "proportional" | "animate" | "vtu" | "fidelity") => {
+                "it compares many runs"
+            }
             (Command::Run | Command::Chart | Command::Advise, _) => "a run in time looks for no equilibrium",
             (_, "no-elimination") => "equilibria eliminate all joints that they can",
             (_, "t-end") => "the time whose spin and loads hold is `--at`",

@@ -98,12 +98,13 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
     }
     let counts = &result.statistics;
     let mut head = format!(
-        "{}: t = {} s, {} steps ({} rejected), {} factorizations, {} s",
+        "{}: t = {} s, {} steps ({} rejected), {} factorizations ({} steps each), {} s",
         M::NAME,
         short(result.state.t),
         counts.steps,
         counts.rejected_steps,
         counts.factorizations,
+        counts.steps_per_factorization().map_or("no".into(), |steps| digits(steps, 2)),
         digits(result.seconds.cpu, 3),
     );
     head += &result.envelopes.lines();

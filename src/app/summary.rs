@@ -29,6 +29,7 @@ pub(super) const SETTINGS: &[&str] = &[
     "alpha",
     "rho_inf",
     "rtol",
+    "proportional",
     "step",
     "max_step",
     "t_end",
@@ -57,6 +58,7 @@ pub(super) const STATISTICS: &[&str] = &[
     "residual_evaluations",
     "jacobian_evaluations",
     "factorizations",
+    "steps_per_factorization",
     "solves",
     "cpu_seconds",
     "cpu_clock",
@@ -302,6 +304,7 @@ pub(super) fn settings(summary: &mut Summary, settings: &RunSettings) {
     }
     put(summary, "stabilised", json!(settings.options.stabilised));
     put(summary, "rtol", json!(settings.options.rtol));
+    put(summary, "proportional", json!(settings.options.proportional));
     let step = match settings.options.step {
         StepSize::Adaptive => json!("adaptive"),
         StepSize::Fixed(h) => json!(h),
@@ -345,6 +348,7 @@ fn counts(summary: &mut Summary, result: &RunResult) {
         ("residual_evaluations", json!(s.residual_evaluations)),
         ("jacobian_evaluations", json!(s.jacobian_evaluations)),
         ("factorizations", json!(s.factorizations)),
+        ("steps_per_factorization", json!(s.steps_per_factorization())),
         ("solves", json!(s.solves)),
     ];
     for (key, value) in values {

@@ -23,7 +23,7 @@ const SPIN: [[f64; 3]; 2] = [
 ];
 
 /// Largest errors of centre of mass, angular velocity and multipliers.
-fn errors(method: Method, options: Options) -> [f64; 3] {
+pub fn errors(method: Method, options: Options) -> [f64; 3] {
     let mut scene = HeavyTop::default()
         .build(Formulation::Rncf, Joints::Eliminated)
         .unwrap();

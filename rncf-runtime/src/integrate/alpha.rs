@@ -33,6 +33,14 @@ use crate::system::{State, System};
 /// Tolerance of Newton's increments relative to the sizes of the unknowns with a fixed step, where
 /// no error test needs it but orders of convergence should be visible.
 const FIXED_STEP_RTOL: f64 = 1e-10;
+/// Order of the local error in the step.
+const LOCAL_ORDER: f64 = 3.0;
+/// Largest growth from one step to the next.
+const GROWTH: f64 = 2.0;
+/// Part of the way that a proposed step rises: errors of stiff motions oscillate over many steps.
+const RELEASE: f64 = 0.1;
+/// Ratio of the next attempt to one whose iteration failed (THEORY 7.1).
+const RETRY: f64 = 0.25;
 /// Difference step of the first jerk relative to the first step.
 const DIFFERENCE: f64 = 1e-3;
 
@@ -145,7 +153,7 @@ impl Alpha {
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (options.rtol * size)).collect(),
             newton: Newton::new(system, coefficients.factors(), rtol, options.stabilised),
             bordered: Bordered::new(system),
-            controller: Controller::default(),
+            controller: Controller::new(LOCAL_ORDER, GROWTH, RELEASE),
             history: History::new(n, m),
             now: zeros.clone(),
             before: zeros.clone(),
@@ -392,7 +400,7 @@ impl Scheme for Alpha {
 
     fn attempt<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Outcome {
         let failed = |controller: &mut Controller, cause| Outcome::Rejected {
-            next: controller.failed(h),
+            next: controller.failed(h, RETRY),
             cause,
         };
         if let Err(cause) = self.converge(system, h, statistics) {

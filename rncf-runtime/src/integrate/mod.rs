@@ -22,6 +22,7 @@ mod segments;
 mod stabiliser;
 mod start;
 mod statistics;
+mod switches;
 
 #[cfg(test)]
 mod tests;
@@ -39,7 +40,10 @@ use energy::EnergyMomentum;
 use radau::Radau;
 use scheme::{Cause, Outcome, Scheme};
 use segments::Segments;
+use switches::Switches;
 
+/// Switches are looked for so many steps ahead: the last two before one share what is left.
+const AHEAD: f64 = 2.0;
 /// A step within this part of the ceiling is at the ceiling.
 const AT_CEILING: f64 = 0.99;
 
@@ -60,6 +64,7 @@ pub struct Integrator<'s, S: System + ?Sized> {
     scheme: Running,
     options: Options,
     segments: Segments,
+    switches: Switches,
     bordered: Bordered,
     /// Step that the next attempt would like to take, s.
     wanted: f64,
@@ -104,9 +109,18 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
             worst,
         };
         start::check_settings(t0, t_end, method, &options).map_err(|kind| fail(kind, None))?;
+        let options = Options {
+            rtol: options.local_tolerance(method),
+            ..options
+        };
         let m = system.constraints();
         start::check_dissipation(m, method, &options).map_err(|kind| fail(kind, None))?;
-        let segments = Segments::new(t0, t_end, &system.kinks());
+        let mut switches = Switches::default();
+        let mut kinks = system.kinks();
+        if switches.is_at(t0, |t, out| system.gaps(t, out)) {
+            kinks.push(t0);
+        }
+        let segments = Segments::new(t0, t_end, &kinks);
         let mut state = sized(system, start, segments.start()).map_err(|kind| fail(kind, None))?;
         let mut statistics = Statistics::default();
         prepare(system, &mut state, t_end - t0, &mut statistics).map_err(|(kind, worst)| fail(kind, worst))?;
@@ -124,6 +138,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
             scheme,
             options,
             segments,
+            switches,
             bordered,
             wanted: 0.0,
             at_kink: false,
@@ -152,7 +167,10 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         let fixed = matches!(self.options.step, StepSize::Fixed(_));
         loop {
             let limited = self.wanted.min(self.options.max_step);
-            let h = self.segments.fit((t, low), limited, fixed, self.options.max_step);
+            let mut h = self.segments.fit((t, low), limited, fixed, self.options.max_step);
+            if self.finds_kink(t, h) {
+                h = self.segments.fit((t, low), limited, fixed, self.options.max_step);
+            }
             match self.scheme.attempt(self.system, h, &mut self.statistics) {
                 Outcome::Accepted { next } => {
                     // A step cut short by a kink or the end says little about the next one.
@@ -257,6 +275,22 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         self.at_kink = false;
         self.statistics.restarts += 1;
         Ok(())
+    }
+
+    /// Looks for a switch that nobody knows before; it ends the present segment.
+    fn finds_kink(&mut self, t: f64, h: f64) -> bool {
+        let system = &*self.system;
+        // What is fitted to the segment must not jump over a kink just behind the step.
+        let to = (t + AHEAD * h).min(t + self.segments.left(t));
+        let mut from = t;
+        while let Some(kink) = self.switches.next(from, to, |t, out| system.gaps(t, out)) {
+            // What is as near as round-off to where the segment begins is one with that.
+            if !self.segments.is_near(t, kink) {
+                return self.segments.insert(kink);
+            }
+            from = kink.next_up();
+        }
+        false
     }
 
     /// Counts an accepted step from `t` and says where it ended.

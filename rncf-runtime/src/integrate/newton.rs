@@ -20,7 +20,10 @@ use crate::system::{ConstraintLevel, State, System, Tangent};
 
 /// Largest estimated error of a converged iterate, as a part of the error tolerance.
 const CONVERGED: f64 = 0.05;
-/// The same with constraints: what is left of them returns in the multipliers divided by h^2, and
+/// The same relative to the sizes of the unknowns, at any tolerance: what is left in stiff directions is a force that
+/// spoils the next prediction.
+const COARSE: f64 = 1e-7;
+/// The same as a part of the tolerance with constraints: what is left of them returns in the multipliers divided by h^2, and
 /// weak dissipation adds it up over steps.
 const CONVERGED_CONSTRAINED: f64 = 1e-4;
 /// Contraction above which the matrix is refreshed within the iteration.
@@ -172,7 +175,7 @@ impl Newton {
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
             inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
             converged: if system.constraints() == 0 {
-                CONVERGED
+                CONVERGED.min(COARSE / rtol)
             } else {
                 CONVERGED_CONSTRAINED
             },

@@ -17,6 +17,7 @@ mod stages;
 
 use super::Statistics;
 use super::compensated::{self, Low};
+use super::control::Controller;
 use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
 use crate::error::SolveErrorKind;
@@ -24,29 +25,28 @@ use crate::system::{State, System};
 use coefficients::Coefficients;
 use error::Estimate;
 use matrices::Matrices;
-use newton::{Converged, Failure, ITERATIONS, Newton};
+use newton::{Converged, Failure, Newton};
 use stages::Stages;
 
 /// Relative tolerance of Newton's increments with a fixed step: order 5 should be visible.
 const FIXED_STEP_RTOL: f64 = 1e-13;
 /// Largest error of a converged iterate, relative to the sizes of the unknowns, at any tolerance: the next
 /// step must find its way back to the constraints.
-const COARSE: f64 = 1e-4;
+const COARSE: f64 = 1e-6;
 /// Contraction above which the next step evaluates the tangent anew.
 const AGED: f64 = 0.02;
-/// The next step keeps its size, and thus the factorizations, if it would grow by less.
-const KEEP: f64 = 1.2;
 /// Iterations up to which a step may grow, and contraction up to which it may after more of them.
 const EASY: u32 = 5;
 const CONTRACTING: f64 = 0.04;
-/// After an iteration failed, the next steps stay below this part of the step that failed, and the growth of
-/// that limit from step to step.
-const BELOW_FAILURE: f64 = 0.7;
-const RECOVERY: f64 = 1.05;
-/// Bounds of the change of the step.
-const SHRINK: f64 = 0.2;
-const GROW: f64 = 4.0;
-const SAFETY: f64 = 0.9;
+/// Order of the local error estimate in the step.
+const LOCAL_ORDER: f64 = 4.0;
+/// Largest growth from one step to the next.
+const GROWTH: f64 = 4.0;
+/// Part of the way that a proposed step rises.
+const RELEASE: f64 = 0.3;
+/// Ratio of the next attempt to one whose error is not finite, and to a first one whose error is too large.
+const RETRY: f64 = 0.2;
+const FIRST_RETRY: f64 = 0.1;
 
 /// The method and its last accepted step.
 pub(super) struct Radau {
@@ -67,12 +67,7 @@ pub(super) struct Radau {
     trial: Stages,
     /// The tangent was evaluated at `now`, or may serve it.
     tangent: Age,
-    /// Step size and error of the last accepted step, for the prediction of the next one.
-    accepted: Option<(f64, f64)>,
-    /// The last attempt was rejected, or there was none since the start.
-    first_or_rejected: bool,
-    /// Largest step at which the iteration is trusted, s.
-    trusted: f64,
+    controller: Controller,
 }
 
 /// How far the tangent can be trusted.
@@ -112,9 +107,7 @@ impl Radau {
             last: None,
             trial: Stages::new(n, m, stabilised),
             tangent: Age::Stale,
-            accepted: None,
-            first_or_rejected: true,
-            trusted: f64::INFINITY,
+            controller: Controller::new(LOCAL_ORDER, GROWTH, RELEASE),
         }
     }
 
@@ -172,24 +165,10 @@ impl Radau {
         let (coefficients, matrices) = (&self.coefficients, &mut self.matrices);
         let (estimate, start, stages) = (&mut self.estimate, &self.now, &self.trial);
         let error = estimate.error(coefficients, matrices, start, stages, statistics);
-        if error >= 1.0 && self.first_or_rejected {
+        if error >= 1.0 && self.controller.is_new() {
             return estimate.filtered(system, coefficients, matrices, start, stages, statistics);
         }
         error
-    }
-
-    /// Ratio of the next step by this error and the trend since the last step (Gustafsson).
-    fn ratio(&self, h: f64, error: f64, iterations: u32) -> f64 {
-        let all = f64::from(2 * ITERATIONS);
-        let safety = SAFETY * (1.0 + all) / (f64::from(iterations) + all);
-        let mut ratio = safety * error.max(1e-10).powf(-0.25);
-        if let Some((last_h, last_error)) = self.accepted
-            && error < 1.0
-        {
-            let trend = (last_error / (error * error).max(1e-20)).powf(0.25);
-            ratio = ratio.min(SAFETY * h / last_h * trend);
-        }
-        ratio.clamp(SHRINK, GROW)
     }
 
     /// Makes the trial the last accepted step.
@@ -212,7 +191,6 @@ impl Radau {
             Some(last) => std::mem::swap(last, &mut self.trial),
             None => self.last = Some(self.trial.clone()),
         }
-        self.first_or_rejected = false;
     }
 }
 
@@ -230,9 +208,7 @@ impl Scheme for Radau {
         self.before.clone_from(&self.now);
         self.last = None;
         self.tangent = Age::Stale;
-        self.accepted = None;
-        self.first_or_rejected = true;
-        self.trusted = f64::INFINITY;
+        self.controller.restart();
         self.newton.restart();
         Ok(())
     }
@@ -241,9 +217,8 @@ impl Scheme for Radau {
         let converged = match self.converge(system, h, statistics) {
             Ok(converged) => converged,
             Err((ratio, cause)) => {
-                self.first_or_rejected = true;
-                self.trusted = BELOW_FAILURE * h;
-                return Outcome::Rejected { next: ratio * h, cause };
+                let next = self.controller.failed(h, ratio);
+                return Outcome::Rejected { next, cause };
             }
         };
         let error = if self.fixed {
@@ -252,41 +227,33 @@ impl Scheme for Radau {
             self.error(system, statistics)
         };
         if !error.is_finite() {
-            self.first_or_rejected = true;
+            let next = self.controller.failed(h, RETRY);
             let cause = Cause::NotFinite;
-            return Outcome::Rejected {
-                next: SHRINK * h,
-                cause,
-            };
+            return Outcome::Rejected { next, cause };
         }
-        let mut ratio = self.ratio(h, error, converged.iterations);
-        if error >= 1.0 {
-            ratio = if self.last.is_none() { 0.1 } else { ratio.min(SAFETY) };
-            self.first_or_rejected = true;
+        if error > 1.0 {
+            let mut next = self.controller.reject(h, error);
+            if self.last.is_none() {
+                next = FIRST_RETRY * h;
+            }
             let cause = Cause::Error;
-            return Outcome::Rejected { next: ratio * h, cause };
+            return Outcome::Rejected { next, cause };
         }
-        let after_rejection = self.first_or_rejected && self.last.is_some();
         self.accept();
-        self.accepted = Some((h, error.max(1e-2)));
         self.tangent = if converged.contraction > AGED {
             Age::Stale
         } else {
             Age::Kept
         };
-        if after_rejection {
-            ratio = ratio.min(1.0);
+        if self.fixed {
+            return Outcome::Accepted { next: h };
         }
+        let mut next = self.controller.accept(h, error);
         // Contraction grows with the step: a longer one must still converge.
-        self.trusted *= RECOVERY;
-        ratio = ratio.min((self.trusted / h).max(1.0));
         if converged.iterations > EASY {
-            ratio = ratio.min((CONTRACTING / converged.contraction.max(1e-3)).max(1.0));
+            next = next.min((CONTRACTING / converged.contraction.max(1e-3)).max(1.0) * h);
         }
-        if self.fixed || self.tangent == Age::Kept && (1.0..=KEEP).contains(&ratio) {
-            ratio = 1.0;
-        }
-        Outcome::Accepted { next: ratio * h }
+        Outcome::Accepted { next }
     }
 
     fn state(&self) -> &State {

@@ -57,6 +57,23 @@ impl Segments {
         segments
     }
 
+    /// Ends the present segment at a kink (s) found within it; false if one is known there, or the end.
+    pub(super) fn insert(&mut self, kink: f64) -> bool {
+        let near = ONE_KINK * self.span;
+        let is_end = kink >= self.end - near;
+        let is_known = self.kinks.get(self.passed).is_some_and(|next| kink >= next.0 - near);
+        if is_end || is_known {
+            return false;
+        }
+        self.kinks.insert(self.passed, (kink, kink));
+        true
+    }
+
+    /// Whether two times (s) count as one kink.
+    pub(super) fn is_near(&self, a: f64, b: f64) -> bool {
+        (a - b).abs() <= ONE_KINK * self.span
+    }
+
     /// Where the first segment begins, s.
     pub(super) fn start(&self) -> f64 {
         self.start

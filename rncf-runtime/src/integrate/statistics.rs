@@ -37,3 +37,11 @@ pub struct Statistics {
     /// The same of an initial velocity, relative to the size over the time of the run.
     pub velocity_correction: f64,
 }
+
+impl Statistics {
+    /// Accepted steps for each factorization: how often one is used again; `None` without any. Radau makes two at a time, a
+    /// real and a complex one.
+    pub fn steps_per_factorization(&self) -> Option<f64> {
+        (self.factorizations > 0).then(|| self.steps as f64 / self.factorizations as f64)
+    }
+}

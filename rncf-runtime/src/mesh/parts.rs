@@ -287,6 +287,9 @@ pub trait Parts: Send + Sync + 'static {
     fn conservative(&self) -> bool;
     /// Times at which a derivative of a motion or load may jump, s.
     fn kinks(&self) -> Vec<f64>;
+    /// Appends the gaps (left less right side) of conditions in motions and loads that time decides in another way than
+    /// by [`Parts::kinks`], at time `t`, s, and their time derivatives.
+    fn gaps(&self, _t: f64, _out: &mut Vec<[f64; 2]>) {}
 
     /// Prepares what depends on the stress-free shape: nodal vectors of every element of a body, in
     /// local order, one element after the other.

@@ -212,6 +212,10 @@ impl System for MeshScene {
         kinks
     }
 
+    fn gaps(&self, t: f64, out: &mut Vec<[f64; 2]>) {
+        self.parts.gaps(t, out);
+    }
+
     fn energy(&mut self, state: &State) -> Option<f64> {
         self.total_energy(state)
     }

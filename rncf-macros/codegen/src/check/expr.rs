@@ -514,7 +514,7 @@ impl<'a> Check<'a> {
         })
     }
 
-    /// Both sides alike; where time decides, linear in it, so that the switch is a step boundary.
+    /// Both sides alike; nothing but time decides, so that the switch can be found and be a step boundary.
     fn condition(&mut self, inner: &If, left: Typed, right: Typed, scope: Scope) -> Option<(Typed, Typed)> {
         if left.dimension != right.dimension {
             self.unlike_terms(&inner.left, &left, &inner.right, &right);
@@ -530,8 +530,8 @@ impl<'a> Check<'a> {
             self.errors.at(area, say::CONDITION_OF_STRAIN);
             return None;
         }
-        let is_linear = fold::is_linear_in_time(&left.value) && fold::is_linear_in_time(&right.value);
-        if (Scope::Prescribed..=Scope::Force).contains(&scope) && !is_linear {
+        let of_state = fold::has_state(&left.value) || fold::has_state(&right.value);
+        if (Scope::Prescribed..=Scope::Force).contains(&scope) && of_state {
             self.errors.at(inner.left.area.to(inner.right.area), say::CONDITION);
             return None;
         }

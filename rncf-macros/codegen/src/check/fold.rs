@@ -126,6 +126,11 @@ pub fn has_local(expr: &Expr) -> bool {
     contains(expr, &|expr| matches!(expr, Expr::Local { .. }))
 }
 
+/// Whether something that only the state tells stands in the expression.
+pub fn has_state(expr: &Expr) -> bool {
+    contains(expr, &|expr| matches!(expr, Expr::Observed(_) | Expr::Local { .. }))
+}
+
 /// Whether a component of the strain stands in the expression.
 pub fn has_strain(expr: &Expr) -> bool {
     contains(expr, &|expr| matches!(expr, Expr::Strain(_)))
@@ -155,20 +160,4 @@ fn contains(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
                 .into_iter()
                 .any(|part| contains(part, is)),
         }
-}
-
-/// Whether the expression is linear in time by its structure (possibly constant).
-pub fn is_linear_in_time(expr: &Expr) -> bool {
-    match expr {
-        Expr::Time => true,
-        Expr::Negate(inner) => is_linear_in_time(inner),
-        Expr::Binary(Binary::Add | Binary::Subtract, left, right) => {
-            is_linear_in_time(left) && is_linear_in_time(right)
-        }
-        Expr::Binary(Binary::Multiply, left, right) => {
-            (is_linear_in_time(left) && is_free_of_time(right)) || (is_free_of_time(left) && is_linear_in_time(right))
-        }
-        Expr::Binary(Binary::Divide, left, right) => is_linear_in_time(left) && is_free_of_time(right),
-        other => is_free_of_time(other),
-    }
 }

@@ -18,7 +18,7 @@ pub const HERTZ: &str =
 pub const NOT_A_COUNT: &str =
     "a number of elements is a whole number of at least 1: write e.g. `6`, or a `param n: count = 6;`";
 pub const CONDITION: &str =
-    "a condition that changes with time must be linear in `t`, so that its switch is known: write e.g. `t <= T`";
+    "a condition must not depend on the state: `t`, params and constants decide, e.g. `t <= T` or `sin(omega*t) > 0`";
 pub const CONDITION_ALONG: &str =
     "an initial shape is one smooth function of `x`: its cases cannot depend on `x`, only on parameters";
 pub const INITIAL_WITHOUT_TIME: &str = "an initial shape is a function of `x` alone: leave out motions";

@@ -80,8 +80,8 @@ pub struct Equations {
     pub moments: Vec<(usize, [Kernel; 2])>,
     /// Moment on a section's axes in space, where needed.
     pub section_moments: Option<[Kernel; 2]>,
-    /// Kinks and their number.
-    pub kinks: (Kernel, usize),
+    /// Kinks, and conditions that time decides otherwise.
+    pub switches: motions::Switches,
     /// Outputs and what they observe, reductions last.
     pub outputs: (Kernel, Vec<Observable>),
     /// Those reductions.
@@ -154,7 +154,7 @@ impl Equations {
             fields: field_kernels(model),
             moments,
             section_moments,
-            kinks: motions::kinks_kernel(model),
+            switches: motions::switches(model),
             reduced: loads::reductions(model, &outputs.1),
             outputs,
             run: loads::run_kernel(model),
@@ -240,7 +240,12 @@ impl Equations {
         kernels.extend(self.moments.iter().flat_map(|(_, kernels)| kernels));
         kernels.extend(self.section_moments.iter().flatten());
         kernels.extend(self.reduced.iter().map(|reduced| &reduced.kernel));
-        kernels.extend([&self.kinks.0, &self.outputs.0, &self.run]);
+        kernels.push(&self.switches.kinks.0);
+        if self.switches.gaps.1 > 0 {
+            kernels.push(&self.switches.gaps.0);
+        }
+        kernels.extend(self.switches.repeated.iter().map(|(_, kernel, _)| kernel));
+        kernels.extend([&self.outputs.0, &self.run]);
         kernels
     }
 }

@@ -341,7 +341,7 @@ impl Parts<'_> {
     fn facts(&self) -> String {
         let names: Vec<&String> = self.model.frames.iter().map(|frame| &frame.name).collect();
         let columns: usize = self.model.outputs.iter().map(|output| output.components.len()).sum();
-        let kinks = self.equations.kinks.1;
+        let kinks = self.equations.switches.kinks.1;
         let varies: Vec<bool> = self
             .model
             .loads
@@ -354,11 +354,34 @@ impl Parts<'_> {
              fn frame_name(&self, frame: usize) -> &'static str {{ {names:?}[frame] }}\n\
              fn load_varies(&self, load: usize) -> bool {{ const VARIES: [bool; {}] = {varies:?};\nVARIES[load] }}\n\
              fn conservative(&self) -> bool {{ {} }}\n\
-             fn kinks(&self) -> ::std::vec::Vec<f64> {{\nlet mut times = [0.0; {kinks}];\nkinks(&self.model, &mut times);\ntimes.to_vec()\n}}\n",
+             fn kinks(&self) -> ::std::vec::Vec<f64> {{\nlet mut times = [0.0; {kinks}];\nkinks(&self.model, &mut times);\ntimes.to_vec()\n}}\n{}",
             names.len(),
             varies.len(),
-            self.equations.conservative
+            self.equations.conservative,
+            self.gaps()
         )
+    }
+
+    /// The method that adds up conditions whose switches are no times known beforehand, if there are any.
+    fn gaps(&self) -> String {
+        let switches = &self.equations.switches;
+        let mut body = String::new();
+        let count = switches.gaps.1;
+        if count > 0 {
+            body += &format!(
+                "let mut found = [[0.0; 2]; {count}];\ngaps(&self.model, t, &mut found);\nout.extend(found);\n"
+            );
+        }
+        for (repeat, kernel, count) in &switches.repeated {
+            body += &format!(
+                "for instance in 0..self.counts[{}] {{\nlet mut found = [[0.0; 2]; {count}];\n{}(&self.model, t, instance as f64, &mut found);\nout.extend(found);\n}}\n",
+                repeat.0, kernel.name
+            );
+        }
+        if body.is_empty() {
+            return body;
+        }
+        format!("fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {{\n{body}}}\n")
     }
 
     /// One arm for each body; the last one takes the rest.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::kernel::Kernel;
-use crate::model::{Binary, Expr, Frame, FrameId, INERTIAL, Model, Motions, Observable};
+use crate::model::{Binary, Expr, Frame, FrameId, INERTIAL, Model, Motions, Observable, RepeatId};
 use crate::symbolic::linear::{Matrix3, Vector};
 use crate::symbolic::{Graph, Id, Node};
 
@@ -315,10 +315,95 @@ impl Time<'_> {
     }
 }
 
-/// Times at which a motion or load changes its branch: every `if` compares expressions that are
-/// linear in t, so that the difference vanishes at `-g(0) / g'`.
-pub fn kinks_kernel(model: &Model) -> (Kernel, usize) {
+/// What tells when motions and loads change their branches.
+#[derive(Clone, Debug)]
+pub struct Switches {
+    /// Times of switches whose condition is linear in t, and their number.
+    pub kinks: (Kernel, usize),
+    /// Gaps, left less right side, of the other conditions that time alone decides, each with its time derivative, and
+    /// their number.
+    pub gaps: (Kernel, usize),
+    /// The same of conditions that differ between the repetitions of a loop.
+    pub repeated: Vec<(RepeatId, Kernel, usize)>,
+}
+
+/// Finds all conditions that change with time. Those linear in t switch at `-g(0) / g'`; the others where an
+/// integrator finds a root of their gap.
+pub fn switches(model: &Model) -> Switches {
     let mut time = Time::new(model);
+    let roots = timed_roots(&mut time);
+    let of_time = time.gaps(&roots);
+    let zero = time.graph.zero();
+    let start = HashMap::from([(time.t, zero)]);
+    let (mut kinks, mut others) = (Vec::new(), Vec::new());
+    for gap in of_time {
+        let slope = time.graph.partial(gap, time.t);
+        if time.graph.depends_on(gap, &[time.index]) {
+            continue;
+        }
+        if time.graph.depends_on(slope, &[time.t]) || time.has_branches(gap) {
+            others.push([gap, slope]);
+            continue;
+        }
+        let first = time.graph.substitute(gap, &start);
+        let ratio = time.graph.divide(first, slope);
+        let kink = time.graph.negate(ratio);
+        if !kinks.contains(&kink) {
+            kinks.push(kink);
+        }
+    }
+    let graph = time.graph.clone();
+    let count = kinks.len();
+    let outputs = kinks
+        .into_iter()
+        .enumerate()
+        .map(|(index, id)| (format!("kinks[{index}]"), id))
+        .collect();
+    let title = "Times at which a derivative of a motion or load may jump (s).".to_string();
+    let mut kernel = time.kernel("kinks".to_string(), title, outputs);
+    kernel.arguments.remove(1);
+    kernel.arguments.push(format!("kinks: &mut [f64; {count}]"));
+    let gaps = Time {
+        graph,
+        ..Time::new(model)
+    }
+    .gap_kernel("gaps".to_string(), others);
+    Switches {
+        kinks: (kernel, count),
+        gaps,
+        repeated: repeated_switches(model),
+    }
+}
+
+/// Conditions that differ between the repetitions of loads per length, by loop.
+fn repeated_switches(model: &Model) -> Vec<(RepeatId, Kernel, usize)> {
+    let mut kernels = Vec::new();
+    for at in 0..model.repeats.len() {
+        let mut time = Time::new(model);
+        let repeated = model
+            .densities
+            .iter()
+            .filter(|density| model.bodies[density.body.0].repeat.is_some_and(|repeat| repeat.0 == at));
+        let roots: Vec<Id> = repeated.flat_map(|density| time.vector(&density.components)).collect();
+        let mut gaps = Vec::new();
+        for gap in time.gaps(&roots) {
+            if time.graph.depends_on(gap, &[time.index]) {
+                gaps.push([gap, time.graph.partial(gap, time.t)]);
+            }
+        }
+        if gaps.is_empty() {
+            continue;
+        }
+        let (mut kernel, count) = time.gap_kernel(format!("gaps_of_loop_{at}"), gaps);
+        kernel.arguments.insert(2, "index: f64".to_string());
+        kernels.push((RepeatId(at), kernel, count));
+    }
+    kernels
+}
+
+/// All that time may act on.
+fn timed_roots(time: &mut Time<'_>) -> Vec<Id> {
+    let model = time.model;
     let mut roots = Vec::new();
     for (index, frame) in model.frames.iter().enumerate() {
         if frame.free.is_none() {
@@ -341,41 +426,50 @@ pub fn kinks_kernel(model: &Model) -> (Kernel, usize) {
         }
         roots.extend(force.energy.iter().map(|energy| time.expression(energy)));
     }
-    let mut observed: Vec<Id> = time.observed.iter().map(|&(_, symbol)| symbol).collect();
-    // Nor does what switches at another time for each repetition.
-    observed.push(time.index);
-    let zero = time.graph.zero();
-    let start = HashMap::from([(time.t, zero)]);
-    let mut kinks = Vec::new();
-    for id in time.graph.reachable(&roots) {
-        let Node::Select(_, [left, right, ..]) = time.graph.node(id) else {
-            continue;
-        };
-        let gap = time.graph.subtract(left, right);
-        let slope = time.graph.partial(gap, time.t);
-        // What depends on the state changes its branch at times that nobody knows before.
-        let known = !time.graph.depends_on(gap, &observed);
-        if !known || time.graph.is_zero(slope) || time.graph.depends_on(slope, &[time.t]) {
-            continue;
+    roots
+}
+
+impl Time<'_> {
+    /// Gaps of the conditions below `roots` that time decides. What depends on the state, too, changes its branch
+    /// at times that nobody knows before.
+    fn gaps(&mut self, roots: &[Id]) -> Vec<Id> {
+        let mut of_state: Vec<Id> = self.observed.iter().map(|&(_, symbol)| symbol).collect();
+        of_state.extend(self.locals.iter().flatten().chain(&self.strains).flatten());
+        of_state.push(self.x);
+        let mut gaps = Vec::new();
+        for id in self.graph.reachable(roots) {
+            let Node::Select(_, [left, right, ..]) = self.graph.node(id) else {
+                continue;
+            };
+            let gap = self.graph.subtract(left, right);
+            let of_time = self.graph.depends_on(gap, &[self.t]) && !self.graph.depends_on(gap, &of_state);
+            if of_time && !gaps.contains(&gap) {
+                gaps.push(gap);
+            }
         }
-        let first = time.graph.substitute(gap, &start);
-        let ratio = time.graph.divide(first, slope);
-        let kink = time.graph.negate(ratio);
-        if !kinks.contains(&kink) {
-            kinks.push(kink);
-        }
+        gaps
     }
-    let count = kinks.len();
-    let outputs = kinks
-        .into_iter()
-        .enumerate()
-        .map(|(index, id)| (format!("kinks[{index}]"), id))
-        .collect();
-    let title = "Times at which a derivative of a motion or load may jump (s).".to_string();
-    let mut kernel = time.kernel("kinks".to_string(), title, outputs);
-    kernel.arguments.remove(1);
-    kernel.arguments.push(format!("kinks: &mut [f64; {count}]"));
-    (kernel, count)
+
+    /// Whether a value has cases itself.
+    fn has_branches(&self, id: Id) -> bool {
+        let below = self.graph.reachable(&[id]);
+        below
+            .into_iter()
+            .any(|id| matches!(self.graph.node(id), Node::Select(..)))
+    }
+
+    /// A kernel of gaps and their derivatives.
+    fn gap_kernel(self, name: String, gaps: Vec<[Id; 2]>) -> (Kernel, usize) {
+        let count = gaps.len();
+        let outputs = gaps.into_iter().flatten().enumerate();
+        let outputs = outputs
+            .map(|(index, id)| (format!("gaps[{}][{}]", index / 2, index % 2), id))
+            .collect();
+        let title = "Left less right side of conditions of t, and their time derivatives.".to_string();
+        let mut kernel = self.kernel(name, title, outputs);
+        kernel.arguments.push(format!("gaps: &mut [[f64; 2]; {count}]"));
+        (kernel, count)
+    }
 }
 
 /// Whether a frame moves in a prescribed way. A free one does so only where its origin stays that of

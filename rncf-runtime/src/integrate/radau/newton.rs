@@ -10,7 +10,7 @@ use crate::integrate::newton::norm;
 use crate::system::{ConstraintLevel, State, System};
 
 /// Most iterations of a step whose size is free.
-pub(super) const ITERATIONS: u32 = 10;
+const ITERATIONS: u32 = 10;
 /// Most iterations of a fixed step: a slow iteration is all there is.
 const PATIENT: u32 = 50;
 /// Contraction at which the iteration is given up.
@@ -23,6 +23,8 @@ const ACCELERATED: f64 = 0.05;
 const LEARNING: u32 = 5;
 /// Ratio of successive increments, accelerated, at which the iteration is given up.
 const HOPELESS: f64 = 30.0;
+/// Smallest amplification that is expected of a step before its contraction is seen.
+const LEAST: f64 = 0.008;
 /// Increments below this, relative to the sizes of the unknowns, are noise.
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 /// Noise that the residual may add to that.
@@ -125,7 +127,7 @@ impl Newton {
         let floor = ROUND_OFF / self.rtol * (1.0 + norm(&start.x, &self.inverse_sizes));
         // The estimate of the last step, made cautious; contraction is of second order in the step.
         let growth = (stages.h / self.seen_at).clamp(1.0, 1e3);
-        let mut amplification = self.amplification.max(f64::EPSILON).powf(0.8) * growth.powi(2);
+        let mut amplification = self.amplification.max(LEAST).powf(0.8) * growth.powi(2);
         let (mut last, mut last_ratio, mut contraction) = (0.0, 0.0, 0.0);
         self.acceleration.restart();
         let most = if self.patient { PATIENT } else { ITERATIONS };

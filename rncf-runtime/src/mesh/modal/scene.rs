@@ -426,6 +426,10 @@ impl System for ModalScene {
         self.scene.kinks()
     }
 
+    fn gaps(&self, t: f64, out: &mut Vec<[f64; 2]>) {
+        self.scene.gaps(t, out);
+    }
+
     fn energy(&mut self, state: &State) -> Option<f64> {
         // Eqs. (18)-(20) do not conserve it.
         if self.is_small() {

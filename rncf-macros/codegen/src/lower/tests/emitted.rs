@@ -7,7 +7,7 @@ use crate::emit;
 use crate::emit::equations::Equations;
 use crate::expand;
 use crate::lower::free::free_kernel;
-use crate::lower::motions::kinks_kernel;
+use crate::lower::motions::switches;
 use crate::model::{Expr, Force, MarkerId, Model, MotionId};
 
 fn text(model: &Model) -> String {
@@ -96,7 +96,9 @@ fn kinks_of_constraints_and_forces_are_known() {
     model.frames.remove(1);
     // Without the rotor only the constraint knows the motion.
     model.frames.insert(1, model.frames[0].clone());
-    let (kernel, count) = kinks_kernel(&model);
+    let found = switches(&model);
+    let (kernel, count) = found.kinks;
+    assert_eq!((found.gaps.1, found.repeated.len()), (0, 0));
     assert_eq!(count, 1);
     assert_eq!(evaluate(&kernel, &Inputs::new())["kinks[0]"], 2.0);
 }
