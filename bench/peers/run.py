@@ -21,7 +21,7 @@ try:
     import measure
     import rncf_spin_up
     import scipy_spin_up
-    from plan import EXTRAPOLATED_STEP, SPEEDS, Plan, plan
+    from plan import CONVERGED, SPEEDS, Plan, plan
     from spin_up import Failed, Run
 except ImportError as error:
     sys.exit(f"{error}: run `{INSTALL}`, then `.venv/bin/python bench/peers/run.py`")
@@ -85,10 +85,11 @@ def converged(code: str, speed: float, elements: int, folder: Path) -> Run:
     """A run whose error is far below those that are compared; Exudyn's takes long and is kept in `folder`."""
     if code == "rncf":
         return rncf_spin_up.run(speed, rncf_spin_up.Setting(elements, "radau", 1e-10))
-    step = EXTRAPOLATED_STEP[speed]
+    step, tolerance, solver = CONVERGED[speed]
     file = folder / f"exudyn_{speed:g}_{elements}_{step:g}.npy"
     if not file.exists():
-        coarse, fine = (exudyn_spin_up.run(speed, exudyn_spin_up.Setting(elements, h, 1e-10)) for h in (step, step / 2))
+        settings = (exudyn_spin_up.Setting(elements, h, tolerance, solver) for h in (step, step / 2))
+        coarse, fine = (exudyn_spin_up.run(speed, setting) for setting in settings)
         folder.mkdir(parents=True, exist_ok=True)
         np.save(file, [fine.u + (fine.u - coarse.u) / 3, fine.v + (fine.v - coarse.v) / 3])
     u, v = np.load(file)
