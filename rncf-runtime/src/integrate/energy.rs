@@ -30,6 +30,15 @@ use crate::linalg::Singular;
 use crate::system::{State, System};
 use newton::{Newton, Trial};
 
+/// Order of the local error of positions.
+const LOCAL_ORDER: f64 = 3.0;
+/// Largest growth from one step to the next.
+const GROWTH: f64 = 2.0;
+/// Part of the way that a proposed step rises towards what the last step allowed.
+const RELEASE: f64 = 0.1;
+/// Ratio of the next attempt to one whose iteration failed (THEORY 7.1).
+const RETRY: f64 = 0.25;
+
 /// The method.
 pub(super) struct EnergyMomentum {
     fixed: bool,
@@ -62,7 +71,7 @@ impl EnergyMomentum {
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (options.rtol * size)).collect(),
             newton: Newton::new(system),
             bordered: Bordered::new(system),
-            controller: Controller::default(),
+            controller: Controller::new(LOCAL_ORDER, GROWTH, RELEASE),
             carried: n - system.border(),
             now: zeros.clone(),
             before: zeros.clone(),
@@ -154,7 +163,7 @@ impl Scheme for EnergyMomentum {
 
     fn attempt<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Outcome {
         let failed = |controller: &mut Controller, cause| Outcome::Rejected {
-            next: controller.failed(h),
+            next: controller.failed(h, RETRY),
             cause,
         };
         self.predict(h);
