@@ -54,9 +54,7 @@ fn cpu_time() -> Option<Duration> {
 #[cfg(unix)]
 pub(super) fn thread_cpu_time() -> Option<Duration> {
     use nix::time::{ClockId, clock_gettime};
-    clock_gettime(ClockId::CLOCK_THREAD_CPUTIME_ID)
-        .ok()
-        .map(Duration::from)
+    clock_gettime(ClockId::CLOCK_THREAD_CPUTIME_ID).ok().map(Duration::from)
 }
 
 #[cfg(not(unix))]

@@ -50,6 +50,16 @@ struct Asked {
     found: Result<History, String>,
 }
 
+/// Finds converged runs: in files of earlier calls, or by running them.
+struct Finder<'f, M> {
+    grid: &'f Grid,
+    model: &'f M,
+    /// Where they are kept.
+    folder: PathBuf,
+    /// Processor time of a run, s.
+    limit: f64,
+}
+
 /// Finds the references: converged runs are those of the first formulation with Radau, ten and a hundred times as tight
 /// as the tightest tolerance of the grid; where the tighter one fails, the tolerance itself and ten times as tight.
 /// They are kept in files, and taken from there. `told` hears of every run that is done, and how many there are.
@@ -66,22 +76,75 @@ pub(super) fn references<M: Model>(
 ) -> Result<References, Unreferenced> {
     let folder = folder.join(FOLDER);
     files::create_folder(&folder)?;
-    let given = file
-        .map(|path| read::<M>(grid, path).map(|history| (history, path)))
-        .transpose()?;
+    let given = file.map(|path| read::<M>(grid, path).map(|history| (history, path)));
+    let given = given.transpose()?;
+    let finder = Finder {
+        grid,
+        model,
+        folder,
+        limit: PATIENCE * limit,
+    };
+    let pairs = (0..grid.meshes.len()).flat_map(|mesh| [converged(grid, mesh, 2), converged(grid, mesh, 1)]);
+    let mut all = finder.find(pairs.collect(), &interrupted, &mut told)?;
+    let has_failed = |asked: &&Asked| asked.found.is_err() && asked.setting == converged(grid, asked.setting.mesh, 2);
+    let looser = all
+        .iter()
+        .filter(has_failed)
+        .map(|asked| converged(grid, asked.setting.mesh, 0));
+    let looser: Vec<Setting> = looser.collect();
+    all.extend(finder.find(looser, &interrupted, &mut told)?);
+    let mut on_meshes = Vec::new();
+    for mesh in 0..grid.meshes.len() {
+        let (mut mine, others): (Vec<Asked>, Vec<Asked>) =
+            all.into_iter().partition(|asked| asked.setting.mesh == mesh);
+        mine.sort_by(|a, b| a.setting.rtol.total_cmp(&b.setting.rtol));
+        on_meshes.push(best_two(grid, mine)?);
+        all = others;
+    }
+    let ((of, history), (_, check)) = &on_meshes[grid.finest()];
+    let keys = (0..grid.meshes.len()).map(|mesh| grid.identity(model, &converged(grid, mesh, 2)));
+    let mut keys: Vec<u64> = keys.collect();
+    let (exact, name, uncertainty) = match given {
+        None => {
+            let name = format!("converged run ({})", grid.name(of));
+            (history.clone(), name, Some(errors(check, history)))
+        }
+        Some((history, path)) => {
+            keys.push(hash(&history.to_csv()));
+            (history, path.display().to_string(), None)
+        }
+    };
+    Ok(References {
+        exact,
+        name,
+        uncertainty,
+        on_meshes: on_meshes.into_iter().map(|(converged, _)| converged.1).collect(),
+        key: hash(&format!("{keys:?}")),
+    })
+}
+
+/// Setting of a converged run, so many decades tighter than the tightest tolerance of the grid.
+fn converged(grid: &Grid, mesh: usize, decades: i32) -> Setting {
     let tightest = grid.rtols.iter().copied().fold(1.0, f64::min);
-    let setting = |mesh: usize, decades: i32| Setting {
+    let rtol = format!("{:.12e}", tightest * 10f64.powi(-decades));
+    Setting {
         formulation: grid.formulations[0],
         mesh,
         method: Method::Radau,
-        rtol: format!("{:.12e}", tightest * 10f64.powi(-decades))
-            .parse()
-            .unwrap_or(tightest),
-    };
-    let mut find = |wanted: Vec<Setting>| -> Result<Vec<Asked>, Unreferenced> {
+        rtol: rtol.parse().unwrap_or(tightest),
+    }
+}
+
+impl<M: Model> Finder<'_, M> {
+    fn find(
+        &self,
+        wanted: Vec<Setting>,
+        interrupted: impl Fn() -> bool,
+        mut told: impl FnMut(usize, usize),
+    ) -> Result<Vec<Asked>, Unreferenced> {
         let (mut all, mut tasks) = (Vec::new(), Vec::new());
         for setting in wanted {
-            match read::<M>(grid, &path(grid, model, &setting, &folder)) {
+            match read::<M>(self.grid, &self.folder.join(self.file(&setting))) {
                 Ok(history) => all.push(Asked {
                     setting,
                     found: Ok(history),
@@ -91,22 +154,21 @@ pub(super) fn references<M: Model>(
         }
         let (count, mut number, mut is_interrupted) = (tasks.len(), 0, false);
         let work = |setting: &Setting, stop: &_| {
-            let settings = grid.run(setting);
-            solve(&grid.model(model, setting.mesh), &settings, PATIENCE * limit, stop)
+            let model = self.grid.model(self.model, setting.mesh);
+            solve(&model, &self.grid.run(setting), self.limit, stop)
         };
-        on_all_cores(tasks, &interrupted, work, |setting, ended| {
+        on_all_cores(tasks, interrupted, work, |setting, ended| {
             number += 1;
             told(number, count);
             let found = match ended {
                 Ended::Complete(result) => {
-                    let path = path(grid, model, &setting, &folder);
-                    let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
-                    files::write(&folder, &name.unwrap_or_default(), &result.history.to_csv())?;
+                    files::write(&self.folder, &self.file(&setting), &result.history.to_csv())?;
                     Ok(result.history)
                 }
                 Ended::Failed(text) => Err(text),
                 Ended::TooLong => Err(format!(
-                    "longer than {PATIENCE} x {limit} s; raise `--limit`, or choose looser `--rtols`"
+                    "longer than {} s, {PATIENCE} times the limit; raise `--limit`, or choose looser `--rtols`",
+                    self.limit
                 )),
                 Ended::Interrupted => {
                     is_interrupted = true;
@@ -120,55 +182,12 @@ pub(super) fn references<M: Model>(
             return Err(Unreferenced::Interrupted);
         }
         Ok(all)
-    };
-    let pairs = (0..grid.meshes.len()).flat_map(|mesh| [setting(mesh, 2), setting(mesh, 1)]);
-    let mut all = find(pairs.collect())?;
-    let failed = |asked: &Asked| asked.found.is_err() && asked.setting == setting(asked.setting.mesh, 2);
-    let looser = all
-        .iter()
-        .filter(|asked| failed(asked))
-        .map(|asked| setting(asked.setting.mesh, 0));
-    let looser: Vec<Setting> = looser.collect();
-    all.extend(find(looser)?);
-    let mut on_meshes = Vec::new();
-    let mut finest = None;
-    for mesh in 0..grid.meshes.len() {
-        let mut mine: Vec<Asked> = Vec::new();
-        while let Some(index) = all.iter().position(|asked| asked.setting.mesh == mesh) {
-            mine.push(all.swap_remove(index));
-        }
-        mine.sort_by(|a, b| a.setting.rtol.total_cmp(&b.setting.rtol));
-        let (converged, check) = best_two(grid, mine)?;
-        if mesh == grid.finest() {
-            let uncertainty = errors(&check.1, &converged.1);
-            finest = Some((converged.0, converged.1.clone(), uncertainty));
-        }
-        on_meshes.push(converged.1);
     }
-    let Some((of, history, uncertainty)) = finest else {
-        return Err(String::from("there is no mesh to compare on").into());
-    };
-    let mut key: Vec<u64> = (0..grid.meshes.len())
-        .map(|mesh| grid.identity(model, &setting(mesh, 2)))
-        .collect();
-    let (exact, name, uncertainty) = match given {
-        None => (
-            history,
-            format!("converged run ({})", grid.name(&of)),
-            Some(uncertainty),
-        ),
-        Some((history, path)) => {
-            key.push(hash(&history.to_csv()));
-            (history, path.display().to_string(), None)
-        }
-    };
-    Ok(References {
-        exact,
-        name,
-        uncertainty,
-        on_meshes,
-        key: hash(&format!("{key:?}")),
-    })
+
+    /// Name of the file of a converged run.
+    fn file(&self, setting: &Setting) -> String {
+        format!("{:016x}.csv", self.grid.identity(self.model, setting))
+    }
 }
 
 /// A converged run.
@@ -195,11 +214,6 @@ fn best_two(grid: &Grid, asked: Vec<Asked>) -> Result<(Converged, Converged), St
             "there is no converged run to compare with: {refusal}\ngive looser `--rtols` or a shorter `--t-end`"
         )),
     }
-}
-
-/// Where a converged run is kept.
-fn path<M: Model>(grid: &Grid, model: &M, setting: &Setting, folder: &Path) -> PathBuf {
-    folder.join(format!("{:016x}.csv", grid.identity(model, setting)))
 }
 
 /// A history of the model's outputs at the rows of the grid; the file may have more of both.
