@@ -15,7 +15,6 @@ import numpy as np
 import spin_up
 from spin_up import AXIAL_STIFFNESS, BENDING_STIFFNESS, LENGTH, MASS_PER_LENGTH, Failed, Run
 
-
 @dataclass(frozen=True)
 class Setting:
     """Fixed step (s), tolerance of the Newton increments, solver; `plain`: the defaults but for the step, for comparison."""
@@ -64,6 +63,23 @@ def run(speed: float, setting: Setting) -> Run:
     done = system.sys["dynamicSolver"].it
     counts = f"{done.newtonStepsCount} iterations, {done.newtonJacobiCount} Jacobians"
     return Run(u, v, cpu, done.currentStepIndex - 1, counts)
+
+
+def beginning(speed: float, setting: Setting, end: float) -> tuple[float, int]:
+    """Processor time and steps of the first seconds of the run, up to `end` (s)."""
+    sys.exudynFast = True
+    import exudyn as exu
+
+    container = exu.SystemContainer()
+    system = container.AddSystem()
+    _, alive = build(exu, system, speed, setting)
+    settings = solver_settings(exu, setting)
+    settings.timeIntegration.numberOfSteps = round(end / setting.step)
+    settings.timeIntegration.endTime = end
+    begin = time.process_time()
+    system.SolveDynamic(settings, solverType=getattr(exu.DynamicSolverType, setting.solver))
+    del alive
+    return time.process_time() - begin, system.sys["dynamicSolver"].it.currentStepIndex - 1
 
 
 def build(exu, system, speed: float, setting: Setting):
