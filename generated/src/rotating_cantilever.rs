@@ -186,8 +186,6 @@ pub mod rotating_cantilever_equations {
         pub EI: T,
         /// density * area, kg/m.
         pub rhoA: T,
-        /// Damping of the strain measures, s.
-        pub damping: T,
     }
     impl CableSpatial {
         /// The constants of four elements side by side.
@@ -201,7 +199,6 @@ pub mod rotating_cantilever_equations {
                 EA: lanes.load(rows.map(|row| row.EA)),
                 EI: lanes.load(rows.map(|row| row.EI)),
                 rhoA: lanes.load(rows.map(|row| row.rhoA)),
-                damping: lanes.load(rows.map(|row| row.damping)),
             }
         }
     }
@@ -895,7 +892,7 @@ pub mod rotating_cantilever_equations {
         forces[4] = EI * (0.5 * (t23 * (fields[4] * 2.0) - fields[1] * t30));
         forces[5] = EI * (0.5 * (t23 * (fields[5] * 2.0) - fields[2] * t30));
     }
-    /// Motion of frame `hub` and its first three derivatives.
+    /// Motion of frame `hub` and its first two derivatives.
     ///
     /// Operations: 0 additions, 1 multiplications, 2 function calls.
     pub fn frame_hub(
@@ -933,60 +930,6 @@ pub mod rotating_cantilever_equations {
         rows[4] = data.normals[1][0] * q[3] + data.normals[1][1] * q[4]
             + data.normals[1][2] * q[5];
     }
-    /// Joint `root`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_velocity(
-        model: &super::RotatingCantilever,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-    }
-    /// Joint `root`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_acceleration(
-        model: &super::RotatingCantilever,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-    }
-    /// Joint `root`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_jerk(
-        model: &super::RotatingCantilever,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-    }
     /// Joint `root`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -997,37 +940,16 @@ pub mod rotating_cantilever_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
         jacobian[7] = 1.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
-        jacobian[10] = 0.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
         jacobian[14] = 1.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
-        jacobian[20] = 0.0;
         jacobian[21] = data.normals[0][0];
         jacobian[22] = data.normals[0][1];
         jacobian[23] = data.normals[0][2];
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
         jacobian[27] = data.normals[1][0];
         jacobian[28] = data.normals[1][1];
         jacobian[29] = data.normals[1][2];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
@@ -1039,27 +961,9 @@ pub mod rotating_cantilever_equations {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
-        prescribed.slope[3][2] = 0.0;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -1107,7 +1011,6 @@ pub mod rotating_cantilever_equations {
             - q[3] * (data.normals[1][0] * t23 + data.normals[1][1] * t24);
         rows[0] = data.point[0] * t23 + data.point[1] * t24;
         rows[1] = data.point[1] * t23 - data.point[0] * t24;
-        rows[2] = 0.0;
         rows[3] = t25;
         rows[4] = t26;
     }
@@ -1142,7 +1045,6 @@ pub mod rotating_cantilever_equations {
                 + (t31 + q[3] * (data.normals[1][0] * t27 - data.normals[1][1] * t28)));
         rows[0] = data.point[0] * t27 - data.point[1] * t28;
         rows[1] = data.point[0] * t28 + data.point[1] * t27;
-        rows[2] = 0.0;
         rows[3] = t33;
         rows[4] = t34;
     }
@@ -1195,7 +1097,6 @@ pub mod rotating_cantilever_equations {
                             * (data.normals[1][0] * t31 + data.normals[1][1] * t32))));
         rows[0] = -(data.point[0] * t31 + data.point[1] * t32);
         rows[1] = data.point[0] * t32 - data.point[1] * t31;
-        rows[2] = 0.0;
         rows[3] = t39;
         rows[4] = t46;
     }
@@ -1212,39 +1113,18 @@ pub mod rotating_cantilever_equations {
         let t21 = theta.cos();
         let t22 = theta.sin();
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
         jacobian[7] = 1.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
-        jacobian[10] = 0.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
         jacobian[14] = 1.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
-        jacobian[20] = 0.0;
         jacobian[21] = t21 * data.normals[0][0] - t22 * data.normals[0][1];
         jacobian[22] = t22 * data.normals[0][0] + t21 * data.normals[0][1];
         jacobian[23] = data.normals[0][2];
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
         jacobian[27] = t21 * data.normals[1][0] - t22 * data.normals[1][1];
         jacobian[28] = t22 * data.normals[1][0] + t21 * data.normals[1][1];
         jacobian[29] = data.normals[1][2];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
-    /// Operations: 16 additions, 39 multiplications, 2 function calls.
+    /// Operations: 12 additions, 29 multiplications, 2 function calls.
     pub fn joint_root_absolute_prescribed(
         model: &super::RotatingCantilever,
         t: f64,
@@ -1258,35 +1138,21 @@ pub mod rotating_cantilever_equations {
         let t24 = model.eta * t21;
         let t25 = model.eta * t24;
         let t26 = model.eta * t23;
-        let t27 = model.eta * t26;
-        let t28 = model.eta * t25;
         prescribed.position[0][0] = t21 * data.point[0] - t22 * data.point[1];
         prescribed.position[0][1] = t22 * data.point[0] + t21 * data.point[1];
         prescribed.position[0][2] = data.point[2];
         prescribed.position[1][0] = -(data.point[0] * t23 + data.point[1] * t24);
         prescribed.position[1][1] = data.point[0] * t24 - data.point[1] * t23;
-        prescribed.position[1][2] = 0.0;
         prescribed.position[2][0] = data.point[1] * t26 - data.point[0] * t25;
         prescribed.position[2][1] = -(data.point[0] * t26 + data.point[1] * t25);
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = data.point[0] * t27 + data.point[1] * t28;
-        prescribed.position[3][1] = data.point[1] * t27 - data.point[0] * t28;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = t21 * data.tangent[0] - t22 * data.tangent[1];
         prescribed.slope[0][1] = t22 * data.tangent[0] + t21 * data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
         prescribed.slope[1][0] = -(data.tangent[0] * t23 + data.tangent[1] * t24);
         prescribed.slope[1][1] = data.tangent[0] * t24 - data.tangent[1] * t23;
-        prescribed.slope[1][2] = 0.0;
         prescribed.slope[2][0] = data.tangent[1] * t26 - data.tangent[0] * t25;
         prescribed.slope[2][1] = -(data.tangent[0] * t26 + data.tangent[1] * t25);
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = data.tangent[0] * t27 + data.tangent[1] * t28;
-        prescribed.slope[3][1] = data.tangent[1] * t27 - data.tangent[0] * t28;
-        prescribed.slope[3][2] = 0.0;
     }
-    /// Times at which a derivative of a motion or load may jump (s).
-    pub fn kinks(model: &super::RotatingCantilever, kinks: &mut [f64; 0]) {}
     /// Output columns from what they observe.
     ///
     /// Operations: 2 additions, 0 multiplications.
@@ -1377,72 +1243,6 @@ pub mod rotating_cantilever_equations {
                 },
             ])
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
-                    body: 0,
-                    at_end: false,
-                    frame: 1,
-                    point: None,
-                },
-            ])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 2,
-                },
-                ::rncf::mesh::ObservedSpec::Section {
-                    body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::SectionQuantity::AxialForce,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            4
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "hub"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 0] = [];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 0];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -1462,12 +1262,6 @@ pub mod rotating_cantilever_equations {
                 100000000.0,
                 "Pa",
             )?;
-            let damping = ::rncf::mesh::non_negative(
-                "material `unit`",
-                "damping",
-                0.0,
-                "s",
-            )?;
             let area = ::rncf::mesh::positive("section `slender`", "area", 1.0, "m^2")?;
             let second_moment = ::rncf::mesh::positive(
                 "section `slender`",
@@ -1480,23 +1274,8 @@ pub mod rotating_cantilever_equations {
                 EA: young * area,
                 EI: young * second_moment,
                 rhoA: density * area,
-                damping: damping,
             };
             Ok(())
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-            frame_hub(&self.model, t, &mut motions[1]);
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             cable_spatial_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
@@ -1647,27 +1426,18 @@ pub mod rotating_cantilever_equations {
                 ::rncf::mesh::array_mut(forces),
             );
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 1,
+                    point: None,
+                },
+            ])
         }
         fn condition(
             &self,
@@ -1695,39 +1465,7 @@ pub mod rotating_cantilever_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_root_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_root_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_root_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 (0, _) => {
@@ -1808,6 +1546,53 @@ pub mod rotating_cantilever_equations {
                 }
                 _ => {}
             }
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 2,
+                },
+                ::rncf::mesh::ObservedSpec::Section {
+                    body: 0,
+                    at: ::rncf::mesh::Place::Start,
+                    what: ::rncf::mesh::SectionQuantity::AxialForce,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            4
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "hub"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+            frame_hub(&self.model, t, &mut motions[1]);
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
         }
     }
 }

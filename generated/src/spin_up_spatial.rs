@@ -177,8 +177,6 @@ pub mod spin_up_spatial_equations {
         pub EI: T,
         /// density * area, kg/m.
         pub rhoA: T,
-        /// Damping of the strain measures, s.
-        pub damping: T,
     }
     impl CableSpatial {
         /// The constants of four elements side by side.
@@ -192,7 +190,6 @@ pub mod spin_up_spatial_equations {
                 EA: lanes.load(rows.map(|row| row.EA)),
                 EI: lanes.load(rows.map(|row| row.EI)),
                 rhoA: lanes.load(rows.map(|row| row.rhoA)),
-                damping: lanes.load(rows.map(|row| row.damping)),
             }
         }
     }
@@ -886,9 +883,9 @@ pub mod spin_up_spatial_equations {
         forces[4] = EI * (0.5 * (t23 * (fields[4] * 2.0) - fields[1] * t30));
         forces[5] = EI * (0.5 * (t23 * (fields[5] * 2.0) - fields[2] * t30));
     }
-    /// Motion of frame `hub` and its first three derivatives.
+    /// Motion of frame `hub` and its first two derivatives.
     ///
-    /// Operations: 9 additions, 17 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
     pub fn frame_hub(
         model: &super::SpinUpSpatial,
         t: f64,
@@ -907,9 +904,8 @@ pub mod spin_up_spatial_equations {
         let t20 = theta.cos();
         let t21 = theta.sin();
         let t22 = 6.283185307179586 / model.T_s;
-        let t23 = t22 * t17.sin();
         let theta_t = (if t <= model.T_s {
-            t15 * (t - t16 * t23)
+            t15 * (t - t16 * (t22 * t17.sin()))
         } else {
             model.omega_s
         });
@@ -918,14 +914,8 @@ pub mod spin_up_spatial_equations {
         } else {
             0.0
         });
-        let theta_t_t_t = (if t <= model.T_s {
-            t15 * (t16 * (t22 * (t22 * t23)))
-        } else {
-            0.0
-        });
         motion.spin[2] = theta_t;
         motion.spin_rate[2] = theta_t_t;
-        motion.spin_jerk[2] = theta_t_t_t;
         motion.rotation[0][0] = t20;
         motion.rotation[0][1] = -t21;
         motion.rotation[1][0] = t21;
@@ -951,60 +941,6 @@ pub mod spin_up_spatial_equations {
         rows[4] = data.normals[1][0] * q[3] + data.normals[1][1] * q[4]
             + data.normals[1][2] * q[5];
     }
-    /// Joint `root`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_velocity(
-        model: &super::SpinUpSpatial,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-    }
-    /// Joint `root`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_acceleration(
-        model: &super::SpinUpSpatial,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-    }
-    /// Joint `root`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_jerk(
-        model: &super::SpinUpSpatial,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-    }
     /// Joint `root`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -1015,37 +951,16 @@ pub mod spin_up_spatial_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
         jacobian[7] = 1.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
-        jacobian[10] = 0.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
         jacobian[14] = 1.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
-        jacobian[20] = 0.0;
         jacobian[21] = data.normals[0][0];
         jacobian[22] = data.normals[0][1];
         jacobian[23] = data.normals[0][2];
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
         jacobian[27] = data.normals[1][0];
         jacobian[28] = data.normals[1][1];
         jacobian[29] = data.normals[1][2];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
@@ -1057,27 +972,9 @@ pub mod spin_up_spatial_equations {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
-        prescribed.slope[3][2] = 0.0;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -1144,7 +1041,6 @@ pub mod spin_up_spatial_equations {
             - q[3] * (data.normals[1][0] * t28 + data.normals[1][1] * t29);
         rows[0] = data.point[0] * t28 + data.point[1] * t29;
         rows[1] = data.point[1] * t28 - data.point[0] * t29;
-        rows[2] = 0.0;
         rows[3] = t30;
         rows[4] = t31;
     }
@@ -1200,7 +1096,6 @@ pub mod spin_up_spatial_equations {
                 + (t41 + q[3] * (data.normals[1][0] * t37 + data.normals[1][1] * t38)));
         rows[0] = data.point[0] * t37 + data.point[1] * t38;
         rows[1] = data.point[1] * t37 - data.point[0] * t38;
-        rows[2] = 0.0;
         rows[3] = t43;
         rows[4] = t44;
     }
@@ -1274,7 +1169,6 @@ pub mod spin_up_spatial_equations {
                             * (data.normals[1][0] * t44 + data.normals[1][1] * t46))));
         rows[0] = data.point[0] * t44 + data.point[1] * t46;
         rows[1] = data.point[1] * t44 - data.point[0] * t46;
-        rows[2] = 0.0;
         rows[3] = t53;
         rows[4] = t60;
     }
@@ -1298,39 +1192,18 @@ pub mod spin_up_spatial_equations {
         let t23 = theta.cos();
         let t24 = theta.sin();
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
         jacobian[7] = 1.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
-        jacobian[10] = 0.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
         jacobian[14] = 1.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
-        jacobian[20] = 0.0;
         jacobian[21] = t23 * data.normals[0][0] - t24 * data.normals[0][1];
         jacobian[22] = t24 * data.normals[0][0] + t23 * data.normals[0][1];
         jacobian[23] = data.normals[0][2];
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
         jacobian[27] = t23 * data.normals[1][0] - t24 * data.normals[1][1];
         jacobian[28] = t24 * data.normals[1][0] + t23 * data.normals[1][1];
         jacobian[29] = data.normals[1][2];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
-    /// Operations: 33 additions, 61 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 22 additions, 43 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_prescribed(
         model: &super::SpinUpSpatial,
         t: f64,
@@ -1349,46 +1222,34 @@ pub mod spin_up_spatial_equations {
         let t26 = theta.cos();
         let t27 = theta.sin();
         let t28 = 6.283185307179586 / model.T_s;
-        let t29 = t28 * t23.sin();
-        let t30 = (if t <= model.T_s { t21 * (t - t22 * t29) } else { model.omega_s });
-        let t31 = t27 * t30;
-        let t32 = t26 * t30;
-        let t33 = (if t <= model.T_s {
+        let t29 = (if t <= model.T_s {
+            t21 * (t - t22 * (t28 * t23.sin()))
+        } else {
+            model.omega_s
+        });
+        let t30 = t27 * t29;
+        let t31 = t26 * t29;
+        let t32 = (if t <= model.T_s {
             t21 * (1.0 - t22 * (t28 * (t24 * t28)))
         } else {
             0.0
         });
-        let t34 = t30 * t32 + t27 * t33;
-        let t35 = t26 * t33 - t30 * t31;
-        let t36 = (if t <= model.T_s { t21 * (t22 * (t28 * (t28 * t29))) } else { 0.0 });
-        let t37 = t32 * t33;
-        let t38 = t37 + t30 * t35 + (t37 + t27 * t36);
-        let t39 = t31 * t33;
-        let t40 = t26 * t36 - t39 - (t39 + t30 * t34);
+        let t33 = t29 * t31 + t27 * t32;
+        let t34 = t26 * t32 - t29 * t30;
         prescribed.position[0][0] = t26 * data.point[0] - t27 * data.point[1];
         prescribed.position[0][1] = t27 * data.point[0] + t26 * data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = -(data.point[0] * t31 + data.point[1] * t32);
-        prescribed.position[1][1] = data.point[0] * t32 - data.point[1] * t31;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = -(data.point[0] * t34 + data.point[1] * t35);
-        prescribed.position[2][1] = data.point[0] * t35 - data.point[1] * t34;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = -(data.point[0] * t38 + data.point[1] * t40);
-        prescribed.position[3][1] = data.point[0] * t40 - data.point[1] * t38;
-        prescribed.position[3][2] = 0.0;
+        prescribed.position[1][0] = -(data.point[0] * t30 + data.point[1] * t31);
+        prescribed.position[1][1] = data.point[0] * t31 - data.point[1] * t30;
+        prescribed.position[2][0] = -(data.point[0] * t33 + data.point[1] * t34);
+        prescribed.position[2][1] = data.point[0] * t34 - data.point[1] * t33;
         prescribed.slope[0][0] = t26 * data.tangent[0] - t27 * data.tangent[1];
         prescribed.slope[0][1] = t27 * data.tangent[0] + t26 * data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = -(data.tangent[0] * t31 + data.tangent[1] * t32);
-        prescribed.slope[1][1] = data.tangent[0] * t32 - data.tangent[1] * t31;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = -(data.tangent[0] * t34 + data.tangent[1] * t35);
-        prescribed.slope[2][1] = data.tangent[0] * t35 - data.tangent[1] * t34;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = -(data.tangent[0] * t38 + data.tangent[1] * t40);
-        prescribed.slope[3][1] = data.tangent[0] * t40 - data.tangent[1] * t38;
-        prescribed.slope[3][2] = 0.0;
+        prescribed.slope[1][0] = -(data.tangent[0] * t30 + data.tangent[1] * t31);
+        prescribed.slope[1][1] = data.tangent[0] * t31 - data.tangent[1] * t30;
+        prescribed.slope[2][0] = -(data.tangent[0] * t33 + data.tangent[1] * t34);
+        prescribed.slope[2][1] = data.tangent[0] * t34 - data.tangent[1] * t33;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     ///
@@ -1482,67 +1343,6 @@ pub mod spin_up_spatial_equations {
                 },
             ])
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
-                    body: 0,
-                    at_end: false,
-                    frame: 1,
-                    point: None,
-                },
-            ])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 2,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            3
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "hub"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 0] = [];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 1];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -1568,12 +1368,6 @@ pub mod spin_up_spatial_equations {
                 0.3,
                 "1",
             )?;
-            let damping = ::rncf::mesh::non_negative(
-                "material `aluminium`",
-                "damping",
-                0.0,
-                "s",
-            )?;
             let area = ::rncf::mesh::positive(
                 "section `tube`",
                 "area",
@@ -1591,23 +1385,8 @@ pub mod spin_up_spatial_equations {
                 EA: young * area,
                 EI: young * second_moment,
                 rhoA: density * area,
-                damping: damping,
             };
             Ok(())
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-            frame_hub(&self.model, t, &mut motions[1]);
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             cable_spatial_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
@@ -1758,27 +1537,18 @@ pub mod spin_up_spatial_equations {
                 ::rncf::mesh::array_mut(forces),
             );
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 1,
+                    point: None,
+                },
+            ])
         }
         fn condition(
             &self,
@@ -1806,39 +1576,7 @@ pub mod spin_up_spatial_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_root_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_root_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_root_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 (0, _) => {
@@ -1919,6 +1657,53 @@ pub mod spin_up_spatial_equations {
                 }
                 _ => {}
             }
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "hub"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 1];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+            frame_hub(&self.model, t, &mut motions[1]);
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
         }
     }
 }
