@@ -15,7 +15,7 @@ use crate::lower::initial::initial_kernel;
 use crate::lower::joints::{JointKernels, joint_kernels};
 pub use crate::lower::loads::Reduced;
 use crate::lower::{ElasticKernels, Kernel, Variant, elastic_kernels, loads, motions};
-use crate::model::{Body, BodyId, Expr, Fidelity, FrameId, INERTIAL, Joint, LoadKind, Model, Observable};
+use crate::model::{Body, BodyId, Expr, FrameId, INERTIAL, Joint, LoadKind, Model, Observable};
 
 /// An element variant with its kernels.
 pub struct VariantKernels {
@@ -345,7 +345,7 @@ fn conservative(model: &Model, variants: &[VariantKernels], variant_of: &[usize]
         force.energy.is_some() && !motions::varies(model, exprs)
     });
     let damps =
-        |(body, &variant): (&Body, &usize)| body.fidelity != Fidelity::Rigid && variants[variant].variant.damped;
+        |(body, &variant): (&Body, &usize)| body.fidelity.deforms() && variants[variant].variant.damped;
     loads
         && model.densities.is_empty()
         && forces

@@ -212,6 +212,7 @@ impl Parts<'_> {
             Fidelity::Modal(count) => format!("Modal({})", self.count(count)),
             Fidelity::Small(count) => format!("Small({})", self.count(count)),
             Fidelity::Rigid => "Rigid".to_string(),
+            Fidelity::Point => "Point".to_string(),
         }
     }
 
@@ -508,9 +509,15 @@ impl Parts<'_> {
             let levels = kernels.levels.iter().zip(LEVELS).filter_map(|(kernel, level)| {
                 let name = &kernel.as_ref()?.name;
                 let level = camel_case(level);
-                Some(format!("::rncf::system::ConstraintLevel::{level} => {name}(&self.model, t, data, q, v, a, rows),\n"))
+                Some(format!(
+                    "::rncf::system::ConstraintLevel::{level} => {name}(&self.model, t, data, q, v, a, rows),\n"
+                ))
             });
-            let rest = if kernels.levels.iter().all(Option::is_some) { "" } else { "_ => {}\n" };
+            let rest = if kernels.levels.iter().all(Option::is_some) {
+                ""
+            } else {
+                "_ => {}\n"
+            };
             format!("match level {{\n{}{rest}}}", levels.collect::<String>())
         });
         let jacobian = self.by_joint(|kernels| format!("{}(&self.model, t, data, jacobian);", kernels.jacobian.name));

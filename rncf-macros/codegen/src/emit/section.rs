@@ -32,7 +32,11 @@ impl Parts<'_> {
             for property in vocabulary {
                 // What is not given is no more than its default, and nothing reads it.
                 let default = property.default.map(Expr::Number);
-                if let Some(value) = body.properties.get(property.name).filter(|value| default.as_ref() != Some(value)) {
+                if let Some(value) = body
+                    .properties
+                    .get(property.name)
+                    .filter(|value| default.as_ref() != Some(value))
+                {
                     let value = check(property, kind, owner, &self.expr(value));
                     let _ = writeln!(text, "let {} = {value};", variable(property.name));
                 }

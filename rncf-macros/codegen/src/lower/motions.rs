@@ -292,7 +292,10 @@ pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
     }
     let declaration = &model.frames[frame.0];
     let count = if highest == 3 { "three" } else { "two" };
-    let title = format!("Motion of frame `{}` and its first {count} derivatives.", declaration.name);
+    let title = format!(
+        "Motion of frame `{}` and its first {count} derivatives.",
+        declaration.name
+    );
     let mut kernel = time.kernel(format!("frame_{}", declaration.name), title, outputs);
     kernel
         .arguments
