@@ -2,6 +2,20 @@
 
 /// Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank makes two and
 /// a half turns in 30 ms, while the triangle hardly moves.
+///
+/// # Chosen and left out
+///
+/// * Rigid body `k1` is free in three motions: two positions and an angle.
+/// * Rigid body `k2` is free in three motions: two positions and an angle.
+/// * Rigid body `k3` is free in three motions: two positions and an angle.
+/// * Rigid body `k4` is free in three motions: two positions and an angle.
+/// * Rigid body `k5` is free in three motions: two positions and an angle.
+/// * Rigid body `k6` is free in three motions: two positions and an angle.
+/// * Rigid body `k7` is free in three motions: two positions and an angle.
+/// * Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): 2 multipliers; linear in its vectors, no second derivatives.
+/// * Force `tension`: a potential; its tangents are derived.
+/// * Force `motor`: no potential; its tangents are derived.
+/// * Not declared, so that no function is written for it: flexible bodies, fixtures, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct AndrewsSqueezer {
@@ -150,6 +164,7 @@ impl ::rncf::Model for AndrewsSqueezer {
         "Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): 2 multipliers; linear in its vectors, no second derivatives.",
         "Force `tension`: a potential; its tangents are derived.",
         "Force `motor`: no potential; its tangents are derived.",
+        "Not declared, so that no function is written for it: flexible bodies, fixtures, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[

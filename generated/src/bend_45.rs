@@ -1,6 +1,15 @@
 //! Expansion of `models/src/bend_45.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// 45-degree bend (Bathe & Bolourchi 1979): a circular arc, clamped at one end, is loaded out of its plane at the other.
+///
+/// # Chosen and left out
+///
+/// * Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).
+/// * Body `bend` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+/// * Body `bend`: its material has no damping: no rates of strain and no damping matrix.
+/// * Body `bend` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `bend` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct Bend45 {
@@ -48,7 +57,10 @@ impl ::rncf::Model for Bend45 {
     const NOTES: &'static [&'static str] = &[
         "Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).",
         "Body `bend` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
+        "Body `bend`: its material has no damping: no rates of strain and no damping matrix.",
         "Body `bend` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `bend` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[

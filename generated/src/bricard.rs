@@ -2,6 +2,17 @@
 
 /// Bricard's mechanism: five rods and the ground, joined by six revolute joints into a spatial loop. Six joints take
 /// 30 freedoms of five bodies, but one of them twice: the loop moves.
+///
+/// # Chosen and left out
+///
+/// * Rigid body `p01` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Rigid body `p12` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Rigid body `p23` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Rigid body `p34` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Rigid body `p45` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Constraint `p0` (revolute), `p1` (revolute), `p2` (revolute), `p3` (revolute), `p4` (revolute): 5 multipliers; gradient and second derivatives are derived.
+/// * Constraint `p5` (universal): 4 multipliers; gradient and second derivatives are derived.
+/// * Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct Bricard {}
@@ -58,6 +69,7 @@ impl ::rncf::Model for Bricard {
         "Rigid body `p45` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Constraint `p0` (revolute), `p1` (revolute), `p2` (revolute), `p3` (revolute), `p4` (revolute): 5 multipliers; gradient and second derivatives are derived.",
         "Constraint `p5` (universal): 4 multipliers; gradient and second derivatives are derived.",
+        "Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[]

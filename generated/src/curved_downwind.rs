@@ -1,6 +1,17 @@
 //! Expansion of `models/src/curved_downwind.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Spin-up of a beam that is curved away from its motion (Ren & Yang 2021, section 4.1.2).
+///
+/// # Chosen and left out
+///
+/// * Body `beam` uses `beam_planar_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1967).
+/// * Body `beam` is planar: two components a vector, no motion along the normal.
+/// * Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.
+/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix.
+/// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct CurvedDownwind {
@@ -40,7 +51,6 @@ impl ::rncf::Model for CurvedDownwind {
     section tube {
         area = 0.7299 cm^2;
         second_moment = 0.8215 cm^4;
-        torsion_constant = 1.643 cm^4;
         shear_factor = 0.53;
     }
 
@@ -69,8 +79,12 @@ impl ::rncf::Model for CurvedDownwind {
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_planar_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1967).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",
-        "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear, twist and have rotary inertia.",
+        "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.",
+        "Body `beam`: its material has no damping: no rates of strain and no damping matrix.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -1268,12 +1282,6 @@ pub mod curved_downwind_equations {
                 8.215e-9,
                 "m^4",
             )?;
-            let torsion_constant = ::rncf::mesh::positive(
-                "section `tube`",
-                "torsion_constant",
-                1.643e-8,
-                "m^4",
-            )?;
             let shear_factor_y = ::rncf::mesh::positive(
                 "section `tube`",
                 "shear_factor_y",
@@ -1403,7 +1411,7 @@ pub mod curved_downwind_equations {
                 },
                 area: 7.299e-5,
                 second_moments: [8.215e-9, 8.215e-9],
-                torsion_constant: 1.643e-8,
+                torsion_constant: 0.0,
                 yield_stress: None,
                 material: "aluminium",
             }

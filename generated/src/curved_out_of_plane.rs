@@ -1,6 +1,16 @@
 //! Expansion of `models/src/curved_out_of_plane.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Spin-up of a beam that is curved along the axis of rotation (Ren & Yang 2021, section 4.1.2).
+///
+/// # Chosen and left out
+///
+/// * Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).
+/// * Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix.
+/// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct CurvedOutOfPlane {
@@ -69,7 +79,11 @@ impl ::rncf::Model for CurvedOutOfPlane {
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).",
         "Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
+        "Body `beam`: its material has no damping: no rates of strain and no damping matrix.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[

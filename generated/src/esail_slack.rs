@@ -2,6 +2,22 @@
 
 /// Electric solar wind sail at one astronomical unit whose tethers go slack instead of carrying compression: a wire of
 /// 628 m and 76 um buckles under 3e-12 N.
+///
+/// # Chosen and left out
+///
+/// * Body `main` uses `cable_spatial_slack`. Form: points unrolled (the cheapest; operations of force and tangent: points unrolled: 632 and 2395; loop over points: 677 and 2601; a loop counts 1.3 times).
+/// * Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+/// * Body `main`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `main` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+/// * Body `aux` uses `cable_spatial_slack`. Form: points unrolled (the cheapest; operations of force and tangent: points unrolled: 632 and 2395; loop over points: 677 and 2601; a loop counts 1.3 times).
+/// * Body `aux` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+/// * Body `aux`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+/// * Joint `hub`: its conditions are linear in the nodal vectors of `main` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Constraint `sun_x` (constraint), `sun_y` (constraint): 1 multiplier; gradient and second derivatives are derived.
+/// * Fixture `remote` adds constants to the inertia of `main` and no unknowns.
+/// * Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, kinks of motions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct EsailSlack {
@@ -143,12 +159,18 @@ impl ::rncf::Model for EsailSlack {
 }"#;
     const NOTES: &'static [&'static str] = &[
         "Body `main` uses `cable_spatial_slack`. Form: points unrolled (the cheapest; operations of force and tangent: points unrolled: 632 and 2395; loop over points: 677 and 2601; a loop counts 1.3 times).",
+        "Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
+        "Body `main`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `main` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
         "Body `aux` uses `cable_spatial_slack`. Form: points unrolled (the cheapest; operations of force and tangent: points unrolled: 632 and 2395; loop over points: 677 and 2601; a loop counts 1.3 times).",
+        "Body `aux` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
+        "Body `aux`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
+        "Joint `hub`: its conditions are linear in the nodal vectors of `main` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
         "Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Constraint `sun_x` (constraint), `sun_y` (constraint): 1 multiplier; gradient and second derivatives are derived.",
         "Fixture `remote` adds constants to the inertia of `main` and no unknowns.",
+        "Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, kinks of motions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[

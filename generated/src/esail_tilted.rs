@@ -4,6 +4,22 @@
 /// plane of the spin with the orbit (Toivanen & Janhunen 2013). The part of that thrust in the plane then changes the rate
 /// of spin by orbital_rate tan(tilt): slowly faster where the sail is driven along its orbit, slower where against it. The ring
 /// of auxiliary tethers has no such part, so that charging it takes the change away (TI tether rig, Janhunen & Toivanen 2016).
+///
+/// # Chosen and left out
+///
+/// * Body `main` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
+/// * Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+/// * Body `main`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `main` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+/// * Body `aux` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
+/// * Body `aux` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+/// * Body `aux`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+/// * Joint `hub`: its conditions are linear in the nodal vectors of `main` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Fixture `remote` adds constants to the inertia of `main` and no unknowns.
+/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+/// * Not declared, so that no function is written for it: constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, kinks of motions, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct EsailTilted {
@@ -159,11 +175,18 @@ impl ::rncf::Model for EsailTilted {
 }"#;
     const NOTES: &'static [&'static str] = &[
         "Body `main` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
+        "Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
+        "Body `main`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `main` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
         "Body `aux` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
+        "Body `aux` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
+        "Body `aux`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
+        "Joint `hub`: its conditions are linear in the nodal vectors of `main` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
         "Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Fixture `remote` adds constants to the inertia of `main` and no unknowns.",
+        "Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.",
+        "Not declared, so that no function is written for it: constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, kinks of motions, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[

@@ -1,6 +1,17 @@
 //! Expansion of `models/src/flyball_governor.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Flyball governor: two arms with balls on a spinning shaft, held by stiff, strongly damped springs on a slider.
+///
+/// # Chosen and left out
+///
+/// * Rigid body `shaft` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Rigid body `slider` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Rigid body `right` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Rigid body `left` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Constraint `foot` (revolute), `right_pin` (revolute), `left_pin` (revolute): 5 multipliers; gradient and second derivatives are derived.
+/// * Constraint `guide` (prismatic): 5 multipliers; gradient and second derivatives are derived.
+/// * Force `right_strut`, `left_strut`: no potential; its tangents are derived.
+/// * Not declared, so that no function is written for it: flexible bodies, fixtures, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct FlyballGovernor {
@@ -99,6 +110,7 @@ impl ::rncf::Model for FlyballGovernor {
         "Constraint `foot` (revolute), `right_pin` (revolute), `left_pin` (revolute): 5 multipliers; gradient and second derivatives are derived.",
         "Constraint `guide` (prismatic): 5 multipliers; gradient and second derivatives are derived.",
         "Force `right_strut`, `left_strut`: no potential; its tangents are derived.",
+        "Not declared, so that no function is written for it: flexible bodies, fixtures, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[

@@ -2,6 +2,16 @@
 
 /// N-four-bar linkage with N = 2: three upright links on the ground, two couplers, gravity. Where the links lie flat
 /// all rods are in line and the linkage could leave its parallelogram; it happens twice a turn.
+///
+/// # Chosen and left out
+///
+/// * Rigid body `link_0` is free in three motions: two positions and an angle.
+/// * Rigid body `link_1` is free in three motions: two positions and an angle.
+/// * Rigid body `link_2` is free in three motions: two positions and an angle.
+/// * Rigid body `coupler_1` is free in three motions: two positions and an angle.
+/// * Rigid body `coupler_2` is free in three motions: two positions and an angle.
+/// * Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): 2 multipliers; linear in its vectors, no second derivatives.
+/// * Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct FourBar {
@@ -70,6 +80,7 @@ impl ::rncf::Model for FourBar {
         "Rigid body `coupler_1` is free in three motions: two positions and an angle.",
         "Rigid body `coupler_2` is free in three motions: two positions and an angle.",
         "Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): 2 multipliers; linear in its vectors, no second derivatives.",
+        "Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[

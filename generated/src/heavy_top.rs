@@ -1,6 +1,12 @@
 //! Expansion of `models/src/heavy_top.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Heavy top: a spinning disc on a weightless arm, whose end stays at the origin (Bruls, Cardona & Arnold 2012).
+///
+/// # Chosen and left out
+///
+/// * Rigid body `top` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Constraint `pivot` (spherical): 3 multipliers; linear in its vectors, no second derivatives.
+/// * Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct HeavyTop {}
@@ -40,6 +46,7 @@ impl ::rncf::Model for HeavyTop {
     const NOTES: &'static [&'static str] = &[
         "Rigid body `top` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Constraint `pivot` (spherical): 3 multipliers; linear in its vectors, no second derivatives.",
+        "Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[]

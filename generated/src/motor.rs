@@ -2,6 +2,18 @@
 
 /// High-speed motor (Ren & Yang 2021, section 4.1.3): a shaft that is clamped in the motor and pinned at its far end
 /// carries an unbalanced disc in its middle.
+///
+/// # Chosen and left out
+///
+/// * Body `shaft` uses `beam_spatial_damped`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1929 and 23641).
+/// * Body `shaft` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+/// * Body `shaft`: its axis is straight: no stress-free curvature for each element.
+/// * Body `shaft` moves in the prescribed frame `rotor`: no unknowns for the frame, its reactions are evaluated.
+/// * Joint `drive_end`: its conditions are linear in the nodal vectors of `shaft` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Joint `far_end`: its conditions are linear in the nodal vectors of `shaft` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Fixture `disc` adds constants to the inertia of `shaft` and no unknowns.
+/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct Motor {
@@ -89,8 +101,13 @@ impl ::rncf::Model for Motor {
     const NOTES: &'static [&'static str] = &[
         "Body `shaft` uses `beam_spatial_damped`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1929 and 23641).",
         "Body `shaft` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
+        "Body `shaft`: its axis is straight: no stress-free curvature for each element.",
         "Body `shaft` moves in the prescribed frame `rotor`: no unknowns for the frame, its reactions are evaluated.",
+        "Joint `drive_end`: its conditions are linear in the nodal vectors of `shaft` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Joint `far_end`: its conditions are linear in the nodal vectors of `shaft` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
         "Fixture `disc` adds constants to the inertia of `shaft` and no unknowns.",
+        "Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[

@@ -1,6 +1,15 @@
 //! Expansion of `models/src/princeton_beam.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Princeton beam experiment: a cantilever strip under a dead load at its tip, at an angle to its principal axes.
+///
+/// # Chosen and left out
+///
+/// * Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).
+/// * Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PrincetonBeam {
@@ -58,7 +67,10 @@ impl ::rncf::Model for PrincetonBeam {
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).",
         "Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
+        "Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[

@@ -1,6 +1,20 @@
 //! Expansion of `models/src/right_angle_frame.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Right-angle frame under a dead load at its free end: it buckles out of its plane, with bending and torsion.
+///
+/// # Chosen and left out
+///
+/// * Body `first` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).
+/// * Body `first` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+/// * Body `first`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `first` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+/// * Body `second` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).
+/// * Body `second` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+/// * Body `second`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `second` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `first` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Constraint `corner` (weld): 6 multipliers; gradient and second derivatives are derived.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct RightAngleFrame {
@@ -64,11 +78,15 @@ impl ::rncf::Model for RightAngleFrame {
     const NOTES: &'static [&'static str] = &[
         "Body `first` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).",
         "Body `first` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
+        "Body `first`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `first` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
         "Body `second` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).",
         "Body `second` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
+        "Body `second`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `second` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `first` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
         "Constraint `corner` (weld): 6 multipliers; gradient and second derivatives are derived.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[

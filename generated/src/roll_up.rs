@@ -1,6 +1,16 @@
 //! Expansion of `models/src/roll_up.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Roll-up: an end moment of 2 pi EI/L bends a straight cantilever to a full circle.
+///
+/// # Chosen and left out
+///
+/// * Body `beam` uses `beam_planar`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1954).
+/// * Body `beam` is planar: two components a vector, no motion along the normal.
+/// * Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.
+/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct RollUp {
@@ -64,8 +74,11 @@ impl ::rncf::Model for RollUp {
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_planar`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1954).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",
-        "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear, twist and have rotary inertia.",
+        "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.",
+        "Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[

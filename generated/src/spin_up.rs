@@ -1,6 +1,17 @@
 //! Expansion of `models/src/spin_up.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Spin-up manoeuvre of a flexible beam (Ren & Yang 2021, section 4.1.1).
+///
+/// # Chosen and left out
+///
+/// * Body `beam` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).
+/// * Body `beam` is planar: two components a vector, no motion along the normal.
+/// * Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct SpinUp {
@@ -33,7 +44,7 @@ impl ::rncf::Model for SpinUp {
     /// Number of elements.
     param elements: count = 6;
 
-    material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; poisson = 0.3; }
+    material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
     section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
 
     /// Angle of the hub, Eq. (22).
@@ -59,7 +70,12 @@ impl ::rncf::Model for SpinUp {
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",
+        "Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
+        "Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -1183,12 +1199,6 @@ pub mod spin_up_equations {
                 "young",
                 68950000000.0,
                 "Pa",
-            )?;
-            let poisson = ::rncf::mesh::poisson(
-                "material `aluminium`",
-                "poisson",
-                0.3,
-                "1",
             )?;
             let area = ::rncf::mesh::positive(
                 "section `tube`",
