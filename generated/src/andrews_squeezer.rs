@@ -2,6 +2,21 @@
 
 /// Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank makes two and
 /// a half turns in 30 ms, while the triangle hardly moves.
+///
+/// # Chosen and left out
+///
+/// * Rigid body `k1` is free in three motions: two positions and an angle.
+/// * Rigid body `k2` is free in three motions: two positions and an angle.
+/// * Rigid body `k3` is free in three motions: two positions and an angle.
+/// * Rigid body `k4` is free in three motions: two positions and an angle.
+/// * Rigid body `k5` is free in three motions: two positions and an angle.
+/// * Rigid body `k6` is free in three motions: two positions and an angle.
+/// * Rigid body `k7` is free in three motions: two positions and an angle.
+/// * Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): 2 multipliers; linear in its vectors, no second derivatives.
+/// * Force `tension`: a potential; its tangents are derived.
+/// * Force `motor`: no potential; its tangents are derived.
+/// * Not declared, so that no function is written for it: flexible bodies, fixtures, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+/// * Energy-momentum integration: no forces that conserve energy are emitted, as force `motor` has no potential.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct AndrewsSqueezer {
@@ -150,6 +165,7 @@ impl ::rncf::Model for AndrewsSqueezer {
         "Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): 2 multipliers; linear in its vectors, no second derivatives.",
         "Force `tension`: a potential; its tangents are derived.",
         "Force `motor`: no potential; its tangents are derived.",
+        "Not declared, so that no function is written for it: flexible bodies, fixtures, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as force `motor` has no potential.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -566,8 +582,6 @@ pub mod andrews_squeezer_equations {
         let velocity = &velocity[..1];
         out[2] = model.torque;
     }
-    /// Times at which a derivative of a motion or load may jump (s).
-    pub fn kinks(model: &super::AndrewsSqueezer, kinks: &mut [f64; 0]) {}
     /// Output columns from what they observe.
     ///
     /// Operations: 3 additions, 0 multiplications.
@@ -604,18 +618,6 @@ pub mod andrews_squeezer_equations {
         }
     }
     impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
         fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -665,160 +667,14 @@ pub mod andrews_squeezer_equations {
         fn frame_name(&self, frame: usize) -> &'static str {
             ["inertial", "k1", "k2", "k3", "k4", "k5", "k6", "k7"][frame]
         }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 0] = [];
-            VARIES[load]
-        }
         fn conservative(&self) -> bool {
             false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 0];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
-        fn prepare(
-            &mut self,
-            body: usize,
-            length: f64,
-            shape: &[f64],
-        ) -> ::std::result::Result<(), ::rncf::ModelError> {
-            let model = &self.model;
-            Ok(())
         }
         fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
             motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
         }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                _ => {}
-            }
-            value
-        }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
-        }
-        fn mass(&self, body: usize, mass: &mut [f64]) {}
-        fn elastic_force(
-            &self,
-            body: usize,
-            element: usize,
-            q: &[f64],
-            v: &[f64],
-            force: &mut [f64],
-        ) {}
-        fn elastic_tangent(
-            &self,
-            body: usize,
-            element: usize,
-            q: &[f64],
-            v: &[f64],
-            stiffness: &mut [f64],
-            damping: &mut [f64],
-        ) {}
-        fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
-            let mut energy = 0.0;
-            energy
-        }
-        fn shapes(
-            &self,
-            body: usize,
-            of: ::rncf::mesh::Interpolant,
-            order: usize,
-            xi: f64,
-            weights: &mut [f64],
-        ) {
-            weights.fill(0.0);
-        }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("force `motor` has no potential")
-        }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
-            let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::General {
-                    extent: [None, None],
-                },
-                area: 0.0,
-                second_moments: [0.0; 2],
-                torsion_constant: 0.0,
-                yield_stress: None,
-                material: "",
-            }
-        }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
-            &[]
-        }
-        fn field_forces(
-            &self,
-            body: usize,
-            stress_free: &[f64],
-            fields: &[f64],
-            rates: &[f64],
-            forces: &mut [f64],
-        ) {}
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn condition(
-            &self,
-            joint: usize,
-            absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            q: &[f64],
-            v: &[f64],
-            a: &[f64],
-            rows: &mut [f64],
-        ) {
-            match (joint, absolute) {
-                _ => {}
-            }
-        }
-        fn condition_jacobian(
-            &self,
-            joint: usize,
-            absolute: bool,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            jacobian: &mut [f64],
-        ) {
-            match (joint, absolute) {
-                _ => {}
-            }
-        }
-        fn prescribed(
-            &self,
-            joint: usize,
-            absolute: bool,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
-        ) {
-            match (joint, absolute) {
-                _ => {}
-            }
         }
         fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
             let still = ::rncf::mesh::FreeSpec {
@@ -1137,32 +993,6 @@ pub mod andrews_squeezer_equations {
                 0 | 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9 => {
                     constraint_gradient_o(&self.model, t, z, gradient)
                 }
-                _ => {}
-            }
-        }
-        fn marker_constraint_rate_gradient(
-            &self,
-            constraint: usize,
-            t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
-            gradient: &mut [f64],
-        ) {
-            gradient.fill(0.0);
-            match constraint {
-                _ => {}
-            }
-        }
-        fn marker_constraint_hessian(
-            &self,
-            constraint: usize,
-            t: f64,
-            z: &[[f64; 3]],
-            lambda: &[f64],
-            hessian: &mut [f64],
-        ) {
-            hessian.fill(0.0);
-            match constraint {
                 _ => {}
             }
         }

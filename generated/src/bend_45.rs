@@ -1,6 +1,16 @@
 //! Expansion of `models/src/bend_45.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// 45-degree bend (Bathe & Bolourchi 1979): a circular arc, clamped at one end, is loaded out of its plane at the other.
+///
+/// # Chosen and left out
+///
+/// * Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).
+/// * Body `bend` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+/// * Body `bend`: its material has no damping: no rates of strain and no damping matrix.
+/// * Body `bend` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `bend` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+/// * Energy-momentum integration: forces between two states that conserve energy are derived.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct Bend45 {
@@ -48,7 +58,10 @@ impl ::rncf::Model for Bend45 {
     const NOTES: &'static [&'static str] = &[
         "Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).",
         "Body `bend` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
+        "Body `bend`: its material has no damping: no rates of strain and no damping matrix.",
         "Body `bend` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `bend` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: forces between two states that conserve energy are derived.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -176,8 +189,6 @@ pub mod bend45_equations {
         pub rhoIz: f64,
         /// density * second_moment_y, kg m.
         pub rhoIy: f64,
-        /// Damping of the strain measures, s.
-        pub damping: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY, SectionZ.
     static BEAM_SPATIAL_CURVED_VECTORS: ::rncf::mesh::Vectors<10, 3, 3, 3> = ::rncf::mesh::Vectors {
@@ -1301,22 +1312,6 @@ pub mod bend45_equations {
         weights[6] = t14 * (xi * (6.0 + xi * (-6.0)));
         weights[7] = xi * (t15 + (-2.0));
     }
-    /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 4 additions, 8 multiplications, 2 divisions.
-    pub fn beam_spatial_curved_shapes_position_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 10],
-    ) {
-        let t14 = 1.0 / (length * length);
-        let t15 = xi * 6.0;
-        let t16 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t14;
-        weights[1] = (-4.0 + t15) * t16;
-        weights[6] = t14 * (6.0 + xi * (-12.0));
-        weights[7] = t16 * (t15 + (-2.0));
-    }
     /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 5 multiplications.
@@ -1344,20 +1339,6 @@ pub mod bend45_equations {
         weights[4] = t15 * (4.0 + xi * (-8.0));
         weights[8] = t15 * (t14 + (-1.0));
     }
-    /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 0 additions, 3 multiplications, 1 divisions.
-    pub fn beam_spatial_curved_shapes_section_y_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 10],
-    ) {
-        let t13 = 1.0 / (length * length);
-        let t14 = 4.0 * t13;
-        weights[2] = t14;
-        weights[4] = t13 * (-8.0);
-        weights[8] = t14;
-    }
     /// Weights of the nodal vectors in the section's z axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 5 multiplications.
@@ -1384,20 +1365,6 @@ pub mod bend45_equations {
         weights[3] = (-3.0 + t14) * t15;
         weights[5] = t15 * (4.0 + xi * (-8.0));
         weights[9] = t15 * (t14 + (-1.0));
-    }
-    /// Weights of the nodal vectors in d2/dx2 of the section's z axis at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 0 additions, 3 multiplications, 1 divisions.
-    pub fn beam_spatial_curved_shapes_section_z_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 10],
-    ) {
-        let t13 = 1.0 / (length * length);
-        let t14 = 4.0 * t13;
-        weights[3] = t14;
-        weights[5] = t13 * (-8.0);
-        weights[9] = t14;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -2291,66 +2258,6 @@ pub mod bend45_equations {
         rows[6] = data.second[2][0] * q[6] + data.second[2][1] * q[7]
             + data.second[2][2] * q[8];
     }
-    /// Joint `root`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_absolute_velocity(
-        model: &super::Bend45,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-        rows[5] = 0.0;
-        rows[6] = 0.0;
-    }
-    /// Joint `root`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_absolute_acceleration(
-        model: &super::Bend45,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-        rows[5] = 0.0;
-        rows[6] = 0.0;
-    }
-    /// Joint `root`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_absolute_jerk(
-        model: &super::Bend45,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-        rows[5] = 0.0;
-        rows[6] = 0.0;
-    }
     /// Joint `root`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -2361,70 +2268,22 @@ pub mod bend45_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = 1.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
-        jacobian[14] = 0.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
         jacobian[20] = 1.0;
-        jacobian[21] = 0.0;
-        jacobian[22] = 0.0;
-        jacobian[23] = 0.0;
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
-        jacobian[27] = 0.0;
-        jacobian[28] = 0.0;
-        jacobian[29] = 0.0;
         jacobian[30] = data.normals[0][0];
         jacobian[31] = data.normals[0][1];
         jacobian[32] = data.normals[0][2];
-        jacobian[33] = 0.0;
-        jacobian[34] = 0.0;
-        jacobian[35] = 0.0;
-        jacobian[36] = 0.0;
-        jacobian[37] = 0.0;
-        jacobian[38] = 0.0;
         jacobian[39] = data.normals[1][0];
         jacobian[40] = data.normals[1][1];
         jacobian[41] = data.normals[1][2];
-        jacobian[42] = 0.0;
-        jacobian[43] = 0.0;
-        jacobian[44] = 0.0;
-        jacobian[45] = 0.0;
-        jacobian[46] = 0.0;
-        jacobian[47] = 0.0;
-        jacobian[48] = 0.0;
-        jacobian[49] = 0.0;
-        jacobian[50] = 0.0;
         jacobian[51] = data.second[1][0];
         jacobian[52] = data.second[1][1];
         jacobian[53] = data.second[1][2];
-        jacobian[54] = 0.0;
-        jacobian[55] = 0.0;
-        jacobian[56] = 0.0;
-        jacobian[57] = 0.0;
-        jacobian[58] = 0.0;
-        jacobian[59] = 0.0;
         jacobian[60] = data.second[2][0];
         jacobian[61] = data.second[2][1];
         jacobian[62] = data.second[2][2];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_absolute_prescribed(
@@ -2436,42 +2295,13 @@ pub mod bend45_equations {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
-        prescribed.slope[3][2] = 0.0;
         prescribed.second[0][0] = data.second[0][0];
         prescribed.second[0][1] = data.second[0][1];
         prescribed.second[0][2] = data.second[0][2];
-        prescribed.second[1][0] = 0.0;
-        prescribed.second[1][1] = 0.0;
-        prescribed.second[1][2] = 0.0;
-        prescribed.second[2][0] = 0.0;
-        prescribed.second[2][1] = 0.0;
-        prescribed.second[2][2] = 0.0;
-        prescribed.second[3][0] = 0.0;
-        prescribed.second[3][1] = 0.0;
-        prescribed.second[3][2] = 0.0;
     }
-    /// Times at which a derivative of a motion or load may jump (s).
-    pub fn kinks(model: &super::Bend45, kinks: &mut [f64; 0]) {}
     /// Output columns from what they observe.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -2594,76 +2424,6 @@ pub mod bend45_equations {
                 },
             ])
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
-                    body: 0,
-                    at_end: false,
-                    frame: 0,
-                    point: None,
-                },
-            ])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
-                    name: "pull",
-                    kind: ::rncf::mesh::LoadKind::Force {
-                        body: 0,
-                        at: ::rncf::mesh::Place::End,
-                    },
-                    frame: 0,
-                },
-            ])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 2,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            3
-        }
-        fn frame_count(&self) -> usize {
-            1
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 1] = [false];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            true
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 0];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -2684,12 +2444,6 @@ pub mod bend45_equations {
                 "Pa",
             )?;
             let poisson = ::rncf::mesh::poisson("material `soft`", "poisson", 0.0, "1")?;
-            let damping = ::rncf::mesh::non_negative(
-                "material `soft`",
-                "damping",
-                0.0,
-                "s",
-            )?;
             let area = ::rncf::mesh::positive("section `square`", "area", 1.0, "m^2")?;
             let second_moment_y = ::rncf::mesh::positive(
                 "section `square`",
@@ -2738,7 +2492,6 @@ pub mod bend45_equations {
                 rhoA: density * area,
                 rhoIz: density * second_moment_z,
                 rhoIy: density * second_moment_y,
-                damping: damping,
             };
             self.reference_bend = shape
                 .chunks_exact(30)
@@ -2753,20 +2506,6 @@ pub mod bend45_equations {
                 })
                 .collect();
             Ok(())
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                0 => load_pull(&self.model, t, &mut value),
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             beam_spatial_curved_mass(&self.row_bend, ::rncf::mesh::array_mut(mass));
@@ -2836,13 +2575,6 @@ pub mod bend45_equations {
                         ::rncf::mesh::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 2) => {
-                    beam_spatial_curved_shapes_position_2(
-                        self.row_bend.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
                 (::rncf::mesh::Interpolant::SectionY, 0) => {
                     beam_spatial_curved_shapes_section_y_0(
                         self.row_bend.length,
@@ -2857,13 +2589,6 @@ pub mod bend45_equations {
                         ::rncf::mesh::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 2) => {
-                    beam_spatial_curved_shapes_section_y_2(
-                        self.row_bend.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
                 (::rncf::mesh::Interpolant::SectionZ, 0) => {
                     beam_spatial_curved_shapes_section_z_0(
                         self.row_bend.length,
@@ -2873,13 +2598,6 @@ pub mod bend45_equations {
                 }
                 (::rncf::mesh::Interpolant::SectionZ, 1) => {
                     beam_spatial_curved_shapes_section_z_1(
-                        self.row_bend.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
-                (::rncf::mesh::Interpolant::SectionZ, 2) => {
-                    beam_spatial_curved_shapes_section_z_2(
                         self.row_bend.length,
                         xi,
                         ::rncf::mesh::array_mut(weights),
@@ -2960,27 +2678,18 @@ pub mod bend45_equations {
                 ::rncf::mesh::array_mut(forces),
             );
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 0,
+                    point: None,
+                },
+            ])
         }
         fn condition(
             &self,
@@ -3008,31 +2717,7 @@ pub mod bend45_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_root_absolute_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_root_absolute_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_root_absolute_jerk(&self.model, t, data, q, v, a, rows)
-                        }
+                        _ => {}
                     }
                 }
                 _ => {}
@@ -3067,6 +2752,72 @@ pub mod bend45_equations {
                 }
                 _ => {}
             }
+        }
+        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::LoadSpec {
+                    name: "pull",
+                    kind: ::rncf::mesh::LoadKind::Force {
+                        body: 0,
+                        at: ::rncf::mesh::Place::End,
+                    },
+                    frame: 0,
+                },
+            ])
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 1] = [false];
+            VARIES[load]
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                0 => load_pull(&self.model, t, &mut value),
+                _ => {}
+            }
+            value
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            1
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial"][frame]
+        }
+        fn conservative(&self) -> bool {
+            true
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
         }
     }
 }

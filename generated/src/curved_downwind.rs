@@ -1,6 +1,18 @@
 //! Expansion of `models/src/curved_downwind.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Spin-up of a beam that is curved away from its motion (Ren & Yang 2021, section 4.1.2).
+///
+/// # Chosen and left out
+///
+/// * Body `beam` uses `beam_planar_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1967).
+/// * Body `beam` is planar: two components a vector, no motion along the normal.
+/// * Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.
+/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix.
+/// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
+/// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct CurvedDownwind {
@@ -40,7 +52,6 @@ impl ::rncf::Model for CurvedDownwind {
     section tube {
         area = 0.7299 cm^2;
         second_moment = 0.8215 cm^4;
-        torsion_constant = 1.643 cm^4;
         shear_factor = 0.53;
     }
 
@@ -69,8 +80,12 @@ impl ::rncf::Model for CurvedDownwind {
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_planar_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1967).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",
-        "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear, twist and have rotary inertia.",
+        "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.",
+        "Body `beam`: its material has no damping: no rates of strain and no damping matrix.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -197,8 +212,6 @@ pub mod curved_downwind_equations {
         pub rhoA: f64,
         /// density * second_moment_z, kg m.
         pub rhoIz: f64,
-        /// Damping of the strain measures, s.
-        pub damping: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY.
     static BEAM_PLANAR_CURVED_VECTORS: ::rncf::mesh::Vectors<7, 2, 2, 3> = ::rncf::mesh::Vectors {
@@ -730,22 +743,6 @@ pub mod curved_downwind_equations {
         weights[4] = t14 * (xi * (6.0 + xi * (-6.0)));
         weights[5] = xi * (t15 + (-2.0));
     }
-    /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 4 additions, 8 multiplications, 2 divisions.
-    pub fn beam_planar_curved_shapes_position_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 7],
-    ) {
-        let t14 = 1.0 / (length * length);
-        let t15 = xi * 6.0;
-        let t16 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t14;
-        weights[1] = (-4.0 + t15) * t16;
-        weights[4] = t14 * (6.0 + xi * (-12.0));
-        weights[5] = t16 * (t15 + (-2.0));
-    }
     /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 5 multiplications.
@@ -772,20 +769,6 @@ pub mod curved_downwind_equations {
         weights[2] = (-3.0 + t14) * t15;
         weights[3] = t15 * (4.0 + xi * (-8.0));
         weights[6] = t15 * (t14 + (-1.0));
-    }
-    /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 0 additions, 3 multiplications, 1 divisions.
-    pub fn beam_planar_curved_shapes_section_y_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 7],
-    ) {
-        let t13 = 1.0 / (length * length);
-        let t14 = 4.0 * t13;
-        weights[2] = t14;
-        weights[3] = t13 * (-8.0);
-        weights[6] = t14;
     }
     /// Writes the forces on the fields a, b, db at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -823,9 +806,9 @@ pub mod curved_downwind_equations {
         forces[4] = fields[0] * t33 + fields[2] * t34;
         forces[5] = fields[1] * t33 + fields[3] * t34;
     }
-    /// Motion of frame `hub` and its first three derivatives.
+    /// Motion of frame `hub` and its first two derivatives.
     ///
-    /// Operations: 9 additions, 17 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
     pub fn frame_hub(
         model: &super::CurvedDownwind,
         t: f64,
@@ -844,9 +827,8 @@ pub mod curved_downwind_equations {
         let t20 = theta.cos();
         let t21 = theta.sin();
         let t22 = 6.283185307179586 / model.T_s;
-        let t23 = t22 * t17.sin();
         let theta_t = (if t <= model.T_s {
-            t15 * (t - t16 * t23)
+            t15 * (t - t16 * (t22 * t17.sin()))
         } else {
             model.omega_s
         });
@@ -855,14 +837,8 @@ pub mod curved_downwind_equations {
         } else {
             0.0
         });
-        let theta_t_t_t = (if t <= model.T_s {
-            t15 * (t16 * (t22 * (t22 * t23)))
-        } else {
-            0.0
-        });
         motion.spin[2] = theta_t;
         motion.spin_rate[2] = theta_t_t;
-        motion.spin_jerk[2] = theta_t_t_t;
         motion.rotation[0][0] = t20;
         motion.rotation[0][1] = -t21;
         motion.rotation[1][0] = t21;
@@ -884,54 +860,6 @@ pub mod curved_downwind_equations {
         rows[1] = q[1] - data.point[1];
         rows[2] = data.normals[0][0] * q[2] + data.normals[0][1] * q[3];
     }
-    /// Joint `root`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_velocity(
-        model: &super::CurvedDownwind,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
-    /// Joint `root`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_acceleration(
-        model: &super::CurvedDownwind,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
-    /// Joint `root`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_jerk(
-        model: &super::CurvedDownwind,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
     /// Joint `root`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -942,19 +870,11 @@ pub mod curved_downwind_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
         jacobian[5] = 1.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = data.normals[0][0];
         jacobian[11] = data.normals[0][1];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
@@ -965,20 +885,8 @@ pub mod curved_downwind_equations {
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -1167,21 +1075,13 @@ pub mod curved_downwind_equations {
         let t19 = theta.cos();
         let t20 = theta.sin();
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
         jacobian[5] = 1.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = t19 * data.normals[0][0] - t20 * data.normals[0][1];
         jacobian[11] = t20 * data.normals[0][0] + t19 * data.normals[0][1];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
-    /// Operations: 33 additions, 61 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 22 additions, 43 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_prescribed(
         model: &super::CurvedDownwind,
         t: f64,
@@ -1200,38 +1100,32 @@ pub mod curved_downwind_equations {
         let t24 = theta.cos();
         let t25 = theta.sin();
         let t26 = 6.283185307179586 / model.T_s;
-        let t27 = t26 * t21.sin();
-        let t28 = (if t <= model.T_s { t19 * (t - t20 * t27) } else { model.omega_s });
-        let t29 = t25 * t28;
-        let t30 = t24 * t28;
-        let t31 = (if t <= model.T_s {
+        let t27 = (if t <= model.T_s {
+            t19 * (t - t20 * (t26 * t21.sin()))
+        } else {
+            model.omega_s
+        });
+        let t28 = t25 * t27;
+        let t29 = t24 * t27;
+        let t30 = (if t <= model.T_s {
             t19 * (1.0 - t20 * (t26 * (t22 * t26)))
         } else {
             0.0
         });
-        let t32 = t28 * t30 + t25 * t31;
-        let t33 = t24 * t31 - t28 * t29;
-        let t34 = (if t <= model.T_s { t19 * (t20 * (t26 * (t26 * t27))) } else { 0.0 });
-        let t35 = t30 * t31;
-        let t36 = t35 + t28 * t33 + (t35 + t25 * t34);
-        let t37 = t29 * t31;
-        let t38 = t24 * t34 - t37 - (t37 + t28 * t32);
+        let t31 = t27 * t29 + t25 * t30;
+        let t32 = t24 * t30 - t27 * t28;
         prescribed.position[0][0] = t24 * data.point[0] - t25 * data.point[1];
         prescribed.position[0][1] = t25 * data.point[0] + t24 * data.point[1];
-        prescribed.position[1][0] = -(data.point[0] * t29 + data.point[1] * t30);
-        prescribed.position[1][1] = data.point[0] * t30 - data.point[1] * t29;
-        prescribed.position[2][0] = -(data.point[0] * t32 + data.point[1] * t33);
-        prescribed.position[2][1] = data.point[0] * t33 - data.point[1] * t32;
-        prescribed.position[3][0] = -(data.point[0] * t36 + data.point[1] * t38);
-        prescribed.position[3][1] = data.point[0] * t38 - data.point[1] * t36;
+        prescribed.position[1][0] = -(data.point[0] * t28 + data.point[1] * t29);
+        prescribed.position[1][1] = data.point[0] * t29 - data.point[1] * t28;
+        prescribed.position[2][0] = -(data.point[0] * t31 + data.point[1] * t32);
+        prescribed.position[2][1] = data.point[0] * t32 - data.point[1] * t31;
         prescribed.slope[0][0] = t24 * data.tangent[0] - t25 * data.tangent[1];
         prescribed.slope[0][1] = t25 * data.tangent[0] + t24 * data.tangent[1];
-        prescribed.slope[1][0] = -(data.tangent[0] * t29 + data.tangent[1] * t30);
-        prescribed.slope[1][1] = data.tangent[0] * t30 - data.tangent[1] * t29;
-        prescribed.slope[2][0] = -(data.tangent[0] * t32 + data.tangent[1] * t33);
-        prescribed.slope[2][1] = data.tangent[0] * t33 - data.tangent[1] * t32;
-        prescribed.slope[3][0] = -(data.tangent[0] * t36 + data.tangent[1] * t38);
-        prescribed.slope[3][1] = data.tangent[0] * t38 - data.tangent[1] * t36;
+        prescribed.slope[1][0] = -(data.tangent[0] * t28 + data.tangent[1] * t29);
+        prescribed.slope[1][1] = data.tangent[0] * t29 - data.tangent[1] * t28;
+        prescribed.slope[2][0] = -(data.tangent[0] * t31 + data.tangent[1] * t32);
+        prescribed.slope[2][1] = data.tangent[0] * t32 - data.tangent[1] * t31;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     ///
@@ -1348,61 +1242,6 @@ pub mod curved_downwind_equations {
                 },
             ])
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
-                    body: 0,
-                    at_end: false,
-                    frame: 1,
-                    point: None,
-                },
-            ])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            3
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "hub"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 0] = [];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 1];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -1428,12 +1267,6 @@ pub mod curved_downwind_equations {
                 0.3,
                 "1",
             )?;
-            let damping = ::rncf::mesh::non_negative(
-                "material `aluminium`",
-                "damping",
-                0.0,
-                "s",
-            )?;
             let area = ::rncf::mesh::positive(
                 "section `tube`",
                 "area",
@@ -1450,12 +1283,6 @@ pub mod curved_downwind_equations {
                 "section `tube`",
                 "second_moment_z",
                 8.215e-9,
-                "m^4",
-            )?;
-            let torsion_constant = ::rncf::mesh::positive(
-                "section `tube`",
-                "torsion_constant",
-                1.643e-8,
                 "m^4",
             )?;
             let shear_factor_y = ::rncf::mesh::positive(
@@ -1479,7 +1306,6 @@ pub mod curved_downwind_equations {
                 GIz: shear_modulus * second_moment_z,
                 rhoA: density * area,
                 rhoIz: density * second_moment_z,
-                damping: damping,
             };
             self.reference_beam = shape
                 .chunks_exact(14)
@@ -1494,20 +1320,6 @@ pub mod curved_downwind_equations {
                 })
                 .collect();
             Ok(())
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-            frame_hub(&self.model, t, &mut motions[1]);
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             beam_planar_curved_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
@@ -1577,13 +1389,6 @@ pub mod curved_downwind_equations {
                         ::rncf::mesh::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 2) => {
-                    beam_planar_curved_shapes_position_2(
-                        self.row_beam.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
                 (::rncf::mesh::Interpolant::SectionY, 0) => {
                     beam_planar_curved_shapes_section_y_0(
                         self.row_beam.length,
@@ -1593,13 +1398,6 @@ pub mod curved_downwind_equations {
                 }
                 (::rncf::mesh::Interpolant::SectionY, 1) => {
                     beam_planar_curved_shapes_section_y_1(
-                        self.row_beam.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
-                (::rncf::mesh::Interpolant::SectionY, 2) => {
-                    beam_planar_curved_shapes_section_y_2(
                         self.row_beam.length,
                         xi,
                         ::rncf::mesh::array_mut(weights),
@@ -1619,7 +1417,7 @@ pub mod curved_downwind_equations {
                 },
                 area: 7.299e-5,
                 second_moments: [8.215e-9, 8.215e-9],
-                torsion_constant: 1.643e-8,
+                torsion_constant: 0.0,
                 yield_stress: None,
                 material: "aluminium",
             }
@@ -1646,27 +1444,18 @@ pub mod curved_downwind_equations {
                 ::rncf::mesh::array_mut(forces),
             );
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 1,
+                    point: None,
+                },
+            ])
         }
         fn condition(
             &self,
@@ -1694,39 +1483,7 @@ pub mod curved_downwind_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_root_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_root_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_root_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 (0, _) => {
@@ -1807,6 +1564,47 @@ pub mod curved_downwind_equations {
                 }
                 _ => {}
             }
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "hub"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 1];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+            frame_hub(&self.model, t, &mut motions[1]);
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
         }
     }
 }

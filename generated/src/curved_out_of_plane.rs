@@ -1,6 +1,17 @@
 //! Expansion of `models/src/curved_out_of_plane.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Spin-up of a beam that is curved along the axis of rotation (Ren & Yang 2021, section 4.1.2).
+///
+/// # Chosen and left out
+///
+/// * Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).
+/// * Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix.
+/// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
+/// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct CurvedOutOfPlane {
@@ -69,7 +80,11 @@ impl ::rncf::Model for CurvedOutOfPlane {
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).",
         "Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
+        "Body `beam`: its material has no damping: no rates of strain and no damping matrix.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -208,8 +223,6 @@ pub mod curved_out_of_plane_equations {
         pub rhoIz: f64,
         /// density * second_moment_y, kg m.
         pub rhoIy: f64,
-        /// Damping of the strain measures, s.
-        pub damping: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY, SectionZ.
     static BEAM_SPATIAL_CURVED_VECTORS: ::rncf::mesh::Vectors<10, 3, 3, 3> = ::rncf::mesh::Vectors {
@@ -1279,22 +1292,6 @@ pub mod curved_out_of_plane_equations {
         weights[6] = t14 * (xi * (6.0 + xi * (-6.0)));
         weights[7] = xi * (t15 + (-2.0));
     }
-    /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 4 additions, 8 multiplications, 2 divisions.
-    pub fn beam_spatial_curved_shapes_position_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 10],
-    ) {
-        let t14 = 1.0 / (length * length);
-        let t15 = xi * 6.0;
-        let t16 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t14;
-        weights[1] = (-4.0 + t15) * t16;
-        weights[6] = t14 * (6.0 + xi * (-12.0));
-        weights[7] = t16 * (t15 + (-2.0));
-    }
     /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 5 multiplications.
@@ -1322,20 +1319,6 @@ pub mod curved_out_of_plane_equations {
         weights[4] = t15 * (4.0 + xi * (-8.0));
         weights[8] = t15 * (t14 + (-1.0));
     }
-    /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 0 additions, 3 multiplications, 1 divisions.
-    pub fn beam_spatial_curved_shapes_section_y_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 10],
-    ) {
-        let t13 = 1.0 / (length * length);
-        let t14 = 4.0 * t13;
-        weights[2] = t14;
-        weights[4] = t13 * (-8.0);
-        weights[8] = t14;
-    }
     /// Weights of the nodal vectors in the section's z axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 5 multiplications.
@@ -1362,20 +1345,6 @@ pub mod curved_out_of_plane_equations {
         weights[3] = (-3.0 + t14) * t15;
         weights[5] = t15 * (4.0 + xi * (-8.0));
         weights[9] = t15 * (t14 + (-1.0));
-    }
-    /// Weights of the nodal vectors in d2/dx2 of the section's z axis at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 0 additions, 3 multiplications, 1 divisions.
-    pub fn beam_spatial_curved_shapes_section_z_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 10],
-    ) {
-        let t13 = 1.0 / (length * length);
-        let t14 = 4.0 * t13;
-        weights[3] = t14;
-        weights[5] = t13 * (-8.0);
-        weights[9] = t14;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -1491,9 +1460,9 @@ pub mod curved_out_of_plane_equations {
         forces[13] = fields[1] * t70 - t72 * (fields[4] * 0.5) + fields[7] * t82;
         forces[14] = fields[2] * t70 - t72 * (fields[5] * 0.5) + fields[8] * t82;
     }
-    /// Motion of frame `hub` and its first three derivatives.
+    /// Motion of frame `hub` and its first two derivatives.
     ///
-    /// Operations: 9 additions, 17 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
     pub fn frame_hub(
         model: &super::CurvedOutOfPlane,
         t: f64,
@@ -1512,9 +1481,8 @@ pub mod curved_out_of_plane_equations {
         let t20 = theta.cos();
         let t21 = theta.sin();
         let t22 = 6.283185307179586 / model.T_s;
-        let t23 = t22 * t17.sin();
         let theta_t = (if t <= model.T_s {
-            t15 * (t - t16 * t23)
+            t15 * (t - t16 * (t22 * t17.sin()))
         } else {
             model.omega_s
         });
@@ -1523,14 +1491,8 @@ pub mod curved_out_of_plane_equations {
         } else {
             0.0
         });
-        let theta_t_t_t = (if t <= model.T_s {
-            t15 * (t16 * (t22 * (t22 * t23)))
-        } else {
-            0.0
-        });
         motion.spin[2] = theta_t;
         motion.spin_rate[2] = theta_t_t;
-        motion.spin_jerk[2] = theta_t_t_t;
         motion.rotation[0][0] = t20;
         motion.rotation[0][1] = -t21;
         motion.rotation[1][0] = t21;
@@ -1560,66 +1522,6 @@ pub mod curved_out_of_plane_equations {
         rows[6] = data.second[2][0] * q[6] + data.second[2][1] * q[7]
             + data.second[2][2] * q[8];
     }
-    /// Joint `root`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_velocity(
-        model: &super::CurvedOutOfPlane,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-        rows[5] = 0.0;
-        rows[6] = 0.0;
-    }
-    /// Joint `root`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_acceleration(
-        model: &super::CurvedOutOfPlane,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-        rows[5] = 0.0;
-        rows[6] = 0.0;
-    }
-    /// Joint `root`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_jerk(
-        model: &super::CurvedOutOfPlane,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-        rows[5] = 0.0;
-        rows[6] = 0.0;
-    }
     /// Joint `root`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -1630,70 +1532,22 @@ pub mod curved_out_of_plane_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = 1.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
-        jacobian[14] = 0.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
         jacobian[20] = 1.0;
-        jacobian[21] = 0.0;
-        jacobian[22] = 0.0;
-        jacobian[23] = 0.0;
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
-        jacobian[27] = 0.0;
-        jacobian[28] = 0.0;
-        jacobian[29] = 0.0;
         jacobian[30] = data.normals[0][0];
         jacobian[31] = data.normals[0][1];
         jacobian[32] = data.normals[0][2];
-        jacobian[33] = 0.0;
-        jacobian[34] = 0.0;
-        jacobian[35] = 0.0;
-        jacobian[36] = 0.0;
-        jacobian[37] = 0.0;
-        jacobian[38] = 0.0;
         jacobian[39] = data.normals[1][0];
         jacobian[40] = data.normals[1][1];
         jacobian[41] = data.normals[1][2];
-        jacobian[42] = 0.0;
-        jacobian[43] = 0.0;
-        jacobian[44] = 0.0;
-        jacobian[45] = 0.0;
-        jacobian[46] = 0.0;
-        jacobian[47] = 0.0;
-        jacobian[48] = 0.0;
-        jacobian[49] = 0.0;
-        jacobian[50] = 0.0;
         jacobian[51] = data.second[1][0];
         jacobian[52] = data.second[1][1];
         jacobian[53] = data.second[1][2];
-        jacobian[54] = 0.0;
-        jacobian[55] = 0.0;
-        jacobian[56] = 0.0;
-        jacobian[57] = 0.0;
-        jacobian[58] = 0.0;
-        jacobian[59] = 0.0;
         jacobian[60] = data.second[2][0];
         jacobian[61] = data.second[2][1];
         jacobian[62] = data.second[2][2];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
@@ -1705,39 +1559,12 @@ pub mod curved_out_of_plane_equations {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
-        prescribed.slope[3][2] = 0.0;
         prescribed.second[0][0] = data.second[0][0];
         prescribed.second[0][1] = data.second[0][1];
         prescribed.second[0][2] = data.second[0][2];
-        prescribed.second[1][0] = 0.0;
-        prescribed.second[1][1] = 0.0;
-        prescribed.second[1][2] = 0.0;
-        prescribed.second[2][0] = 0.0;
-        prescribed.second[2][1] = 0.0;
-        prescribed.second[2][2] = 0.0;
-        prescribed.second[3][0] = 0.0;
-        prescribed.second[3][1] = 0.0;
-        prescribed.second[3][2] = 0.0;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -1814,7 +1641,6 @@ pub mod curved_out_of_plane_equations {
             - q[6] * (data.second[2][0] * t34 + data.second[2][1] * t35);
         rows[0] = data.point[0] * t34 + data.point[1] * t35;
         rows[1] = data.point[1] * t34 - data.point[0] * t35;
-        rows[2] = 0.0;
         rows[3] = t36;
         rows[4] = t37;
         rows[5] = t38;
@@ -1882,7 +1708,6 @@ pub mod curved_out_of_plane_equations {
             - (t53 + (t53 + q[6] * (data.second[2][0] * t45 + data.second[2][1] * t46)));
         rows[0] = data.point[0] * t45 + data.point[1] * t46;
         rows[1] = data.point[1] * t45 - data.point[0] * t46;
-        rows[2] = 0.0;
         rows[3] = t55;
         rows[4] = t56;
         rows[5] = t57;
@@ -1982,7 +1807,6 @@ pub mod curved_out_of_plane_equations {
                         + q[6] * (data.second[2][0] * t54 + data.second[2][1] * t56))));
         rows[0] = data.point[0] * t54 + data.point[1] * t56;
         rows[1] = data.point[1] * t54 - data.point[0] * t56;
-        rows[2] = 0.0;
         rows[3] = t63;
         rows[4] = t70;
         rows[5] = t77;
@@ -2008,72 +1832,24 @@ pub mod curved_out_of_plane_equations {
         let t29 = theta.cos();
         let t30 = theta.sin();
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = 1.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
-        jacobian[14] = 0.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
         jacobian[20] = 1.0;
-        jacobian[21] = 0.0;
-        jacobian[22] = 0.0;
-        jacobian[23] = 0.0;
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
-        jacobian[27] = 0.0;
-        jacobian[28] = 0.0;
-        jacobian[29] = 0.0;
         jacobian[30] = t29 * data.normals[0][0] - t30 * data.normals[0][1];
         jacobian[31] = t30 * data.normals[0][0] + t29 * data.normals[0][1];
         jacobian[32] = data.normals[0][2];
-        jacobian[33] = 0.0;
-        jacobian[34] = 0.0;
-        jacobian[35] = 0.0;
-        jacobian[36] = 0.0;
-        jacobian[37] = 0.0;
-        jacobian[38] = 0.0;
         jacobian[39] = t29 * data.normals[1][0] - t30 * data.normals[1][1];
         jacobian[40] = t30 * data.normals[1][0] + t29 * data.normals[1][1];
         jacobian[41] = data.normals[1][2];
-        jacobian[42] = 0.0;
-        jacobian[43] = 0.0;
-        jacobian[44] = 0.0;
-        jacobian[45] = 0.0;
-        jacobian[46] = 0.0;
-        jacobian[47] = 0.0;
-        jacobian[48] = 0.0;
-        jacobian[49] = 0.0;
-        jacobian[50] = 0.0;
         jacobian[51] = t29 * data.second[1][0] - t30 * data.second[1][1];
         jacobian[52] = t30 * data.second[1][0] + t29 * data.second[1][1];
         jacobian[53] = data.second[1][2];
-        jacobian[54] = 0.0;
-        jacobian[55] = 0.0;
-        jacobian[56] = 0.0;
-        jacobian[57] = 0.0;
-        jacobian[58] = 0.0;
-        jacobian[59] = 0.0;
         jacobian[60] = t29 * data.second[2][0] - t30 * data.second[2][1];
         jacobian[61] = t30 * data.second[2][0] + t29 * data.second[2][1];
         jacobian[62] = data.second[2][2];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
-    /// Operations: 41 additions, 77 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 28 additions, 55 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_prescribed(
         model: &super::CurvedOutOfPlane,
         t: f64,
@@ -2092,58 +1868,41 @@ pub mod curved_out_of_plane_equations {
         let t29 = theta.cos();
         let t30 = theta.sin();
         let t31 = 6.283185307179586 / model.T_s;
-        let t32 = t31 * t26.sin();
-        let t33 = (if t <= model.T_s { t24 * (t - t25 * t32) } else { model.omega_s });
-        let t34 = t30 * t33;
-        let t35 = t29 * t33;
-        let t36 = (if t <= model.T_s {
+        let t32 = (if t <= model.T_s {
+            t24 * (t - t25 * (t31 * t26.sin()))
+        } else {
+            model.omega_s
+        });
+        let t33 = t30 * t32;
+        let t34 = t29 * t32;
+        let t35 = (if t <= model.T_s {
             t24 * (1.0 - t25 * (t31 * (t27 * t31)))
         } else {
             0.0
         });
-        let t37 = t33 * t35 + t30 * t36;
-        let t38 = t29 * t36 - t33 * t34;
-        let t39 = (if t <= model.T_s { t24 * (t25 * (t31 * (t31 * t32))) } else { 0.0 });
-        let t40 = t35 * t36;
-        let t41 = t40 + t33 * t38 + (t40 + t30 * t39);
-        let t42 = t34 * t36;
-        let t43 = t29 * t39 - t42 - (t42 + t33 * t37);
+        let t36 = t32 * t34 + t30 * t35;
+        let t37 = t29 * t35 - t32 * t33;
         prescribed.position[0][0] = t29 * data.point[0] - t30 * data.point[1];
         prescribed.position[0][1] = t30 * data.point[0] + t29 * data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = -(data.point[0] * t34 + data.point[1] * t35);
-        prescribed.position[1][1] = data.point[0] * t35 - data.point[1] * t34;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = -(data.point[0] * t37 + data.point[1] * t38);
-        prescribed.position[2][1] = data.point[0] * t38 - data.point[1] * t37;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = -(data.point[0] * t41 + data.point[1] * t43);
-        prescribed.position[3][1] = data.point[0] * t43 - data.point[1] * t41;
-        prescribed.position[3][2] = 0.0;
+        prescribed.position[1][0] = -(data.point[0] * t33 + data.point[1] * t34);
+        prescribed.position[1][1] = data.point[0] * t34 - data.point[1] * t33;
+        prescribed.position[2][0] = -(data.point[0] * t36 + data.point[1] * t37);
+        prescribed.position[2][1] = data.point[0] * t37 - data.point[1] * t36;
         prescribed.slope[0][0] = t29 * data.tangent[0] - t30 * data.tangent[1];
         prescribed.slope[0][1] = t30 * data.tangent[0] + t29 * data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = -(data.tangent[0] * t34 + data.tangent[1] * t35);
-        prescribed.slope[1][1] = data.tangent[0] * t35 - data.tangent[1] * t34;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = -(data.tangent[0] * t37 + data.tangent[1] * t38);
-        prescribed.slope[2][1] = data.tangent[0] * t38 - data.tangent[1] * t37;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = -(data.tangent[0] * t41 + data.tangent[1] * t43);
-        prescribed.slope[3][1] = data.tangent[0] * t43 - data.tangent[1] * t41;
-        prescribed.slope[3][2] = 0.0;
+        prescribed.slope[1][0] = -(data.tangent[0] * t33 + data.tangent[1] * t34);
+        prescribed.slope[1][1] = data.tangent[0] * t34 - data.tangent[1] * t33;
+        prescribed.slope[2][0] = -(data.tangent[0] * t36 + data.tangent[1] * t37);
+        prescribed.slope[2][1] = data.tangent[0] * t37 - data.tangent[1] * t36;
         prescribed.second[0][0] = t29 * data.second[0][0] - t30 * data.second[0][1];
         prescribed.second[0][1] = t30 * data.second[0][0] + t29 * data.second[0][1];
         prescribed.second[0][2] = data.second[0][2];
-        prescribed.second[1][0] = -(data.second[0][0] * t34 + data.second[0][1] * t35);
-        prescribed.second[1][1] = data.second[0][0] * t35 - data.second[0][1] * t34;
-        prescribed.second[1][2] = 0.0;
-        prescribed.second[2][0] = -(data.second[0][0] * t37 + data.second[0][1] * t38);
-        prescribed.second[2][1] = data.second[0][0] * t38 - data.second[0][1] * t37;
-        prescribed.second[2][2] = 0.0;
-        prescribed.second[3][0] = -(data.second[0][0] * t41 + data.second[0][1] * t43);
-        prescribed.second[3][1] = data.second[0][0] * t43 - data.second[0][1] * t41;
-        prescribed.second[3][2] = 0.0;
+        prescribed.second[1][0] = -(data.second[0][0] * t33 + data.second[0][1] * t34);
+        prescribed.second[1][1] = data.second[0][0] * t34 - data.second[0][1] * t33;
+        prescribed.second[2][0] = -(data.second[0][0] * t36 + data.second[0][1] * t37);
+        prescribed.second[2][1] = data.second[0][0] * t37 - data.second[0][1] * t36;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     ///
@@ -2278,67 +2037,6 @@ pub mod curved_out_of_plane_equations {
                 },
             ])
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
-                    body: 0,
-                    at_end: false,
-                    frame: 1,
-                    point: None,
-                },
-            ])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 2,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            3
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "hub"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 0] = [];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 1];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -2363,12 +2061,6 @@ pub mod curved_out_of_plane_equations {
                 "poisson",
                 0.3,
                 "1",
-            )?;
-            let damping = ::rncf::mesh::non_negative(
-                "material `aluminium`",
-                "damping",
-                0.0,
-                "s",
             )?;
             let area = ::rncf::mesh::positive(
                 "section `tube`",
@@ -2421,7 +2113,6 @@ pub mod curved_out_of_plane_equations {
                 rhoA: density * area,
                 rhoIz: density * second_moment_z,
                 rhoIy: density * second_moment_y,
-                damping: damping,
             };
             self.reference_beam = shape
                 .chunks_exact(30)
@@ -2436,20 +2127,6 @@ pub mod curved_out_of_plane_equations {
                 })
                 .collect();
             Ok(())
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-            frame_hub(&self.model, t, &mut motions[1]);
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             beam_spatial_curved_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
@@ -2519,13 +2196,6 @@ pub mod curved_out_of_plane_equations {
                         ::rncf::mesh::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 2) => {
-                    beam_spatial_curved_shapes_position_2(
-                        self.row_beam.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
                 (::rncf::mesh::Interpolant::SectionY, 0) => {
                     beam_spatial_curved_shapes_section_y_0(
                         self.row_beam.length,
@@ -2540,13 +2210,6 @@ pub mod curved_out_of_plane_equations {
                         ::rncf::mesh::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 2) => {
-                    beam_spatial_curved_shapes_section_y_2(
-                        self.row_beam.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
                 (::rncf::mesh::Interpolant::SectionZ, 0) => {
                     beam_spatial_curved_shapes_section_z_0(
                         self.row_beam.length,
@@ -2556,13 +2219,6 @@ pub mod curved_out_of_plane_equations {
                 }
                 (::rncf::mesh::Interpolant::SectionZ, 1) => {
                     beam_spatial_curved_shapes_section_z_1(
-                        self.row_beam.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
-                (::rncf::mesh::Interpolant::SectionZ, 2) => {
-                    beam_spatial_curved_shapes_section_z_2(
                         self.row_beam.length,
                         xi,
                         ::rncf::mesh::array_mut(weights),
@@ -2611,27 +2267,18 @@ pub mod curved_out_of_plane_equations {
                 ::rncf::mesh::array_mut(forces),
             );
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 1,
+                    point: None,
+                },
+            ])
         }
         fn condition(
             &self,
@@ -2659,39 +2306,7 @@ pub mod curved_out_of_plane_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_root_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_root_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_root_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 (0, _) => {
@@ -2772,6 +2387,53 @@ pub mod curved_out_of_plane_equations {
                 }
                 _ => {}
             }
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "hub"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 1];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+            frame_hub(&self.model, t, &mut motions[1]);
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
         }
     }
 }

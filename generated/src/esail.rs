@@ -4,6 +4,23 @@
 /// auxiliary tethers (Ren & Yang 2021, section 4.3).
 ///
 /// The default is the 10 km sail. That of 20 km: length="20 km" voltage="20 kV" core_mass="80 kg".
+///
+/// # Chosen and left out
+///
+/// * Body `main` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
+/// * Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+/// * Body `main`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `main` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+/// * Body `aux` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
+/// * Body `aux` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+/// * Body `aux`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+/// * Joint `hub`: its conditions are linear in the nodal vectors of `main` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Constraint `sun_x` (constraint), `sun_y` (constraint): 1 multiplier; gradient and second derivatives are derived.
+/// * Fixture `remote` adds constants to the inertia of `main` and no unknowns.
+/// * Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, kinks of motions.
+/// * Energy-momentum integration: no forces that conserve energy are emitted, as the load per length `thrust` has no potential.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct Esail {
@@ -145,12 +162,18 @@ impl ::rncf::Model for Esail {
 }"#;
     const NOTES: &'static [&'static str] = &[
         "Body `main` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
+        "Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
+        "Body `main`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `main` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
         "Body `aux` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
+        "Body `aux` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
+        "Body `aux`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
+        "Joint `hub`: its conditions are linear in the nodal vectors of `main` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
         "Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Constraint `sun_x` (constraint), `sun_y` (constraint): 1 multiplier; gradient and second derivatives are derived.",
         "Fixture `remote` adds constants to the inertia of `main` and no unknowns.",
+        "Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, kinks of motions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as the load per length `thrust` has no potential.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -397,8 +420,6 @@ pub mod esail_equations {
         pub EI: T,
         /// density * area, kg/m.
         pub rhoA: T,
-        /// Damping of the strain measures, s.
-        pub damping: T,
     }
     impl CableSpatial {
         /// The constants of four elements side by side.
@@ -412,7 +433,6 @@ pub mod esail_equations {
                 EA: lanes.load(rows.map(|row| row.EA)),
                 EI: lanes.load(rows.map(|row| row.EI)),
                 rhoA: lanes.load(rows.map(|row| row.rhoA)),
-                damping: lanes.load(rows.map(|row| row.damping)),
             }
         }
     }
@@ -1162,60 +1182,6 @@ pub mod esail_equations {
         rows[4] = data.normals[1][0] * q[3] + data.normals[1][1] * q[4]
             + data.normals[1][2] * q[5];
     }
-    /// Joint `hub`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_hub_referenced_velocity(
-        model: &super::Esail,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-    }
-    /// Joint `hub`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_hub_referenced_acceleration(
-        model: &super::Esail,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-    }
-    /// Joint `hub`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_hub_referenced_jerk(
-        model: &super::Esail,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-    }
     /// Joint `hub`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -1226,37 +1192,16 @@ pub mod esail_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
         jacobian[7] = 1.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
-        jacobian[10] = 0.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
         jacobian[14] = 1.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
-        jacobian[20] = 0.0;
         jacobian[21] = data.normals[0][0];
         jacobian[22] = data.normals[0][1];
         jacobian[23] = data.normals[0][2];
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
         jacobian[27] = data.normals[1][0];
         jacobian[28] = data.normals[1][1];
         jacobian[29] = data.normals[1][2];
     }
-    /// Joint `hub`: what it prescribes, with three derivatives.
+    /// Joint `hub`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_hub_referenced_prescribed(
@@ -1268,27 +1213,9 @@ pub mod esail_equations {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
-        prescribed.slope[3][2] = 0.0;
     }
     /// Constraint `sun_x` (constraint), `sun_y` (constraint): rows C(z, t).
     ///
@@ -1485,8 +1412,6 @@ pub mod esail_equations {
     ) {
         value[0] = observed[0];
     }
-    /// Times at which a derivative of a motion or load may jump (s).
-    pub fn kinks(model: &super::Esail, kinks: &mut [f64; 0]) {}
     /// Output columns from what they observe.
     ///
     /// Operations: 5 additions, 6 multiplications, 1 divisions, 1 function calls.
@@ -2664,285 +2589,6 @@ pub mod esail_equations {
             }
             specs
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            let mut specs = ::std::vec::Vec::new();
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::mesh::JointSpec {
-                        name: "hub",
-                        kind: ::rncf::mesh::JointKind::Clamp,
-                        body: ::rncf::mesh::instance(
-                            self.first(0),
-                            self.counts[0],
-                            index,
-                        ),
-                        at_end: false,
-                        frame: 1,
-                        point: None,
-                    });
-            }
-            specs
-        }
-        fn shares(&self) -> ::std::vec::Vec<::rncf::mesh::ShareSpec> {
-            let model = &self.model;
-            let mut specs = ::std::vec::Vec::new();
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::mesh::ShareSpec {
-                        name: "near",
-                        ends: [
-                            (
-                                ::rncf::mesh::instance(
-                                    self.first(1),
-                                    self.counts[0],
-                                    index,
-                                ),
-                                false,
-                            ),
-                            (
-                                ::rncf::mesh::instance(
-                                    self.first(0),
-                                    self.counts[0],
-                                    index,
-                                ),
-                                true,
-                            ),
-                        ],
-                        smooth: false,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::mesh::ShareSpec {
-                        name: "far",
-                        ends: [
-                            (
-                                ::rncf::mesh::instance(
-                                    self.first(1),
-                                    self.counts[0],
-                                    index,
-                                ),
-                                true,
-                            ),
-                            (
-                                ::rncf::mesh::instance(
-                                    self.first(0),
-                                    self.counts[0],
-                                    (index + 1.0).rem_euclid((model.tethers as f64)),
-                                ),
-                                true,
-                            ),
-                        ],
-                        smooth: false,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::mesh::ShareSpec {
-                        name: "ring",
-                        ends: [
-                            (
-                                ::rncf::mesh::instance(
-                                    self.first(1),
-                                    self.counts[0],
-                                    index,
-                                ),
-                                true,
-                            ),
-                            (
-                                ::rncf::mesh::instance(
-                                    self.first(1),
-                                    self.counts[0],
-                                    (index + 1.0).rem_euclid((model.tethers as f64)),
-                                ),
-                                false,
-                            ),
-                        ],
-                        smooth: true,
-                    });
-            }
-            specs
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
-                    name: "sun",
-                    kind: ::rncf::mesh::LoadKind::Field {
-                        markers: &[1],
-                    },
-                    frame: 1,
-                },
-            ])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            let mut specs = ::std::vec::Vec::new();
-            specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
-                    marker: 1,
-                    derivative: 0,
-                    component: 0,
-                });
-            specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
-                    marker: 1,
-                    derivative: 0,
-                    component: 1,
-                });
-            specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
-                    marker: 1,
-                    derivative: 0,
-                    component: 2,
-                });
-            specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
-                    marker: 4,
-                    derivative: 0,
-                    component: 0,
-                });
-            specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
-                    marker: 5,
-                    derivative: 1,
-                    component: 0,
-                });
-            specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
-                    marker: 4,
-                    derivative: 0,
-                    component: 1,
-                });
-            specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
-                    marker: 5,
-                    derivative: 1,
-                    component: 1,
-                });
-            specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
-                    marker: 4,
-                    derivative: 0,
-                    component: 2,
-                });
-            specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
-                    marker: 5,
-                    derivative: 1,
-                    component: 2,
-                });
-            specs
-                .push(::rncf::mesh::ObservedSpec::Multiplier {
-                    constraint: 0,
-                    row: 0,
-                });
-            specs
-                .push(::rncf::mesh::ObservedSpec::Multiplier {
-                    constraint: 1,
-                    row: 0,
-                });
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::mesh::ObservedSpec::Point {
-                        body: ::rncf::mesh::instance(
-                            self.first(0),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::mesh::Place::End,
-                        what: ::rncf::mesh::PointQuantity::Position,
-                        component: 2,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::mesh::ObservedSpec::Point {
-                        body: ::rncf::mesh::instance(
-                            self.first(0),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::mesh::Place::End,
-                        what: ::rncf::mesh::PointQuantity::Position,
-                        component: 2,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::mesh::ObservedSpec::Section {
-                        body: ::rncf::mesh::instance(
-                            self.first(0),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::mesh::Place::Start,
-                        what: ::rncf::mesh::SectionQuantity::AxialForce,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::mesh::ObservedSpec::Section {
-                        body: ::rncf::mesh::instance(
-                            self.first(1),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::mesh::Place::At(
-                            3.141592653589793 * (model.length + model.hub_radius)
-                                / (model.tethers as f64),
-                        ),
-                        what: ::rncf::mesh::SectionQuantity::AxialForce,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::mesh::ObservedSpec::Section {
-                        body: ::rncf::mesh::instance(
-                            self.first(1),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::mesh::Place::At(
-                            3.141592653589793 * (model.length + model.hub_radius)
-                                / (model.tethers as f64),
-                        ),
-                        what: ::rncf::mesh::SectionQuantity::AxialForce,
-                    });
-            }
-            specs
-        }
-        fn output_columns(&self) -> usize {
-            9
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "sail"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 1] = [false];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 0];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -2965,12 +2611,6 @@ pub mod esail_equations {
                         70000000000.0,
                         "Pa",
                     )?;
-                    let damping = ::rncf::mesh::non_negative(
-                        "material `aluminium`",
-                        "damping",
-                        0.0,
-                        "s",
-                    )?;
                     let area = ::rncf::mesh::positive(
                         "section `wire`",
                         "area",
@@ -2988,7 +2628,6 @@ pub mod esail_equations {
                         EA: young * area,
                         EI: young * second_moment,
                         rhoA: density * area,
-                        damping: damping,
                     };
                     self.row_main.truncate(instance);
                     self.row_main.push(row);
@@ -3006,12 +2645,6 @@ pub mod esail_equations {
                         70000000000.0,
                         "Pa",
                     )?;
-                    let damping = ::rncf::mesh::non_negative(
-                        "material `aluminium`",
-                        "damping",
-                        0.0,
-                        "s",
-                    )?;
                     let area = ::rncf::mesh::positive(
                         "section `wire`",
                         "area",
@@ -3029,117 +2662,12 @@ pub mod esail_equations {
                         EA: young * area,
                         EI: young * second_moment,
                         rhoA: density * area,
-                        damping: damping,
                     };
                     self.row_aux.truncate(instance);
                     self.row_aux.push(row);
                 }
             }
             Ok(())
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            let model = &self.model;
-            let (plain, mut rest) = observed.split_at(11);
-            let mut seen = [0.0; 16];
-            seen[..11].copy_from_slice(plain);
-            seen[11] = ::rncf::mesh::reduce(
-                ::rncf::mesh::Reduction::Min,
-                self.counts[0],
-                1,
-                &mut rest,
-                |index, observed| {
-                    let mut value = [0.0];
-                    outputs_of_one_0(model, t, index, observed, &mut value);
-                    value[0]
-                },
-            );
-            seen[12] = ::rncf::mesh::reduce(
-                ::rncf::mesh::Reduction::Max,
-                self.counts[0],
-                1,
-                &mut rest,
-                |index, observed| {
-                    let mut value = [0.0];
-                    outputs_of_one_1(model, t, index, observed, &mut value);
-                    value[0]
-                },
-            );
-            seen[13] = ::rncf::mesh::reduce(
-                ::rncf::mesh::Reduction::Max,
-                self.counts[0],
-                1,
-                &mut rest,
-                |index, observed| {
-                    let mut value = [0.0];
-                    outputs_of_one_2(model, t, index, observed, &mut value);
-                    value[0]
-                },
-            );
-            seen[14] = ::rncf::mesh::reduce(
-                ::rncf::mesh::Reduction::Min,
-                self.counts[0],
-                1,
-                &mut rest,
-                |index, observed| {
-                    let mut value = [0.0];
-                    outputs_of_one_3(model, t, index, observed, &mut value);
-                    value[0]
-                },
-            );
-            seen[15] = ::rncf::mesh::reduce(
-                ::rncf::mesh::Reduction::Max,
-                self.counts[0],
-                1,
-                &mut rest,
-                |index, observed| {
-                    let mut value = [0.0];
-                    outputs_of_one_4(model, t, index, observed, &mut value);
-                    value[0]
-                },
-            );
-            outputs(model, t, &seen, out);
-        }
-        fn initial(
-            &self,
-            body: usize,
-            x: f64,
-        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
-            let (body, instance) = self.kind(body);
-            let mut position = [[0.0; 3]; 2];
-            let mut velocity = [[0.0; 3]; 2];
-            match body {
-                1 => {
-                    initial_aux(
-                        &self.model,
-                        x,
-                        instance as f64,
-                        &mut position,
-                        &mut velocity,
-                    );
-                    [Some(position), None]
-                }
-                _ => [None, None],
-            }
-        }
-        fn starts(&self) -> ::std::vec::Vec<::rncf::mesh::StartSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::StartSpec {
-                    name: "spun",
-                    frame: 1,
-                    spin: Some([0.0, 0.0, model.spin]),
-                },
-            ])
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             let (body, instance) = self.kind(body);
@@ -3466,27 +2994,26 @@ pub mod esail_equations {
                 }
             }
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            let mut specs = ::std::vec::Vec::new();
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::mesh::JointSpec {
+                        name: "hub",
+                        kind: ::rncf::mesh::JointKind::Clamp,
+                        body: ::rncf::mesh::instance(
+                            self.first(0),
+                            self.counts[0],
+                            index,
+                        ),
+                        at_end: false,
+                        frame: 1,
+                        point: None,
+                    });
             }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
+            specs
         }
         fn condition(
             &self,
@@ -3515,39 +3042,7 @@ pub mod esail_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_hub_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_hub_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_hub_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 _ => {}
@@ -3584,6 +3079,356 @@ pub mod esail_equations {
                 }
                 _ => {}
             }
+        }
+        fn shares(&self) -> ::std::vec::Vec<::rncf::mesh::ShareSpec> {
+            let model = &self.model;
+            let mut specs = ::std::vec::Vec::new();
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::mesh::ShareSpec {
+                        name: "near",
+                        ends: [
+                            (
+                                ::rncf::mesh::instance(
+                                    self.first(1),
+                                    self.counts[0],
+                                    index,
+                                ),
+                                false,
+                            ),
+                            (
+                                ::rncf::mesh::instance(
+                                    self.first(0),
+                                    self.counts[0],
+                                    index,
+                                ),
+                                true,
+                            ),
+                        ],
+                        smooth: false,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::mesh::ShareSpec {
+                        name: "far",
+                        ends: [
+                            (
+                                ::rncf::mesh::instance(
+                                    self.first(1),
+                                    self.counts[0],
+                                    index,
+                                ),
+                                true,
+                            ),
+                            (
+                                ::rncf::mesh::instance(
+                                    self.first(0),
+                                    self.counts[0],
+                                    (index + 1.0).rem_euclid((model.tethers as f64)),
+                                ),
+                                true,
+                            ),
+                        ],
+                        smooth: false,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::mesh::ShareSpec {
+                        name: "ring",
+                        ends: [
+                            (
+                                ::rncf::mesh::instance(
+                                    self.first(1),
+                                    self.counts[0],
+                                    index,
+                                ),
+                                true,
+                            ),
+                            (
+                                ::rncf::mesh::instance(
+                                    self.first(1),
+                                    self.counts[0],
+                                    (index + 1.0).rem_euclid((model.tethers as f64)),
+                                ),
+                                false,
+                            ),
+                        ],
+                        smooth: true,
+                    });
+            }
+            specs
+        }
+        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::LoadSpec {
+                    name: "sun",
+                    kind: ::rncf::mesh::LoadKind::Field {
+                        markers: &[1],
+                    },
+                    frame: 1,
+                },
+            ])
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 1] = [false];
+            VARIES[load]
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            let mut specs = ::std::vec::Vec::new();
+            specs
+                .push(::rncf::mesh::ObservedSpec::Marker {
+                    marker: 1,
+                    derivative: 0,
+                    component: 0,
+                });
+            specs
+                .push(::rncf::mesh::ObservedSpec::Marker {
+                    marker: 1,
+                    derivative: 0,
+                    component: 1,
+                });
+            specs
+                .push(::rncf::mesh::ObservedSpec::Marker {
+                    marker: 1,
+                    derivative: 0,
+                    component: 2,
+                });
+            specs
+                .push(::rncf::mesh::ObservedSpec::Marker {
+                    marker: 4,
+                    derivative: 0,
+                    component: 0,
+                });
+            specs
+                .push(::rncf::mesh::ObservedSpec::Marker {
+                    marker: 5,
+                    derivative: 1,
+                    component: 0,
+                });
+            specs
+                .push(::rncf::mesh::ObservedSpec::Marker {
+                    marker: 4,
+                    derivative: 0,
+                    component: 1,
+                });
+            specs
+                .push(::rncf::mesh::ObservedSpec::Marker {
+                    marker: 5,
+                    derivative: 1,
+                    component: 1,
+                });
+            specs
+                .push(::rncf::mesh::ObservedSpec::Marker {
+                    marker: 4,
+                    derivative: 0,
+                    component: 2,
+                });
+            specs
+                .push(::rncf::mesh::ObservedSpec::Marker {
+                    marker: 5,
+                    derivative: 1,
+                    component: 2,
+                });
+            specs
+                .push(::rncf::mesh::ObservedSpec::Multiplier {
+                    constraint: 0,
+                    row: 0,
+                });
+            specs
+                .push(::rncf::mesh::ObservedSpec::Multiplier {
+                    constraint: 1,
+                    row: 0,
+                });
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::mesh::ObservedSpec::Point {
+                        body: ::rncf::mesh::instance(
+                            self.first(0),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::mesh::Place::End,
+                        what: ::rncf::mesh::PointQuantity::Position,
+                        component: 2,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::mesh::ObservedSpec::Point {
+                        body: ::rncf::mesh::instance(
+                            self.first(0),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::mesh::Place::End,
+                        what: ::rncf::mesh::PointQuantity::Position,
+                        component: 2,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::mesh::ObservedSpec::Section {
+                        body: ::rncf::mesh::instance(
+                            self.first(0),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::mesh::Place::Start,
+                        what: ::rncf::mesh::SectionQuantity::AxialForce,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::mesh::ObservedSpec::Section {
+                        body: ::rncf::mesh::instance(
+                            self.first(1),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::mesh::Place::At(
+                            3.141592653589793 * (model.length + model.hub_radius)
+                                / (model.tethers as f64),
+                        ),
+                        what: ::rncf::mesh::SectionQuantity::AxialForce,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::mesh::ObservedSpec::Section {
+                        body: ::rncf::mesh::instance(
+                            self.first(1),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::mesh::Place::At(
+                            3.141592653589793 * (model.length + model.hub_radius)
+                                / (model.tethers as f64),
+                        ),
+                        what: ::rncf::mesh::SectionQuantity::AxialForce,
+                    });
+            }
+            specs
+        }
+        fn output_columns(&self) -> usize {
+            9
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "sail"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            let model = &self.model;
+            let (plain, mut rest) = observed.split_at(11);
+            let mut seen = [0.0; 16];
+            seen[..11].copy_from_slice(plain);
+            seen[11] = ::rncf::mesh::reduce(
+                ::rncf::mesh::Reduction::Min,
+                self.counts[0],
+                1,
+                &mut rest,
+                |index, observed| {
+                    let mut value = [0.0];
+                    outputs_of_one_0(model, t, index, observed, &mut value);
+                    value[0]
+                },
+            );
+            seen[12] = ::rncf::mesh::reduce(
+                ::rncf::mesh::Reduction::Max,
+                self.counts[0],
+                1,
+                &mut rest,
+                |index, observed| {
+                    let mut value = [0.0];
+                    outputs_of_one_1(model, t, index, observed, &mut value);
+                    value[0]
+                },
+            );
+            seen[13] = ::rncf::mesh::reduce(
+                ::rncf::mesh::Reduction::Max,
+                self.counts[0],
+                1,
+                &mut rest,
+                |index, observed| {
+                    let mut value = [0.0];
+                    outputs_of_one_2(model, t, index, observed, &mut value);
+                    value[0]
+                },
+            );
+            seen[14] = ::rncf::mesh::reduce(
+                ::rncf::mesh::Reduction::Min,
+                self.counts[0],
+                1,
+                &mut rest,
+                |index, observed| {
+                    let mut value = [0.0];
+                    outputs_of_one_3(model, t, index, observed, &mut value);
+                    value[0]
+                },
+            );
+            seen[15] = ::rncf::mesh::reduce(
+                ::rncf::mesh::Reduction::Max,
+                self.counts[0],
+                1,
+                &mut rest,
+                |index, observed| {
+                    let mut value = [0.0];
+                    outputs_of_one_4(model, t, index, observed, &mut value);
+                    value[0]
+                },
+            );
+            outputs(model, t, &seen, out);
+        }
+        fn initial(
+            &self,
+            body: usize,
+            x: f64,
+        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
+            let (body, instance) = self.kind(body);
+            let mut position = [[0.0; 3]; 2];
+            let mut velocity = [[0.0; 3]; 2];
+            match body {
+                1 => {
+                    initial_aux(
+                        &self.model,
+                        x,
+                        instance as f64,
+                        &mut position,
+                        &mut velocity,
+                    );
+                    [Some(position), None]
+                }
+                _ => [None, None],
+            }
+        }
+        fn starts(&self) -> ::std::vec::Vec<::rncf::mesh::StartSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::StartSpec {
+                    name: "spun",
+                    frame: 1,
+                    spin: Some([0.0, 0.0, model.spin]),
+                },
+            ])
         }
         fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;

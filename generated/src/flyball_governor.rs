@@ -1,6 +1,18 @@
 //! Expansion of `models/src/flyball_governor.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Flyball governor: two arms with balls on a spinning shaft, held by stiff, strongly damped springs on a slider.
+///
+/// # Chosen and left out
+///
+/// * Rigid body `shaft` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Rigid body `slider` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Rigid body `right` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Rigid body `left` is free in six motions: three positions and a rotation vector that begins anew every step.
+/// * Constraint `foot` (revolute), `right_pin` (revolute), `left_pin` (revolute): 5 multipliers; gradient and second derivatives are derived.
+/// * Constraint `guide` (prismatic): 5 multipliers; gradient and second derivatives are derived.
+/// * Force `right_strut`, `left_strut`: no potential; its tangents are derived.
+/// * Not declared, so that no function is written for it: flexible bodies, fixtures, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+/// * Energy-momentum integration: no forces that conserve energy are emitted, as force `right_strut` has no potential.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct FlyballGovernor {
@@ -99,6 +111,7 @@ impl ::rncf::Model for FlyballGovernor {
         "Constraint `foot` (revolute), `right_pin` (revolute), `left_pin` (revolute): 5 multipliers; gradient and second derivatives are derived.",
         "Constraint `guide` (prismatic): 5 multipliers; gradient and second derivatives are derived.",
         "Force `right_strut`, `left_strut`: no potential; its tangents are derived.",
+        "Not declared, so that no function is written for it: flexible bodies, fixtures, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as force `right_strut` has no potential.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -1033,8 +1046,6 @@ pub mod flyball_governor_equations {
         by_velocity[34] = -t92;
         by_velocity[35] = -t93;
     }
-    /// Times at which a derivative of a motion or load may jump (s).
-    pub fn kinks(model: &super::FlyballGovernor, kinks: &mut [f64; 0]) {}
     /// Output columns from what they observe.
     ///
     /// Operations: 2 additions, 3 multiplications, 1 function calls.
@@ -1068,14 +1079,6 @@ pub mod flyball_governor_equations {
         }
     }
     impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
         fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -1085,6 +1088,18 @@ pub mod flyball_governor_equations {
                     frame: 0,
                 },
             ])
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 1] = [false];
+            VARIES[load]
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                0 => load_weight(&self.model, t, &mut value),
+                _ => {}
+            }
+            value
         }
         fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
             let model = &self.model;
@@ -1140,161 +1155,14 @@ pub mod flyball_governor_equations {
         fn frame_name(&self, frame: usize) -> &'static str {
             ["inertial", "shaft", "slider", "right", "left"][frame]
         }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 1] = [false];
-            VARIES[load]
-        }
         fn conservative(&self) -> bool {
             false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 0];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
-        fn prepare(
-            &mut self,
-            body: usize,
-            length: f64,
-            shape: &[f64],
-        ) -> ::std::result::Result<(), ::rncf::ModelError> {
-            let model = &self.model;
-            Ok(())
         }
         fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
             motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
         }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                0 => load_weight(&self.model, t, &mut value),
-                _ => {}
-            }
-            value
-        }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
-        }
-        fn mass(&self, body: usize, mass: &mut [f64]) {}
-        fn elastic_force(
-            &self,
-            body: usize,
-            element: usize,
-            q: &[f64],
-            v: &[f64],
-            force: &mut [f64],
-        ) {}
-        fn elastic_tangent(
-            &self,
-            body: usize,
-            element: usize,
-            q: &[f64],
-            v: &[f64],
-            stiffness: &mut [f64],
-            damping: &mut [f64],
-        ) {}
-        fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
-            let mut energy = 0.0;
-            energy
-        }
-        fn shapes(
-            &self,
-            body: usize,
-            of: ::rncf::mesh::Interpolant,
-            order: usize,
-            xi: f64,
-            weights: &mut [f64],
-        ) {
-            weights.fill(0.0);
-        }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("force `right_strut` has no potential")
-        }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
-            let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::General {
-                    extent: [None, None],
-                },
-                area: 0.0,
-                second_moments: [0.0; 2],
-                torsion_constant: 0.0,
-                yield_stress: None,
-                material: "",
-            }
-        }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
-            &[]
-        }
-        fn field_forces(
-            &self,
-            body: usize,
-            stress_free: &[f64],
-            fields: &[f64],
-            rates: &[f64],
-            forces: &mut [f64],
-        ) {}
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn condition(
-            &self,
-            joint: usize,
-            absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            q: &[f64],
-            v: &[f64],
-            a: &[f64],
-            rows: &mut [f64],
-        ) {
-            match (joint, absolute) {
-                _ => {}
-            }
-        }
-        fn condition_jacobian(
-            &self,
-            joint: usize,
-            absolute: bool,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            jacobian: &mut [f64],
-        ) {
-            match (joint, absolute) {
-                _ => {}
-            }
-        }
-        fn prescribed(
-            &self,
-            joint: usize,
-            absolute: bool,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
-        ) {
-            match (joint, absolute) {
-                _ => {}
-            }
         }
         fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
             let still = ::rncf::mesh::FreeSpec {
@@ -1672,13 +1540,6 @@ pub mod flyball_governor_equations {
                 }
                 _ => {}
             }
-        }
-        fn marker_energy(&self, force: usize, t: f64, z: &[[f64; 3]]) -> f64 {
-            let mut energy = 0.0;
-            match force {
-                _ => {}
-            }
-            energy
         }
     }
 }

@@ -2,6 +2,17 @@
 
 /// N-four-bar linkage with N = 2: three upright links on the ground, two couplers, gravity. Where the links lie flat
 /// all rods are in line and the linkage could leave its parallelogram; it happens twice a turn.
+///
+/// # Chosen and left out
+///
+/// * Rigid body `link_0` is free in three motions: two positions and an angle.
+/// * Rigid body `link_1` is free in three motions: two positions and an angle.
+/// * Rigid body `link_2` is free in three motions: two positions and an angle.
+/// * Rigid body `coupler_1` is free in three motions: two positions and an angle.
+/// * Rigid body `coupler_2` is free in three motions: two positions and an angle.
+/// * Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): 2 multipliers; linear in its vectors, no second derivatives.
+/// * Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+/// * Energy-momentum integration: there is no flexible body to derive forces for.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct FourBar {
@@ -70,6 +81,7 @@ impl ::rncf::Model for FourBar {
         "Rigid body `coupler_1` is free in three motions: two positions and an angle.",
         "Rigid body `coupler_2` is free in three motions: two positions and an angle.",
         "Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): 2 multipliers; linear in its vectors, no second derivatives.",
+        "Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: there is no flexible body to derive forces for.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -295,8 +307,6 @@ pub mod four_bar_equations {
         gradient[7] = 1.0;
         gradient[10] = -1.0;
     }
-    /// Times at which a derivative of a motion or load may jump (s).
-    pub fn kinks(model: &super::FourBar, kinks: &mut [f64; 0]) {}
     /// Output columns from what they observe.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -323,14 +333,6 @@ pub mod four_bar_equations {
         }
     }
     impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
         fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -340,6 +342,18 @@ pub mod four_bar_equations {
                     frame: 0,
                 },
             ])
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 1] = [false];
+            VARIES[load]
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                0 => load_weight(&self.model, t, &mut value),
+                _ => {}
+            }
+            value
         }
         fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
             let model = &self.model;
@@ -365,161 +379,14 @@ pub mod four_bar_equations {
         fn frame_name(&self, frame: usize) -> &'static str {
             ["inertial", "link_0", "link_1", "link_2", "coupler_1", "coupler_2"][frame]
         }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 1] = [false];
-            VARIES[load]
-        }
         fn conservative(&self) -> bool {
             true
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 0];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
-        fn prepare(
-            &mut self,
-            body: usize,
-            length: f64,
-            shape: &[f64],
-        ) -> ::std::result::Result<(), ::rncf::ModelError> {
-            let model = &self.model;
-            Ok(())
         }
         fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
             motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
         }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                0 => load_weight(&self.model, t, &mut value),
-                _ => {}
-            }
-            value
-        }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
-        }
-        fn mass(&self, body: usize, mass: &mut [f64]) {}
-        fn elastic_force(
-            &self,
-            body: usize,
-            element: usize,
-            q: &[f64],
-            v: &[f64],
-            force: &mut [f64],
-        ) {}
-        fn elastic_tangent(
-            &self,
-            body: usize,
-            element: usize,
-            q: &[f64],
-            v: &[f64],
-            stiffness: &mut [f64],
-            damping: &mut [f64],
-        ) {}
-        fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
-            let mut energy = 0.0;
-            energy
-        }
-        fn shapes(
-            &self,
-            body: usize,
-            of: ::rncf::mesh::Interpolant,
-            order: usize,
-            xi: f64,
-            weights: &mut [f64],
-        ) {
-            weights.fill(0.0);
-        }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            None
-        }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
-            let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::General {
-                    extent: [None, None],
-                },
-                area: 0.0,
-                second_moments: [0.0; 2],
-                torsion_constant: 0.0,
-                yield_stress: None,
-                material: "",
-            }
-        }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
-            &[]
-        }
-        fn field_forces(
-            &self,
-            body: usize,
-            stress_free: &[f64],
-            fields: &[f64],
-            rates: &[f64],
-            forces: &mut [f64],
-        ) {}
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn condition(
-            &self,
-            joint: usize,
-            absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            q: &[f64],
-            v: &[f64],
-            a: &[f64],
-            rows: &mut [f64],
-        ) {
-            match (joint, absolute) {
-                _ => {}
-            }
-        }
-        fn condition_jacobian(
-            &self,
-            joint: usize,
-            absolute: bool,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            jacobian: &mut [f64],
-        ) {
-            match (joint, absolute) {
-                _ => {}
-            }
-        }
-        fn prescribed(
-            &self,
-            joint: usize,
-            absolute: bool,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
-        ) {
-            match (joint, absolute) {
-                _ => {}
-            }
         }
         fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
             let still = ::rncf::mesh::FreeSpec {
@@ -746,32 +613,6 @@ pub mod four_bar_equations {
                 0 | 1 | 2 | 3 | 4 | 5 | 6 => {
                     constraint_gradient_a0(&self.model, t, z, gradient)
                 }
-                _ => {}
-            }
-        }
-        fn marker_constraint_rate_gradient(
-            &self,
-            constraint: usize,
-            t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
-            gradient: &mut [f64],
-        ) {
-            gradient.fill(0.0);
-            match constraint {
-                _ => {}
-            }
-        }
-        fn marker_constraint_hessian(
-            &self,
-            constraint: usize,
-            t: f64,
-            z: &[[f64; 3]],
-            lambda: &[f64],
-            hessian: &mut [f64],
-        ) {
-            hessian.fill(0.0);
-            match constraint {
                 _ => {}
             }
         }

@@ -2,6 +2,19 @@
 
 /// High-speed motor (Ren & Yang 2021, section 4.1.3): a shaft that is clamped in the motor and pinned at its far end
 /// carries an unbalanced disc in its middle.
+///
+/// # Chosen and left out
+///
+/// * Body `shaft` uses `beam_spatial_damped`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1929 and 23641).
+/// * Body `shaft` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+/// * Body `shaft`: its axis is straight: no stress-free curvature for each element.
+/// * Body `shaft` moves in the prescribed frame `rotor`: no unknowns for the frame, its reactions are evaluated.
+/// * Joint `drive_end`: its conditions are linear in the nodal vectors of `shaft` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Joint `far_end`: its conditions are linear in the nodal vectors of `shaft` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Fixture `disc` adds constants to the inertia of `shaft` and no unknowns.
+/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
+/// * Energy-momentum integration: no forces that conserve energy are emitted, as body `shaft` is damped.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct Motor {
@@ -89,8 +102,13 @@ impl ::rncf::Model for Motor {
     const NOTES: &'static [&'static str] = &[
         "Body `shaft` uses `beam_spatial_damped`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1929 and 23641).",
         "Body `shaft` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
+        "Body `shaft`: its axis is straight: no stress-free curvature for each element.",
         "Body `shaft` moves in the prescribed frame `rotor`: no unknowns for the frame, its reactions are evaluated.",
+        "Joint `drive_end`: its conditions are linear in the nodal vectors of `shaft` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Joint `far_end`: its conditions are linear in the nodal vectors of `shaft` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
         "Fixture `disc` adds constants to the inertia of `shaft` and no unknowns.",
+        "Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as body `shaft` is damped.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -1650,22 +1668,6 @@ pub mod motor_equations {
         weights[6] = t14 * (xi * (6.0 + xi * (-6.0)));
         weights[7] = xi * (t15 + (-2.0));
     }
-    /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 4 additions, 8 multiplications, 2 divisions.
-    pub fn beam_spatial_damped_shapes_position_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 10],
-    ) {
-        let t14 = 1.0 / (length * length);
-        let t15 = xi * 6.0;
-        let t16 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t14;
-        weights[1] = (-4.0 + t15) * t16;
-        weights[6] = t14 * (6.0 + xi * (-12.0));
-        weights[7] = t16 * (t15 + (-2.0));
-    }
     /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 5 multiplications.
@@ -1693,20 +1695,6 @@ pub mod motor_equations {
         weights[4] = t15 * (4.0 + xi * (-8.0));
         weights[8] = t15 * (t14 + (-1.0));
     }
-    /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 0 additions, 3 multiplications, 1 divisions.
-    pub fn beam_spatial_damped_shapes_section_y_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 10],
-    ) {
-        let t13 = 1.0 / (length * length);
-        let t14 = 4.0 * t13;
-        weights[2] = t14;
-        weights[4] = t13 * (-8.0);
-        weights[8] = t14;
-    }
     /// Weights of the nodal vectors in the section's z axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 5 multiplications.
@@ -1733,20 +1721,6 @@ pub mod motor_equations {
         weights[3] = (-3.0 + t14) * t15;
         weights[5] = t15 * (4.0 + xi * (-8.0));
         weights[9] = t15 * (t14 + (-1.0));
-    }
-    /// Weights of the nodal vectors in d2/dx2 of the section's z axis at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 0 additions, 3 multiplications, 1 divisions.
-    pub fn beam_spatial_damped_shapes_section_z_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 10],
-    ) {
-        let t13 = 1.0 / (length * length);
-        let t14 = 4.0 * t13;
-        weights[3] = t14;
-        weights[5] = t13 * (-8.0);
-        weights[9] = t14;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -1907,9 +1881,9 @@ pub mod motor_equations {
         forces[13] = fields[1] * t97 - t104 * (fields[4] * 0.5) + fields[7] * t116;
         forces[14] = fields[2] * t97 - t104 * (fields[5] * 0.5) + fields[8] * t116;
     }
-    /// Motion of frame `rotor` and its first three derivatives.
+    /// Motion of frame `rotor` and its first two derivatives.
     ///
-    /// Operations: 9 additions, 17 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
     pub fn frame_rotor(
         model: &super::Motor,
         t: f64,
@@ -1928,21 +1902,18 @@ pub mod motor_equations {
         let t20 = theta.cos();
         let t21 = theta.sin();
         let t22 = 6.283185307179586 / model.T_s;
-        let t23 = t22 * t17.sin();
-        let theta_t = (if t <= model.T_s { t15 * (t - t16 * t23) } else { model.speed });
+        let theta_t = (if t <= model.T_s {
+            t15 * (t - t16 * (t22 * t17.sin()))
+        } else {
+            model.speed
+        });
         let theta_t_t = (if t <= model.T_s {
             t15 * (1.0 - t16 * (t22 * (t18 * t22)))
         } else {
             0.0
         });
-        let theta_t_t_t = (if t <= model.T_s {
-            t15 * (t16 * (t22 * (t22 * t23)))
-        } else {
-            0.0
-        });
         motion.spin[0] = theta_t;
         motion.spin_rate[0] = theta_t_t;
-        motion.spin_jerk[0] = theta_t_t_t;
         motion.rotation[1][1] = t20;
         motion.rotation[1][2] = -t21;
         motion.rotation[2][1] = t21;
@@ -1972,66 +1943,6 @@ pub mod motor_equations {
         rows[6] = data.second[2][0] * q[6] + data.second[2][1] * q[7]
             + data.second[2][2] * q[8];
     }
-    /// Joint `drive_end`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_drive_end_referenced_velocity(
-        model: &super::Motor,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-        rows[5] = 0.0;
-        rows[6] = 0.0;
-    }
-    /// Joint `drive_end`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_drive_end_referenced_acceleration(
-        model: &super::Motor,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-        rows[5] = 0.0;
-        rows[6] = 0.0;
-    }
-    /// Joint `drive_end`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_drive_end_referenced_jerk(
-        model: &super::Motor,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-        rows[5] = 0.0;
-        rows[6] = 0.0;
-    }
     /// Joint `drive_end`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -2042,70 +1953,22 @@ pub mod motor_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = 1.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
-        jacobian[14] = 0.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
         jacobian[20] = 1.0;
-        jacobian[21] = 0.0;
-        jacobian[22] = 0.0;
-        jacobian[23] = 0.0;
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
-        jacobian[27] = 0.0;
-        jacobian[28] = 0.0;
-        jacobian[29] = 0.0;
         jacobian[30] = data.normals[0][0];
         jacobian[31] = data.normals[0][1];
         jacobian[32] = data.normals[0][2];
-        jacobian[33] = 0.0;
-        jacobian[34] = 0.0;
-        jacobian[35] = 0.0;
-        jacobian[36] = 0.0;
-        jacobian[37] = 0.0;
-        jacobian[38] = 0.0;
         jacobian[39] = data.normals[1][0];
         jacobian[40] = data.normals[1][1];
         jacobian[41] = data.normals[1][2];
-        jacobian[42] = 0.0;
-        jacobian[43] = 0.0;
-        jacobian[44] = 0.0;
-        jacobian[45] = 0.0;
-        jacobian[46] = 0.0;
-        jacobian[47] = 0.0;
-        jacobian[48] = 0.0;
-        jacobian[49] = 0.0;
-        jacobian[50] = 0.0;
         jacobian[51] = data.second[1][0];
         jacobian[52] = data.second[1][1];
         jacobian[53] = data.second[1][2];
-        jacobian[54] = 0.0;
-        jacobian[55] = 0.0;
-        jacobian[56] = 0.0;
-        jacobian[57] = 0.0;
-        jacobian[58] = 0.0;
-        jacobian[59] = 0.0;
         jacobian[60] = data.second[2][0];
         jacobian[61] = data.second[2][1];
         jacobian[62] = data.second[2][2];
     }
-    /// Joint `drive_end`: what it prescribes, with three derivatives.
+    /// Joint `drive_end`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_drive_end_referenced_prescribed(
@@ -2117,39 +1980,12 @@ pub mod motor_equations {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
-        prescribed.slope[3][2] = 0.0;
         prescribed.second[0][0] = data.second[0][0];
         prescribed.second[0][1] = data.second[0][1];
         prescribed.second[0][2] = data.second[0][2];
-        prescribed.second[1][0] = 0.0;
-        prescribed.second[1][1] = 0.0;
-        prescribed.second[1][2] = 0.0;
-        prescribed.second[2][0] = 0.0;
-        prescribed.second[2][1] = 0.0;
-        prescribed.second[2][2] = 0.0;
-        prescribed.second[3][0] = 0.0;
-        prescribed.second[3][1] = 0.0;
-        prescribed.second[3][2] = 0.0;
     }
     /// Joint `drive_end`: conditions, position level.
     ///
@@ -2228,7 +2064,6 @@ pub mod motor_equations {
             - q[7] * (data.second[1][1] * t34 + data.second[1][2] * t35);
         let t39 = q[8] * (data.second[2][1] * t35 - data.second[2][2] * t34)
             - q[7] * (data.second[2][1] * t34 + data.second[2][2] * t35);
-        rows[0] = 0.0;
         rows[1] = data.point[1] * t34 + data.point[2] * t35;
         rows[2] = data.point[2] * t34 - data.point[1] * t35;
         rows[3] = t36;
@@ -2296,7 +2131,6 @@ pub mod motor_equations {
         let t58 = t54
             + (t54 + q[8] * (data.second[2][1] * t46 - data.second[2][2] * t45))
             - (t53 + (t53 + q[7] * (data.second[2][1] * t45 + data.second[2][2] * t46)));
-        rows[0] = 0.0;
         rows[1] = data.point[1] * t45 + data.point[2] * t46;
         rows[2] = data.point[2] * t45 - data.point[1] * t46;
         rows[3] = t55;
@@ -2396,7 +2230,6 @@ pub mod motor_equations {
                 + (t80
                     + (t79
                         + q[7] * (data.second[2][1] * t54 + data.second[2][2] * t56))));
-        rows[0] = 0.0;
         rows[1] = data.point[1] * t54 + data.point[2] * t56;
         rows[2] = data.point[2] * t54 - data.point[1] * t56;
         rows[3] = t63;
@@ -2424,72 +2257,24 @@ pub mod motor_equations {
         let t29 = theta.cos();
         let t30 = theta.sin();
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = 1.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
-        jacobian[14] = 0.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
         jacobian[20] = 1.0;
-        jacobian[21] = 0.0;
-        jacobian[22] = 0.0;
-        jacobian[23] = 0.0;
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
-        jacobian[27] = 0.0;
-        jacobian[28] = 0.0;
-        jacobian[29] = 0.0;
         jacobian[30] = data.normals[0][0];
         jacobian[31] = t29 * data.normals[0][1] - t30 * data.normals[0][2];
         jacobian[32] = t30 * data.normals[0][1] + t29 * data.normals[0][2];
-        jacobian[33] = 0.0;
-        jacobian[34] = 0.0;
-        jacobian[35] = 0.0;
-        jacobian[36] = 0.0;
-        jacobian[37] = 0.0;
-        jacobian[38] = 0.0;
         jacobian[39] = data.normals[1][0];
         jacobian[40] = t29 * data.normals[1][1] - t30 * data.normals[1][2];
         jacobian[41] = t30 * data.normals[1][1] + t29 * data.normals[1][2];
-        jacobian[42] = 0.0;
-        jacobian[43] = 0.0;
-        jacobian[44] = 0.0;
-        jacobian[45] = 0.0;
-        jacobian[46] = 0.0;
-        jacobian[47] = 0.0;
-        jacobian[48] = 0.0;
-        jacobian[49] = 0.0;
-        jacobian[50] = 0.0;
         jacobian[51] = data.second[1][0];
         jacobian[52] = t29 * data.second[1][1] - t30 * data.second[1][2];
         jacobian[53] = t30 * data.second[1][1] + t29 * data.second[1][2];
-        jacobian[54] = 0.0;
-        jacobian[55] = 0.0;
-        jacobian[56] = 0.0;
-        jacobian[57] = 0.0;
-        jacobian[58] = 0.0;
-        jacobian[59] = 0.0;
         jacobian[60] = data.second[2][0];
         jacobian[61] = t29 * data.second[2][1] - t30 * data.second[2][2];
         jacobian[62] = t30 * data.second[2][1] + t29 * data.second[2][2];
     }
-    /// Joint `drive_end`: what it prescribes, with three derivatives.
+    /// Joint `drive_end`: what it prescribes, and its derivatives.
     ///
-    /// Operations: 41 additions, 77 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 28 additions, 55 multiplications, 6 divisions, 4 function calls.
     pub fn joint_drive_end_absolute_prescribed(
         model: &super::Motor,
         t: f64,
@@ -2508,58 +2293,41 @@ pub mod motor_equations {
         let t29 = theta.cos();
         let t30 = theta.sin();
         let t31 = 6.283185307179586 / model.T_s;
-        let t32 = t31 * t26.sin();
-        let t33 = (if t <= model.T_s { t24 * (t - t25 * t32) } else { model.speed });
-        let t34 = t30 * t33;
-        let t35 = t29 * t33;
-        let t36 = (if t <= model.T_s {
+        let t32 = (if t <= model.T_s {
+            t24 * (t - t25 * (t31 * t26.sin()))
+        } else {
+            model.speed
+        });
+        let t33 = t30 * t32;
+        let t34 = t29 * t32;
+        let t35 = (if t <= model.T_s {
             t24 * (1.0 - t25 * (t31 * (t27 * t31)))
         } else {
             0.0
         });
-        let t37 = t33 * t35 + t30 * t36;
-        let t38 = t29 * t36 - t33 * t34;
-        let t39 = (if t <= model.T_s { t24 * (t25 * (t31 * (t31 * t32))) } else { 0.0 });
-        let t40 = t35 * t36;
-        let t41 = t40 + t33 * t38 + (t40 + t30 * t39);
-        let t42 = t34 * t36;
-        let t43 = t29 * t39 - t42 - (t42 + t33 * t37);
+        let t36 = t32 * t34 + t30 * t35;
+        let t37 = t29 * t35 - t32 * t33;
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = t29 * data.point[1] - t30 * data.point[2];
         prescribed.position[0][2] = t30 * data.point[1] + t29 * data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = -(data.point[1] * t34 + data.point[2] * t35);
-        prescribed.position[1][2] = data.point[1] * t35 - data.point[2] * t34;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = -(data.point[1] * t37 + data.point[2] * t38);
-        prescribed.position[2][2] = data.point[1] * t38 - data.point[2] * t37;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = -(data.point[1] * t41 + data.point[2] * t43);
-        prescribed.position[3][2] = data.point[1] * t43 - data.point[2] * t41;
+        prescribed.position[1][1] = -(data.point[1] * t33 + data.point[2] * t34);
+        prescribed.position[1][2] = data.point[1] * t34 - data.point[2] * t33;
+        prescribed.position[2][1] = -(data.point[1] * t36 + data.point[2] * t37);
+        prescribed.position[2][2] = data.point[1] * t37 - data.point[2] * t36;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = t29 * data.tangent[1] - t30 * data.tangent[2];
         prescribed.slope[0][2] = t30 * data.tangent[1] + t29 * data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = -(data.tangent[1] * t34 + data.tangent[2] * t35);
-        prescribed.slope[1][2] = data.tangent[1] * t35 - data.tangent[2] * t34;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = -(data.tangent[1] * t37 + data.tangent[2] * t38);
-        prescribed.slope[2][2] = data.tangent[1] * t38 - data.tangent[2] * t37;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = -(data.tangent[1] * t41 + data.tangent[2] * t43);
-        prescribed.slope[3][2] = data.tangent[1] * t43 - data.tangent[2] * t41;
+        prescribed.slope[1][1] = -(data.tangent[1] * t33 + data.tangent[2] * t34);
+        prescribed.slope[1][2] = data.tangent[1] * t34 - data.tangent[2] * t33;
+        prescribed.slope[2][1] = -(data.tangent[1] * t36 + data.tangent[2] * t37);
+        prescribed.slope[2][2] = data.tangent[1] * t37 - data.tangent[2] * t36;
         prescribed.second[0][0] = data.second[0][0];
         prescribed.second[0][1] = t29 * data.second[0][1] - t30 * data.second[0][2];
         prescribed.second[0][2] = t30 * data.second[0][1] + t29 * data.second[0][2];
-        prescribed.second[1][0] = 0.0;
-        prescribed.second[1][1] = -(data.second[0][1] * t34 + data.second[0][2] * t35);
-        prescribed.second[1][2] = data.second[0][1] * t35 - data.second[0][2] * t34;
-        prescribed.second[2][0] = 0.0;
-        prescribed.second[2][1] = -(data.second[0][1] * t37 + data.second[0][2] * t38);
-        prescribed.second[2][2] = data.second[0][1] * t38 - data.second[0][2] * t37;
-        prescribed.second[3][0] = 0.0;
-        prescribed.second[3][1] = -(data.second[0][1] * t41 + data.second[0][2] * t43);
-        prescribed.second[3][2] = data.second[0][1] * t43 - data.second[0][2] * t41;
+        prescribed.second[1][1] = -(data.second[0][1] * t33 + data.second[0][2] * t34);
+        prescribed.second[1][2] = data.second[0][1] * t34 - data.second[0][2] * t33;
+        prescribed.second[2][1] = -(data.second[0][1] * t36 + data.second[0][2] * t37);
+        prescribed.second[2][2] = data.second[0][1] * t37 - data.second[0][2] * t36;
     }
     /// Joint `far_end`: conditions, position level.
     ///
@@ -2577,54 +2345,6 @@ pub mod motor_equations {
         rows[1] = q[1] - data.point[1];
         rows[2] = q[2] - data.point[2];
     }
-    /// Joint `far_end`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_far_end_referenced_velocity(
-        model: &super::Motor,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
-    /// Joint `far_end`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_far_end_referenced_acceleration(
-        model: &super::Motor,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
-    /// Joint `far_end`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_far_end_referenced_jerk(
-        model: &super::Motor,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
     /// Joint `far_end`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -2635,34 +2355,10 @@ pub mod motor_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = 1.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
-        jacobian[14] = 0.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
         jacobian[20] = 1.0;
-        jacobian[21] = 0.0;
-        jacobian[22] = 0.0;
-        jacobian[23] = 0.0;
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
     }
-    /// Joint `far_end`: what it prescribes, with three derivatives.
+    /// Joint `far_end`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_far_end_referenced_prescribed(
@@ -2674,39 +2370,12 @@ pub mod motor_equations {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
-        prescribed.slope[3][2] = 0.0;
         prescribed.second[0][0] = data.second[0][0];
         prescribed.second[0][1] = data.second[0][1];
         prescribed.second[0][2] = data.second[0][2];
-        prescribed.second[1][0] = 0.0;
-        prescribed.second[1][1] = 0.0;
-        prescribed.second[1][2] = 0.0;
-        prescribed.second[2][0] = 0.0;
-        prescribed.second[2][1] = 0.0;
-        prescribed.second[2][2] = 0.0;
-        prescribed.second[3][0] = 0.0;
-        prescribed.second[3][1] = 0.0;
-        prescribed.second[3][2] = 0.0;
     }
     /// Joint `far_end`: conditions, position level.
     ///
@@ -2761,7 +2430,6 @@ pub mod motor_equations {
         });
         let t22 = theta.sin() * t21;
         let t23 = theta.cos() * t21;
-        rows[0] = 0.0;
         rows[1] = data.point[1] * t22 + data.point[2] * t23;
         rows[2] = data.point[2] * t22 - data.point[1] * t23;
     }
@@ -2801,7 +2469,6 @@ pub mod motor_equations {
         });
         let t27 = t25 * (t22 * t25) + t23 * t26;
         let t28 = t22 * t26 - t25 * (t23 * t25);
-        rows[0] = 0.0;
         rows[1] = data.point[1] * t27 + data.point[2] * t28;
         rows[2] = data.point[2] * t27 - data.point[1] * t28;
     }
@@ -2843,7 +2510,6 @@ pub mod motor_equations {
         let t32 = t31 + t26 * (t22 * t29 - t26 * t27) + (t31 + t23 * t30);
         let t33 = t27 * t29;
         let t34 = t22 * t30 - t33 - (t33 + t26 * (t26 * t28 + t23 * t29));
-        rows[0] = 0.0;
         rows[1] = data.point[1] * t32 + data.point[2] * t34;
         rows[2] = data.point[2] * t32 - data.point[1] * t34;
     }
@@ -2857,36 +2523,12 @@ pub mod motor_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = 1.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
-        jacobian[14] = 0.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
         jacobian[20] = 1.0;
-        jacobian[21] = 0.0;
-        jacobian[22] = 0.0;
-        jacobian[23] = 0.0;
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
     }
-    /// Joint `far_end`: what it prescribes, with three derivatives.
+    /// Joint `far_end`: what it prescribes, and its derivatives.
     ///
-    /// Operations: 41 additions, 77 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 28 additions, 55 multiplications, 6 divisions, 4 function calls.
     pub fn joint_far_end_absolute_prescribed(
         model: &super::Motor,
         t: f64,
@@ -2905,58 +2547,41 @@ pub mod motor_equations {
         let t29 = theta.cos();
         let t30 = theta.sin();
         let t31 = 6.283185307179586 / model.T_s;
-        let t32 = t31 * t26.sin();
-        let t33 = (if t <= model.T_s { t24 * (t - t25 * t32) } else { model.speed });
-        let t34 = t30 * t33;
-        let t35 = t29 * t33;
-        let t36 = (if t <= model.T_s {
+        let t32 = (if t <= model.T_s {
+            t24 * (t - t25 * (t31 * t26.sin()))
+        } else {
+            model.speed
+        });
+        let t33 = t30 * t32;
+        let t34 = t29 * t32;
+        let t35 = (if t <= model.T_s {
             t24 * (1.0 - t25 * (t31 * (t27 * t31)))
         } else {
             0.0
         });
-        let t37 = t33 * t35 + t30 * t36;
-        let t38 = t29 * t36 - t33 * t34;
-        let t39 = (if t <= model.T_s { t24 * (t25 * (t31 * (t31 * t32))) } else { 0.0 });
-        let t40 = t35 * t36;
-        let t41 = t40 + t33 * t38 + (t40 + t30 * t39);
-        let t42 = t34 * t36;
-        let t43 = t29 * t39 - t42 - (t42 + t33 * t37);
+        let t36 = t32 * t34 + t30 * t35;
+        let t37 = t29 * t35 - t32 * t33;
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = t29 * data.point[1] - t30 * data.point[2];
         prescribed.position[0][2] = t30 * data.point[1] + t29 * data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = -(data.point[1] * t34 + data.point[2] * t35);
-        prescribed.position[1][2] = data.point[1] * t35 - data.point[2] * t34;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = -(data.point[1] * t37 + data.point[2] * t38);
-        prescribed.position[2][2] = data.point[1] * t38 - data.point[2] * t37;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = -(data.point[1] * t41 + data.point[2] * t43);
-        prescribed.position[3][2] = data.point[1] * t43 - data.point[2] * t41;
+        prescribed.position[1][1] = -(data.point[1] * t33 + data.point[2] * t34);
+        prescribed.position[1][2] = data.point[1] * t34 - data.point[2] * t33;
+        prescribed.position[2][1] = -(data.point[1] * t36 + data.point[2] * t37);
+        prescribed.position[2][2] = data.point[1] * t37 - data.point[2] * t36;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = t29 * data.tangent[1] - t30 * data.tangent[2];
         prescribed.slope[0][2] = t30 * data.tangent[1] + t29 * data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = -(data.tangent[1] * t34 + data.tangent[2] * t35);
-        prescribed.slope[1][2] = data.tangent[1] * t35 - data.tangent[2] * t34;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = -(data.tangent[1] * t37 + data.tangent[2] * t38);
-        prescribed.slope[2][2] = data.tangent[1] * t38 - data.tangent[2] * t37;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = -(data.tangent[1] * t41 + data.tangent[2] * t43);
-        prescribed.slope[3][2] = data.tangent[1] * t43 - data.tangent[2] * t41;
+        prescribed.slope[1][1] = -(data.tangent[1] * t33 + data.tangent[2] * t34);
+        prescribed.slope[1][2] = data.tangent[1] * t34 - data.tangent[2] * t33;
+        prescribed.slope[2][1] = -(data.tangent[1] * t36 + data.tangent[2] * t37);
+        prescribed.slope[2][2] = data.tangent[1] * t37 - data.tangent[2] * t36;
         prescribed.second[0][0] = data.second[0][0];
         prescribed.second[0][1] = t29 * data.second[0][1] - t30 * data.second[0][2];
         prescribed.second[0][2] = t30 * data.second[0][1] + t29 * data.second[0][2];
-        prescribed.second[1][0] = 0.0;
-        prescribed.second[1][1] = -(data.second[0][1] * t34 + data.second[0][2] * t35);
-        prescribed.second[1][2] = data.second[0][1] * t35 - data.second[0][2] * t34;
-        prescribed.second[2][0] = 0.0;
-        prescribed.second[2][1] = -(data.second[0][1] * t37 + data.second[0][2] * t38);
-        prescribed.second[2][2] = data.second[0][1] * t38 - data.second[0][2] * t37;
-        prescribed.second[3][0] = 0.0;
-        prescribed.second[3][1] = -(data.second[0][1] * t41 + data.second[0][2] * t43);
-        prescribed.second[3][2] = data.second[0][1] * t43 - data.second[0][2] * t41;
+        prescribed.second[1][1] = -(data.second[0][1] * t33 + data.second[0][2] * t34);
+        prescribed.second[1][2] = data.second[0][1] * t34 - data.second[0][2] * t33;
+        prescribed.second[2][1] = -(data.second[0][1] * t36 + data.second[0][2] * t37);
+        prescribed.second[2][2] = data.second[0][1] * t37 - data.second[0][2] * t36;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     ///
@@ -3082,79 +2707,6 @@ pub mod motor_equations {
                 },
             ])
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "drive_end",
-                    kind: ::rncf::mesh::JointKind::Clamp,
-                    body: 0,
-                    at_end: false,
-                    frame: 1,
-                    point: None,
-                },
-                ::rncf::mesh::JointSpec {
-                    name: "far_end",
-                    kind: ::rncf::mesh::JointKind::Pin,
-                    body: 0,
-                    at_end: true,
-                    frame: 1,
-                    point: None,
-                },
-            ])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::At(0.51),
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::At(0.51),
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 2,
-                },
-                ::rncf::mesh::ObservedSpec::Section {
-                    body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::SectionQuantity::MomentZ,
-                },
-                ::rncf::mesh::ObservedSpec::Section {
-                    body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::SectionQuantity::Stress,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            4
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "rotor"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 0] = [];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 1];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -3248,20 +2800,6 @@ pub mod motor_equations {
             };
             Ok(())
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-            frame_rotor(&self.model, t, &mut motions[1]);
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
-        }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             beam_spatial_damped_mass(&self.row_shaft, ::rncf::mesh::array_mut(mass));
         }
@@ -3330,13 +2868,6 @@ pub mod motor_equations {
                         ::rncf::mesh::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 2) => {
-                    beam_spatial_damped_shapes_position_2(
-                        self.row_shaft.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
                 (::rncf::mesh::Interpolant::SectionY, 0) => {
                     beam_spatial_damped_shapes_section_y_0(
                         self.row_shaft.length,
@@ -3351,13 +2882,6 @@ pub mod motor_equations {
                         ::rncf::mesh::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 2) => {
-                    beam_spatial_damped_shapes_section_y_2(
-                        self.row_shaft.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
                 (::rncf::mesh::Interpolant::SectionZ, 0) => {
                     beam_spatial_damped_shapes_section_z_0(
                         self.row_shaft.length,
@@ -3367,13 +2891,6 @@ pub mod motor_equations {
                 }
                 (::rncf::mesh::Interpolant::SectionZ, 1) => {
                     beam_spatial_damped_shapes_section_z_1(
-                        self.row_shaft.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
-                (::rncf::mesh::Interpolant::SectionZ, 2) => {
-                    beam_spatial_damped_shapes_section_z_2(
                         self.row_shaft.length,
                         xi,
                         ::rncf::mesh::array_mut(weights),
@@ -3423,27 +2940,26 @@ pub mod motor_equations {
                 ::rncf::mesh::array_mut(forces),
             );
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "drive_end",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 1,
+                    point: None,
+                },
+                ::rncf::mesh::JointSpec {
+                    name: "far_end",
+                    kind: ::rncf::mesh::JointKind::Pin,
+                    body: 0,
+                    at_end: true,
+                    frame: 1,
+                    point: None,
+                },
+            ])
         }
         fn condition(
             &self,
@@ -3471,39 +2987,7 @@ pub mod motor_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_drive_end_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_drive_end_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_drive_end_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 (0, _) => {
@@ -3567,39 +3051,7 @@ pub mod motor_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_far_end_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_far_end_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_far_end_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 (1, _) => {
@@ -3715,6 +3167,57 @@ pub mod motor_equations {
                 }
                 _ => {}
             }
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::At(0.51),
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::At(0.51),
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 2,
+                },
+                ::rncf::mesh::ObservedSpec::Section {
+                    body: 0,
+                    at: ::rncf::mesh::Place::Start,
+                    what: ::rncf::mesh::SectionQuantity::MomentZ,
+                },
+                ::rncf::mesh::ObservedSpec::Section {
+                    body: 0,
+                    at: ::rncf::mesh::Place::Start,
+                    what: ::rncf::mesh::SectionQuantity::Stress,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            4
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "rotor"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 1];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+            frame_rotor(&self.model, t, &mut motions[1]);
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
         }
         fn fixtures(&self) -> ::std::vec::Vec<::rncf::mesh::FixtureSpec> {
             let model = &self.model;

@@ -2,6 +2,21 @@
 
 /// A pipe on nine elastic supports, shaken by a force between two of them. It has a frame of its own that it hardly needs,
 /// as nothing turns far: every support ties the frame and the pipe to the ground.
+///
+/// # Chosen and left out
+///
+/// * Body `pipe` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).
+/// * Body `pipe` is planar: two components a vector, no motion along the normal.
+/// * Body `pipe` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+/// * Body `pipe`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `pipe` moves in the free frame `own`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+/// * Joint `tie`: its conditions are linear in the nodal vectors of `pipe` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Frame `own` is free in three motions: two positions and an angle.
+/// * Constraint `tie` (clamp in absolute coordinates): 3 multipliers; gradient and second derivatives are derived.
+/// * Force `support_0`, `support_1`, `support_2`, `support_3`, `support_4`, `support_5`, `support_6`, `support_7`, `support_8`: a potential; its tangents are derived.
+/// * Force `shake`: no potential; its tangents are derived.
+/// * Not declared, so that no function is written for it: fixtures, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+/// * Energy-momentum integration: no forces that conserve energy are emitted, as force `shake` has no potential.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PinnedPipe {
@@ -75,11 +90,16 @@ impl ::rncf::Model for PinnedPipe {
     const NOTES: &'static [&'static str] = &[
         "Body `pipe` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).",
         "Body `pipe` is planar: two components a vector, no motion along the normal.",
+        "Body `pipe` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
+        "Body `pipe`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `pipe` moves in the free frame `own`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
+        "Joint `tie`: its conditions are linear in the nodal vectors of `pipe` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
         "Frame `own` is free in three motions: two positions and an angle.",
         "Constraint `tie` (clamp in absolute coordinates): 3 multipliers; gradient and second derivatives are derived.",
         "Force `support_0`, `support_1`, `support_2`, `support_3`, `support_4`, `support_5`, `support_6`, `support_7`, `support_8`: a potential; its tangents are derived.",
         "Force `shake`: no potential; its tangents are derived.",
+        "Not declared, so that no function is written for it: fixtures, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as force `shake` has no potential.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -163,17 +183,18 @@ impl ::rncf::Model for PinnedPipe {
         pinned_pipe_equations::run_defaults(self, &mut run);
         run
     }
-    fn build(
+    fn build_as(
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
+        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
         ::rncf::mesh::check_params(self)?;
         let equations = pinned_pipe_equations::Equations::new(self);
-        ::rncf::mesh::build(equations, formulation, joints)
+        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`PinnedPipe`]: derived, checked and written by the generator.
@@ -201,8 +222,6 @@ pub mod pinned_pipe_equations {
         pub EI: T,
         /// density * area, kg/m.
         pub rhoA: T,
-        /// Damping of the strain measures, s.
-        pub damping: T,
     }
     impl CablePlanar {
         /// The constants of four elements side by side.
@@ -216,7 +235,6 @@ pub mod pinned_pipe_equations {
                 EA: lanes.load(rows.map(|row| row.EA)),
                 EI: lanes.load(rows.map(|row| row.EI)),
                 rhoA: lanes.load(rows.map(|row| row.rhoA)),
-                damping: lanes.load(rows.map(|row| row.damping)),
             }
         }
     }
@@ -816,54 +834,6 @@ pub mod pinned_pipe_equations {
         rows[1] = q[1] - data.point[1];
         rows[2] = data.normals[0][0] * q[2] + data.normals[0][1] * q[3];
     }
-    /// Joint `tie`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_tie_referenced_velocity(
-        model: &super::PinnedPipe,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
-    /// Joint `tie`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_tie_referenced_acceleration(
-        model: &super::PinnedPipe,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
-    /// Joint `tie`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_tie_referenced_jerk(
-        model: &super::PinnedPipe,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
     /// Joint `tie`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -874,19 +844,11 @@ pub mod pinned_pipe_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
         jacobian[5] = 1.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = data.normals[0][0];
         jacobian[11] = data.normals[0][1];
     }
-    /// Joint `tie`: what it prescribes, with three derivatives.
+    /// Joint `tie`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_tie_referenced_prescribed(
@@ -897,20 +859,8 @@ pub mod pinned_pipe_equations {
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
     }
     /// Constraint `tie` (clamp in absolute coordinates): rows C(z, t).
     ///
@@ -1108,8 +1058,6 @@ pub mod pinned_pipe_equations {
         let velocity = &velocity[..1];
         out[1] = model.push * (t * model.rate).sin();
     }
-    /// Times at which a derivative of a motion or load may jump (s).
-    pub fn kinks(model: &super::PinnedPipe, kinks: &mut [f64; 0]) {}
     /// Output columns from what they observe.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -1195,59 +1143,6 @@ pub mod pinned_pipe_equations {
                 },
             ])
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "tie",
-                    kind: ::rncf::mesh::JointKind::Clamp,
-                    body: 0,
-                    at_end: false,
-                    frame: 1,
-                    point: None,
-                },
-            ])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Marker {
-                    marker: 21,
-                    derivative: 0,
-                    component: 1,
-                },
-                ::rncf::mesh::ObservedSpec::Marker {
-                    marker: 19,
-                    derivative: 0,
-                    component: 1,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            2
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "own"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 0] = [];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 0];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -1267,12 +1162,6 @@ pub mod pinned_pipe_equations {
                 68950000000.0,
                 "Pa",
             )?;
-            let damping = ::rncf::mesh::non_negative(
-                "material `aluminium`",
-                "damping",
-                0.0,
-                "s",
-            )?;
             let area = ::rncf::mesh::positive(
                 "section `tube`",
                 "area",
@@ -1290,22 +1179,8 @@ pub mod pinned_pipe_equations {
                 EA: young * area,
                 EI: young * second_moment,
                 rhoA: density * area,
-                damping: damping,
             };
             Ok(())
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             cable_planar_mass(&self.row_pipe, ::rncf::mesh::array_mut(mass));
@@ -1422,6 +1297,9 @@ pub mod pinned_pipe_equations {
                 _ => {}
             }
         }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("force `shake` has no potential")
+        }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
@@ -1456,27 +1334,18 @@ pub mod pinned_pipe_equations {
                 ::rncf::mesh::array_mut(forces),
             );
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "tie",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 1,
+                    point: None,
+                },
+            ])
         }
         fn condition(
             &self,
@@ -1504,39 +1373,7 @@ pub mod pinned_pipe_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_tie_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_tie_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_tie_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 _ => {}
@@ -1571,6 +1408,39 @@ pub mod pinned_pipe_equations {
                 }
                 _ => {}
             }
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 21,
+                    derivative: 0,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 19,
+                    derivative: 0,
+                    component: 1,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            2
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "own"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
         }
         fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
             let still = ::rncf::mesh::FreeSpec {

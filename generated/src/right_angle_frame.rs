@@ -1,6 +1,21 @@
 //! Expansion of `models/src/right_angle_frame.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Right-angle frame under a dead load at its free end: it buckles out of its plane, with bending and torsion.
+///
+/// # Chosen and left out
+///
+/// * Body `first` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).
+/// * Body `first` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+/// * Body `first`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `first` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+/// * Body `second` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).
+/// * Body `second` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+/// * Body `second`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `second` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `first` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Constraint `corner` (weld): 6 multipliers; gradient and second derivatives are derived.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+/// * Energy-momentum integration: forces between two states that conserve energy are derived.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct RightAngleFrame {
@@ -64,11 +79,15 @@ impl ::rncf::Model for RightAngleFrame {
     const NOTES: &'static [&'static str] = &[
         "Body `first` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).",
         "Body `first` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
+        "Body `first`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `first` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
         "Body `second` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).",
         "Body `second` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
+        "Body `second`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `second` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `first` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
         "Constraint `corner` (weld): 6 multipliers; gradient and second derivatives are derived.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: forces between two states that conserve energy are derived.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -207,8 +226,6 @@ pub mod right_angle_frame_equations {
         pub rhoIz: f64,
         /// density * second_moment_y, kg m.
         pub rhoIy: f64,
-        /// Damping of the strain measures, s.
-        pub damping: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY, SectionZ.
     static BEAM_SPATIAL_VECTORS: ::rncf::mesh::Vectors<10, 3, 3, 3> = ::rncf::mesh::Vectors {
@@ -1068,22 +1085,6 @@ pub mod right_angle_frame_equations {
         weights[6] = t14 * (xi * (6.0 + xi * (-6.0)));
         weights[7] = xi * (t15 + (-2.0));
     }
-    /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 4 additions, 8 multiplications, 2 divisions.
-    pub fn beam_spatial_shapes_position_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 10],
-    ) {
-        let t14 = 1.0 / (length * length);
-        let t15 = xi * 6.0;
-        let t16 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t14;
-        weights[1] = (-4.0 + t15) * t16;
-        weights[6] = t14 * (6.0 + xi * (-12.0));
-        weights[7] = t16 * (t15 + (-2.0));
-    }
     /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 5 multiplications.
@@ -1111,20 +1112,6 @@ pub mod right_angle_frame_equations {
         weights[4] = t15 * (4.0 + xi * (-8.0));
         weights[8] = t15 * (t14 + (-1.0));
     }
-    /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 0 additions, 3 multiplications, 1 divisions.
-    pub fn beam_spatial_shapes_section_y_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 10],
-    ) {
-        let t13 = 1.0 / (length * length);
-        let t14 = 4.0 * t13;
-        weights[2] = t14;
-        weights[4] = t13 * (-8.0);
-        weights[8] = t14;
-    }
     /// Weights of the nodal vectors in the section's z axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 5 multiplications.
@@ -1151,20 +1138,6 @@ pub mod right_angle_frame_equations {
         weights[3] = (-3.0 + t14) * t15;
         weights[5] = t15 * (4.0 + xi * (-8.0));
         weights[9] = t15 * (t14 + (-1.0));
-    }
-    /// Weights of the nodal vectors in d2/dx2 of the section's z axis at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 0 additions, 3 multiplications, 1 divisions.
-    pub fn beam_spatial_shapes_section_z_2(
-        length: f64,
-        xi: f64,
-        weights: &mut [f64; 10],
-    ) {
-        let t13 = 1.0 / (length * length);
-        let t14 = 4.0 * t13;
-        weights[3] = t14;
-        weights[5] = t13 * (-8.0);
-        weights[9] = t14;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -1988,66 +1961,6 @@ pub mod right_angle_frame_equations {
         rows[6] = data.second[2][0] * q[6] + data.second[2][1] * q[7]
             + data.second[2][2] * q[8];
     }
-    /// Joint `root`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_absolute_velocity(
-        model: &super::RightAngleFrame,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-        rows[5] = 0.0;
-        rows[6] = 0.0;
-    }
-    /// Joint `root`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_absolute_acceleration(
-        model: &super::RightAngleFrame,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-        rows[5] = 0.0;
-        rows[6] = 0.0;
-    }
-    /// Joint `root`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_absolute_jerk(
-        model: &super::RightAngleFrame,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-        rows[5] = 0.0;
-        rows[6] = 0.0;
-    }
     /// Joint `root`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -2058,70 +1971,22 @@ pub mod right_angle_frame_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = 1.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
-        jacobian[14] = 0.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
         jacobian[20] = 1.0;
-        jacobian[21] = 0.0;
-        jacobian[22] = 0.0;
-        jacobian[23] = 0.0;
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
-        jacobian[27] = 0.0;
-        jacobian[28] = 0.0;
-        jacobian[29] = 0.0;
         jacobian[30] = data.normals[0][0];
         jacobian[31] = data.normals[0][1];
         jacobian[32] = data.normals[0][2];
-        jacobian[33] = 0.0;
-        jacobian[34] = 0.0;
-        jacobian[35] = 0.0;
-        jacobian[36] = 0.0;
-        jacobian[37] = 0.0;
-        jacobian[38] = 0.0;
         jacobian[39] = data.normals[1][0];
         jacobian[40] = data.normals[1][1];
         jacobian[41] = data.normals[1][2];
-        jacobian[42] = 0.0;
-        jacobian[43] = 0.0;
-        jacobian[44] = 0.0;
-        jacobian[45] = 0.0;
-        jacobian[46] = 0.0;
-        jacobian[47] = 0.0;
-        jacobian[48] = 0.0;
-        jacobian[49] = 0.0;
-        jacobian[50] = 0.0;
         jacobian[51] = data.second[1][0];
         jacobian[52] = data.second[1][1];
         jacobian[53] = data.second[1][2];
-        jacobian[54] = 0.0;
-        jacobian[55] = 0.0;
-        jacobian[56] = 0.0;
-        jacobian[57] = 0.0;
-        jacobian[58] = 0.0;
-        jacobian[59] = 0.0;
         jacobian[60] = data.second[2][0];
         jacobian[61] = data.second[2][1];
         jacobian[62] = data.second[2][2];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_absolute_prescribed(
@@ -2133,39 +1998,12 @@ pub mod right_angle_frame_equations {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
-        prescribed.slope[3][2] = 0.0;
         prescribed.second[0][0] = data.second[0][0];
         prescribed.second[0][1] = data.second[0][1];
         prescribed.second[0][2] = data.second[0][2];
-        prescribed.second[1][0] = 0.0;
-        prescribed.second[1][1] = 0.0;
-        prescribed.second[1][2] = 0.0;
-        prescribed.second[2][0] = 0.0;
-        prescribed.second[2][1] = 0.0;
-        prescribed.second[2][2] = 0.0;
-        prescribed.second[3][0] = 0.0;
-        prescribed.second[3][1] = 0.0;
-        prescribed.second[3][2] = 0.0;
     }
     /// Constraint `corner` (weld): rows C(z, t).
     ///
@@ -3027,8 +2865,6 @@ pub mod right_angle_frame_equations {
         hessian[421] = t142;
         hessian[329] = t142;
     }
-    /// Times at which a derivative of a motion or load may jump (s).
-    pub fn kinks(model: &super::RightAngleFrame, kinks: &mut [f64; 0]) {}
     /// Output columns from what they observe.
     ///
     /// Operations: 2 additions, 0 multiplications.
@@ -3234,76 +3070,6 @@ pub mod right_angle_frame_equations {
                 },
             ])
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
-                    body: 0,
-                    at_end: false,
-                    frame: 0,
-                    point: None,
-                },
-            ])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
-                    name: "push",
-                    kind: ::rncf::mesh::LoadKind::Force {
-                        body: 1,
-                        at: ::rncf::mesh::Place::End,
-                    },
-                    frame: 0,
-                },
-            ])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 1,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 1,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 1,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 2,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            3
-        }
-        fn frame_count(&self) -> usize {
-            1
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 1] = [false];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            true
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 0];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -3330,12 +3096,6 @@ pub mod right_angle_frame_equations {
                         "poisson",
                         0.31,
                         "1",
-                    )?;
-                    let damping = ::rncf::mesh::non_negative(
-                        "material `aluminium`",
-                        "damping",
-                        0.0,
-                        "s",
                     )?;
                     let area = ::rncf::mesh::positive(
                         "section `strip`",
@@ -3400,7 +3160,6 @@ pub mod right_angle_frame_equations {
                         rhoA: density * area,
                         rhoIz: density * second_moment_z,
                         rhoIy: density * second_moment_y,
-                        damping: damping,
                     };
                 }
                 _ => {
@@ -3421,12 +3180,6 @@ pub mod right_angle_frame_equations {
                         "poisson",
                         0.31,
                         "1",
-                    )?;
-                    let damping = ::rncf::mesh::non_negative(
-                        "material `aluminium`",
-                        "damping",
-                        0.0,
-                        "s",
                     )?;
                     let area = ::rncf::mesh::positive(
                         "section `strip`",
@@ -3491,25 +3244,10 @@ pub mod right_angle_frame_equations {
                         rhoA: density * area,
                         rhoIz: density * second_moment_z,
                         rhoIy: density * second_moment_y,
-                        damping: damping,
                     };
                 }
             }
             Ok(())
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                0 => load_push(&self.model, t, &mut value),
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             match body {
@@ -3618,13 +3356,6 @@ pub mod right_angle_frame_equations {
                                 ::rncf::mesh::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::Position, 2) => {
-                            beam_spatial_shapes_position_2(
-                                self.row_first.length,
-                                xi,
-                                ::rncf::mesh::array_mut(weights),
-                            )
-                        }
                         (::rncf::mesh::Interpolant::SectionY, 0) => {
                             beam_spatial_shapes_section_y_0(
                                 self.row_first.length,
@@ -3639,13 +3370,6 @@ pub mod right_angle_frame_equations {
                                 ::rncf::mesh::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::SectionY, 2) => {
-                            beam_spatial_shapes_section_y_2(
-                                self.row_first.length,
-                                xi,
-                                ::rncf::mesh::array_mut(weights),
-                            )
-                        }
                         (::rncf::mesh::Interpolant::SectionZ, 0) => {
                             beam_spatial_shapes_section_z_0(
                                 self.row_first.length,
@@ -3655,13 +3379,6 @@ pub mod right_angle_frame_equations {
                         }
                         (::rncf::mesh::Interpolant::SectionZ, 1) => {
                             beam_spatial_shapes_section_z_1(
-                                self.row_first.length,
-                                xi,
-                                ::rncf::mesh::array_mut(weights),
-                            )
-                        }
-                        (::rncf::mesh::Interpolant::SectionZ, 2) => {
-                            beam_spatial_shapes_section_z_2(
                                 self.row_first.length,
                                 xi,
                                 ::rncf::mesh::array_mut(weights),
@@ -3686,13 +3403,6 @@ pub mod right_angle_frame_equations {
                                 ::rncf::mesh::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::Position, 2) => {
-                            beam_spatial_shapes_position_2(
-                                self.row_second.length,
-                                xi,
-                                ::rncf::mesh::array_mut(weights),
-                            )
-                        }
                         (::rncf::mesh::Interpolant::SectionY, 0) => {
                             beam_spatial_shapes_section_y_0(
                                 self.row_second.length,
@@ -3707,13 +3417,6 @@ pub mod right_angle_frame_equations {
                                 ::rncf::mesh::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::SectionY, 2) => {
-                            beam_spatial_shapes_section_y_2(
-                                self.row_second.length,
-                                xi,
-                                ::rncf::mesh::array_mut(weights),
-                            )
-                        }
                         (::rncf::mesh::Interpolant::SectionZ, 0) => {
                             beam_spatial_shapes_section_z_0(
                                 self.row_second.length,
@@ -3723,13 +3426,6 @@ pub mod right_angle_frame_equations {
                         }
                         (::rncf::mesh::Interpolant::SectionZ, 1) => {
                             beam_spatial_shapes_section_z_1(
-                                self.row_second.length,
-                                xi,
-                                ::rncf::mesh::array_mut(weights),
-                            )
-                        }
-                        (::rncf::mesh::Interpolant::SectionZ, 2) => {
-                            beam_spatial_shapes_section_z_2(
                                 self.row_second.length,
                                 xi,
                                 ::rncf::mesh::array_mut(weights),
@@ -3875,27 +3571,18 @@ pub mod right_angle_frame_equations {
                 }
             }
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 0,
+                    point: None,
+                },
+            ])
         }
         fn condition(
             &self,
@@ -3923,31 +3610,7 @@ pub mod right_angle_frame_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_root_absolute_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_root_absolute_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_root_absolute_jerk(&self.model, t, data, q, v, a, rows)
-                        }
+                        _ => {}
                     }
                 }
                 _ => {}
@@ -3982,6 +3645,72 @@ pub mod right_angle_frame_equations {
                 }
                 _ => {}
             }
+        }
+        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::LoadSpec {
+                    name: "push",
+                    kind: ::rncf::mesh::LoadKind::Force {
+                        body: 1,
+                        at: ::rncf::mesh::Place::End,
+                    },
+                    frame: 0,
+                },
+            ])
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 1] = [false];
+            VARIES[load]
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                0 => load_push(&self.model, t, &mut value),
+                _ => {}
+            }
+            value
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 1,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 1,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 1,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            1
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial"][frame]
+        }
+        fn conservative(&self) -> bool {
+            true
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
         }
         fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
             let model = &self.model;

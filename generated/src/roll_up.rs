@@ -1,6 +1,17 @@
 //! Expansion of `models/src/roll_up.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Roll-up: an end moment of 2 pi EI/L bends a straight cantilever to a full circle.
+///
+/// # Chosen and left out
+///
+/// * Body `beam` uses `beam_planar`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1954).
+/// * Body `beam` is planar: two components a vector, no motion along the normal.
+/// * Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.
+/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+/// * Energy-momentum integration: no forces that conserve energy are emitted, as load `bend` is a moment, which has no potential.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct RollUp {
@@ -64,8 +75,11 @@ impl ::rncf::Model for RollUp {
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_planar`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1954).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",
-        "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear, twist and have rotary inertia.",
+        "Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.",
+        "Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as load `bend` is a moment, which has no potential.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -192,8 +206,6 @@ pub mod roll_up_equations {
         pub rhoA: f64,
         /// density * second_moment_z, kg m.
         pub rhoIz: f64,
-        /// Damping of the strain measures, s.
-        pub damping: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY.
     static BEAM_PLANAR_VECTORS: ::rncf::mesh::Vectors<7, 2, 2, 3> = ::rncf::mesh::Vectors {
@@ -611,18 +623,6 @@ pub mod roll_up_equations {
         weights[4] = t14 * (xi * (6.0 + xi * (-6.0)));
         weights[5] = xi * (t15 + (-2.0));
     }
-    /// Weights of the nodal vectors in d2/dx2 of the position at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 4 additions, 8 multiplications, 2 divisions.
-    pub fn beam_planar_shapes_position_2(length: f64, xi: f64, weights: &mut [f64; 7]) {
-        let t14 = 1.0 / (length * length);
-        let t15 = xi * 6.0;
-        let t16 = 1.0 / length;
-        weights[0] = (-6.0 + xi * 12.0) * t14;
-        weights[1] = (-4.0 + t15) * t16;
-        weights[4] = t14 * (6.0 + xi * (-12.0));
-        weights[5] = t16 * (t15 + (-2.0));
-    }
     /// Weights of the nodal vectors in the section's y axis at xi in [0, 1]; the others are left alone.
     ///
     /// Operations: 4 additions, 5 multiplications.
@@ -641,16 +641,6 @@ pub mod roll_up_equations {
         weights[2] = (-3.0 + t14) * t15;
         weights[3] = t15 * (4.0 + xi * (-8.0));
         weights[6] = t15 * (t14 + (-1.0));
-    }
-    /// Weights of the nodal vectors in d2/dx2 of the section's y axis at xi in [0, 1]; the others are left alone.
-    ///
-    /// Operations: 0 additions, 3 multiplications, 1 divisions.
-    pub fn beam_planar_shapes_section_y_2(length: f64, xi: f64, weights: &mut [f64; 7]) {
-        let t13 = 1.0 / (length * length);
-        let t14 = 4.0 * t13;
-        weights[2] = t14;
-        weights[3] = t13 * (-8.0);
-        weights[6] = t14;
     }
     /// Writes the forces on the fields a, b, db at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
@@ -715,57 +705,6 @@ pub mod roll_up_equations {
         rows[2] = q[2] - data.tangent[0];
         rows[3] = q[3] - data.tangent[1];
     }
-    /// Joint `root`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_absolute_velocity(
-        model: &super::RollUp,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-    }
-    /// Joint `root`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_absolute_acceleration(
-        model: &super::RollUp,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-    }
-    /// Joint `root`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_absolute_jerk(
-        model: &super::RollUp,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-    }
     /// Joint `root`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -776,23 +715,11 @@ pub mod roll_up_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
         jacobian[5] = 1.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = 1.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
-        jacobian[14] = 0.0;
         jacobian[15] = 1.0;
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_absolute_prescribed(
@@ -803,20 +730,8 @@ pub mod roll_up_equations {
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
     }
     /// Adds the generalised force of a moment on a slope, Q = m x s / (s . s) (virtual work of a turning slope).
     ///
@@ -840,8 +755,6 @@ pub mod roll_up_equations {
         tangent[2] += (moment[0] - t17 * t18) / t15;
         tangent[3] += -t17 * t19 / t15;
     }
-    /// Times at which a derivative of a motion or load may jump (s).
-    pub fn kinks(model: &super::RollUp, kinks: &mut [f64; 0]) {}
     /// Output columns from what they observe.
     ///
     /// Operations: 3 additions, 2 multiplications, 1 function calls.
@@ -943,82 +856,6 @@ pub mod roll_up_equations {
                 },
             ])
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "root",
-                    kind: ::rncf::mesh::JointKind::ClampFull,
-                    body: 0,
-                    at_end: false,
-                    frame: 0,
-                    point: None,
-                },
-            ])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
-                    name: "bend",
-                    kind: ::rncf::mesh::LoadKind::Moment {
-                        body: 0,
-                        at: ::rncf::mesh::Place::End,
-                    },
-                    frame: 0,
-                },
-            ])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            3
-        }
-        fn frame_count(&self) -> usize {
-            1
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 1] = [false];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 0];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -1043,12 +880,6 @@ pub mod roll_up_equations {
                 "poisson",
                 0.3,
                 "1",
-            )?;
-            let damping = ::rncf::mesh::non_negative(
-                "material `steel`",
-                "damping",
-                0.0,
-                "s",
             )?;
             let area = ::rncf::mesh::positive(
                 "section `round`",
@@ -1101,23 +932,8 @@ pub mod roll_up_equations {
                 GIz: shear_modulus * second_moment_z,
                 rhoA: density * area,
                 rhoIz: density * second_moment_z,
-                damping: damping,
             };
             Ok(())
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                0 => load_bend(&self.model, t, &mut value),
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             beam_planar_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
@@ -1184,13 +1000,6 @@ pub mod roll_up_equations {
                         ::rncf::mesh::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 2) => {
-                    beam_planar_shapes_position_2(
-                        self.row_beam.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
                 (::rncf::mesh::Interpolant::SectionY, 0) => {
                     beam_planar_shapes_section_y_0(
                         self.row_beam.length,
@@ -1200,13 +1009,6 @@ pub mod roll_up_equations {
                 }
                 (::rncf::mesh::Interpolant::SectionY, 1) => {
                     beam_planar_shapes_section_y_1(
-                        self.row_beam.length,
-                        xi,
-                        ::rncf::mesh::array_mut(weights),
-                    )
-                }
-                (::rncf::mesh::Interpolant::SectionY, 2) => {
-                    beam_planar_shapes_section_y_2(
                         self.row_beam.length,
                         xi,
                         ::rncf::mesh::array_mut(weights),
@@ -1256,29 +1058,18 @@ pub mod roll_up_equations {
                 ::rncf::mesh::array_mut(forces),
             );
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                2 => moment_planar(slope, moment, force),
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                2 => moment_tangent_planar(slope, moment, tangent),
-                _ => {}
-            }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::ClampFull,
+                    body: 0,
+                    at_end: false,
+                    frame: 0,
+                    point: None,
+                },
+            ])
         }
         fn condition(
             &self,
@@ -1306,31 +1097,7 @@ pub mod roll_up_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_root_absolute_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_root_absolute_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_root_absolute_jerk(&self.model, t, data, q, v, a, rows)
-                        }
+                        _ => {}
                     }
                 }
                 _ => {}
@@ -1363,6 +1130,102 @@ pub mod roll_up_equations {
                 (0, _) => {
                     joint_root_absolute_prescribed(&self.model, t, data, prescribed);
                 }
+                _ => {}
+            }
+        }
+        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::LoadSpec {
+                    name: "bend",
+                    kind: ::rncf::mesh::LoadKind::Moment {
+                        body: 0,
+                        at: ::rncf::mesh::Place::End,
+                    },
+                    frame: 0,
+                },
+            ])
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 1] = [false];
+            VARIES[load]
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                0 => load_bend(&self.model, t, &mut value),
+                _ => {}
+            }
+            value
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::Start,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::Start,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            1
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn moment(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            force: &mut [f64],
+        ) {
+            match dimension {
+                2 => moment_planar(slope, moment, force),
+                _ => {}
+            }
+        }
+        fn moment_tangent(
+            &self,
+            dimension: usize,
+            slope: &[f64],
+            moment: [f64; 3],
+            tangent: &mut [f64],
+        ) {
+            match dimension {
+                2 => moment_tangent_planar(slope, moment, tangent),
                 _ => {}
             }
         }

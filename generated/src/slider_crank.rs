@@ -2,6 +2,25 @@
 
 /// Flexible slider-crank (Ren & Yang 2021, section 4.2): a soft connecting rod between a crank that is driven about x
 /// and a slider on the x axis.
+///
+/// # Chosen and left out
+///
+/// * Body `beam` uses `cable_spatial_exact_damped`. Form: loop over points (the cheapest; operations of force and tangent: points unrolled: 795 and 4638; loop over points: 843 and 5093; a loop counts 1.3 times).
+/// * Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+/// * Body `beam`: its axis is straight: no stress-free curvature for each element.
+/// * Body `beam` moves in the free frame `rod`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Joint `chord_y`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Joint `chord_z`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Frame `rod` is free in three motions: a rotation vector that begins anew every step.
+/// * Constraint `root` (pin in absolute coordinates): 3 multipliers; linear in its vectors, no second derivatives.
+/// * Constraint `chord_y` (hold in absolute coordinates), `chord_z` (hold in absolute coordinates): 1 multiplier; gradient and second derivatives are derived.
+/// * Constraint `cross_axis` (constraint): 1 multiplier; linear in its vectors, no second derivatives.
+/// * Constraint `guide_y` (constraint): 1 multiplier; linear in its vectors, no second derivatives.
+/// * Constraint `guide_z` (constraint): 1 multiplier; linear in its vectors, no second derivatives.
+/// * Fixture `slider` adds constants to the inertia of `beam` and no unknowns.
+/// * Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
+/// * Energy-momentum integration: no forces that conserve energy are emitted, as body `beam` is damped.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct SliderCrank {
@@ -49,7 +68,7 @@ impl ::rncf::Model for SliderCrank {
     const radius = 8 mm;
 
     // A thousand times softer than steel, so that deflections can be seen.
-    material soft { density = 7870 kg/m^3; young = 0.2 GPa; poisson = 0.29; damping = damping; }
+    material soft { density = 7870 kg/m^3; young = 0.2 GPa; damping = damping; }
     section round { area = pi * radius^2; second_moment = pi * radius^4 / 4; }
 
     /// Angle of the crank, Eqs. (23), (24).
@@ -91,7 +110,12 @@ impl ::rncf::Model for SliderCrank {
 }"#;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `cable_spatial_exact_damped`. Form: loop over points (the cheapest; operations of force and tangent: points unrolled: 795 and 4638; loop over points: 843 and 5093; a loop counts 1.3 times).",
+        "Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
+        "Body `beam`: its axis is straight: no stress-free curvature for each element.",
         "Body `beam` moves in the free frame `rod`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Joint `chord_y`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Joint `chord_z`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
         "Frame `rod` is free in three motions: a rotation vector that begins anew every step.",
         "Constraint `root` (pin in absolute coordinates): 3 multipliers; linear in its vectors, no second derivatives.",
         "Constraint `chord_y` (hold in absolute coordinates), `chord_z` (hold in absolute coordinates): 1 multiplier; gradient and second derivatives are derived.",
@@ -99,6 +123,7 @@ impl ::rncf::Model for SliderCrank {
         "Constraint `guide_y` (constraint): 1 multiplier; linear in its vectors, no second derivatives.",
         "Constraint `guide_z` (constraint): 1 multiplier; linear in its vectors, no second derivatives.",
         "Fixture `slider` adds constants to the inertia of `beam` and no unknowns.",
+        "Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as body `beam` is damped.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -1605,54 +1630,6 @@ pub mod slider_crank_equations {
         rows[1] = q[1] - data.point[1];
         rows[2] = q[2] - data.point[2];
     }
-    /// Joint `root`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_velocity(
-        model: &super::SliderCrank,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
-    /// Joint `root`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_acceleration(
-        model: &super::SliderCrank,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
-    /// Joint `root`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_jerk(
-        model: &super::SliderCrank,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
     /// Joint `root`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -1663,25 +1640,10 @@ pub mod slider_crank_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
         jacobian[7] = 1.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
-        jacobian[10] = 0.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
         jacobian[14] = 1.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
@@ -1693,27 +1655,9 @@ pub mod slider_crank_equations {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
-        prescribed.slope[3][2] = 0.0;
     }
     /// Joint `chord_y`: conditions, position level.
     ///
@@ -1729,48 +1673,6 @@ pub mod slider_crank_equations {
     ) {
         rows[0] = q[1] - data.point[1];
     }
-    /// Joint `chord_y`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_chord_y_referenced_velocity(
-        model: &super::SliderCrank,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-    }
-    /// Joint `chord_y`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_chord_y_referenced_acceleration(
-        model: &super::SliderCrank,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-    }
-    /// Joint `chord_y`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_chord_y_referenced_jerk(
-        model: &super::SliderCrank,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-    }
     /// Joint `chord_y`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -1780,14 +1682,9 @@ pub mod slider_crank_equations {
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
     ) {
-        jacobian[0] = 0.0;
         jacobian[1] = 1.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
     }
-    /// Joint `chord_y`: what it prescribes, with three derivatives.
+    /// Joint `chord_y`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_chord_y_referenced_prescribed(
@@ -1799,27 +1696,9 @@ pub mod slider_crank_equations {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
-        prescribed.slope[3][2] = 0.0;
     }
     /// Joint `chord_z`: conditions, position level.
     ///
@@ -1835,48 +1714,6 @@ pub mod slider_crank_equations {
     ) {
         rows[0] = q[2] - data.point[2];
     }
-    /// Joint `chord_z`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_chord_z_referenced_velocity(
-        model: &super::SliderCrank,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-    }
-    /// Joint `chord_z`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_chord_z_referenced_acceleration(
-        model: &super::SliderCrank,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-    }
-    /// Joint `chord_z`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_chord_z_referenced_jerk(
-        model: &super::SliderCrank,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-    }
     /// Joint `chord_z`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -1886,14 +1723,9 @@ pub mod slider_crank_equations {
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
     ) {
-        jacobian[0] = 0.0;
-        jacobian[1] = 0.0;
         jacobian[2] = 1.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
     }
-    /// Joint `chord_z`: what it prescribes, with three derivatives.
+    /// Joint `chord_z`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_chord_z_referenced_prescribed(
@@ -1905,27 +1737,9 @@ pub mod slider_crank_equations {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
-        prescribed.slope[3][2] = 0.0;
     }
     /// Constraint `root` (pin in absolute coordinates): rows C(z, t).
     ///
@@ -2579,132 +2393,6 @@ pub mod slider_crank_equations {
                 },
             ])
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "root",
-                    kind: ::rncf::mesh::JointKind::Pin,
-                    body: 0,
-                    at_end: false,
-                    frame: 2,
-                    point: None,
-                },
-                ::rncf::mesh::JointSpec {
-                    name: "chord_y",
-                    kind: ::rncf::mesh::JointKind::Hold {
-                        of: ::rncf::mesh::Interpolant::Position,
-                        order: 0,
-                        axis: 1,
-                    },
-                    body: 0,
-                    at_end: true,
-                    frame: 2,
-                    point: None,
-                },
-                ::rncf::mesh::JointSpec {
-                    name: "chord_z",
-                    kind: ::rncf::mesh::JointKind::Hold {
-                        of: ::rncf::mesh::Interpolant::Position,
-                        order: 0,
-                        axis: 2,
-                    },
-                    body: 0,
-                    at_end: true,
-                    frame: 2,
-                    point: None,
-                },
-            ])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Marker {
-                    marker: 2,
-                    derivative: 0,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::At(0.15),
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::At(0.15),
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::At(0.15),
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 2,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 2,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 2,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            3
-        }
-        fn frame_count(&self) -> usize {
-            3
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "pin_frame", "rod"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 0] = [];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 1];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -2723,12 +2411,6 @@ pub mod slider_crank_equations {
                 "young",
                 200000000.0,
                 "Pa",
-            )?;
-            let poisson = ::rncf::mesh::poisson(
-                "material `soft`",
-                "poisson",
-                0.29,
-                "1",
             )?;
             let damping = ::rncf::mesh::non_negative(
                 "material `soft`",
@@ -2756,20 +2438,6 @@ pub mod slider_crank_equations {
                 damping: damping,
             };
             Ok(())
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-            frame_pin_frame(&self.model, t, &mut motions[1]);
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             cable_spatial_exact_damped_mass(
@@ -2890,27 +2558,42 @@ pub mod slider_crank_equations {
                 ::rncf::mesh::array_mut(forces),
             );
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Pin,
+                    body: 0,
+                    at_end: false,
+                    frame: 2,
+                    point: None,
+                },
+                ::rncf::mesh::JointSpec {
+                    name: "chord_y",
+                    kind: ::rncf::mesh::JointKind::Hold {
+                        of: ::rncf::mesh::Interpolant::Position,
+                        order: 0,
+                        axis: 1,
+                    },
+                    body: 0,
+                    at_end: true,
+                    frame: 2,
+                    point: None,
+                },
+                ::rncf::mesh::JointSpec {
+                    name: "chord_z",
+                    kind: ::rncf::mesh::JointKind::Hold {
+                        of: ::rncf::mesh::Interpolant::Position,
+                        order: 0,
+                        axis: 2,
+                    },
+                    body: 0,
+                    at_end: true,
+                    frame: 2,
+                    point: None,
+                },
+            ])
         }
         fn condition(
             &self,
@@ -2938,39 +2621,7 @@ pub mod slider_crank_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_root_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_root_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_root_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 (1, false) => {
@@ -2986,39 +2637,7 @@ pub mod slider_crank_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_chord_y_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_chord_y_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_chord_y_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 (2, false) => {
@@ -3034,39 +2653,7 @@ pub mod slider_crank_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_chord_z_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_chord_z_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_chord_z_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 _ => {}
@@ -3123,6 +2710,94 @@ pub mod slider_crank_equations {
                 }
                 _ => {}
             }
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Marker {
+                    marker: 2,
+                    derivative: 0,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::At(0.15),
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::Start,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::At(0.15),
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::Start,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::At(0.15),
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 2,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::Start,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 2,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            3
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "pin_frame", "rod"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 1];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+            frame_pin_frame(&self.model, t, &mut motions[1]);
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
         }
         fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;

@@ -1,6 +1,18 @@
 //! Expansion of `models/src/spin_up.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Spin-up manoeuvre of a flexible beam (Ren & Yang 2021, section 4.1.1).
+///
+/// # Chosen and left out
+///
+/// * Body `beam` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).
+/// * Body `beam` is planar: two components a vector, no motion along the normal.
+/// * Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
+/// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct SpinUp {
@@ -33,7 +45,7 @@ impl ::rncf::Model for SpinUp {
     /// Number of elements.
     param elements: count = 6;
 
-    material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; poisson = 0.3; }
+    material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
     section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
 
     /// Angle of the hub, Eq. (22).
@@ -59,7 +71,12 @@ impl ::rncf::Model for SpinUp {
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",
+        "Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
+        "Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -172,8 +189,6 @@ pub mod spin_up_equations {
         pub EI: T,
         /// density * area, kg/m.
         pub rhoA: T,
-        /// Damping of the strain measures, s.
-        pub damping: T,
     }
     impl CablePlanar {
         /// The constants of four elements side by side.
@@ -187,7 +202,6 @@ pub mod spin_up_equations {
                 EA: lanes.load(rows.map(|row| row.EA)),
                 EI: lanes.load(rows.map(|row| row.EI)),
                 rhoA: lanes.load(rows.map(|row| row.rhoA)),
-                damping: lanes.load(rows.map(|row| row.damping)),
             }
         }
     }
@@ -763,9 +777,9 @@ pub mod spin_up_equations {
         forces[2] = -fields[1] * t24;
         forces[3] = fields[0] * t24;
     }
-    /// Motion of frame `hub` and its first three derivatives.
+    /// Motion of frame `hub` and its first two derivatives.
     ///
-    /// Operations: 9 additions, 17 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
     pub fn frame_hub(
         model: &super::SpinUp,
         t: f64,
@@ -784,9 +798,8 @@ pub mod spin_up_equations {
         let t20 = theta.cos();
         let t21 = theta.sin();
         let t22 = 6.283185307179586 / model.T_s;
-        let t23 = t22 * t17.sin();
         let theta_t = (if t <= model.T_s {
-            t15 * (t - t16 * t23)
+            t15 * (t - t16 * (t22 * t17.sin()))
         } else {
             model.omega_s
         });
@@ -795,14 +808,8 @@ pub mod spin_up_equations {
         } else {
             0.0
         });
-        let theta_t_t_t = (if t <= model.T_s {
-            t15 * (t16 * (t22 * (t22 * t23)))
-        } else {
-            0.0
-        });
         motion.spin[2] = theta_t;
         motion.spin_rate[2] = theta_t_t;
-        motion.spin_jerk[2] = theta_t_t_t;
         motion.rotation[0][0] = t20;
         motion.rotation[0][1] = -t21;
         motion.rotation[1][0] = t21;
@@ -824,54 +831,6 @@ pub mod spin_up_equations {
         rows[1] = q[1] - data.point[1];
         rows[2] = data.normals[0][0] * q[2] + data.normals[0][1] * q[3];
     }
-    /// Joint `root`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_velocity(
-        model: &super::SpinUp,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
-    /// Joint `root`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_acceleration(
-        model: &super::SpinUp,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
-    /// Joint `root`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_jerk(
-        model: &super::SpinUp,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-    }
     /// Joint `root`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -882,19 +841,11 @@ pub mod spin_up_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
         jacobian[5] = 1.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = data.normals[0][0];
         jacobian[11] = data.normals[0][1];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
@@ -905,20 +856,8 @@ pub mod spin_up_equations {
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -1107,21 +1046,13 @@ pub mod spin_up_equations {
         let t19 = theta.cos();
         let t20 = theta.sin();
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
         jacobian[5] = 1.0;
-        jacobian[6] = 0.0;
-        jacobian[7] = 0.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
         jacobian[10] = t19 * data.normals[0][0] - t20 * data.normals[0][1];
         jacobian[11] = t20 * data.normals[0][0] + t19 * data.normals[0][1];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
-    /// Operations: 33 additions, 61 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 22 additions, 43 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_prescribed(
         model: &super::SpinUp,
         t: f64,
@@ -1140,38 +1071,32 @@ pub mod spin_up_equations {
         let t24 = theta.cos();
         let t25 = theta.sin();
         let t26 = 6.283185307179586 / model.T_s;
-        let t27 = t26 * t21.sin();
-        let t28 = (if t <= model.T_s { t19 * (t - t20 * t27) } else { model.omega_s });
-        let t29 = t25 * t28;
-        let t30 = t24 * t28;
-        let t31 = (if t <= model.T_s {
+        let t27 = (if t <= model.T_s {
+            t19 * (t - t20 * (t26 * t21.sin()))
+        } else {
+            model.omega_s
+        });
+        let t28 = t25 * t27;
+        let t29 = t24 * t27;
+        let t30 = (if t <= model.T_s {
             t19 * (1.0 - t20 * (t26 * (t22 * t26)))
         } else {
             0.0
         });
-        let t32 = t28 * t30 + t25 * t31;
-        let t33 = t24 * t31 - t28 * t29;
-        let t34 = (if t <= model.T_s { t19 * (t20 * (t26 * (t26 * t27))) } else { 0.0 });
-        let t35 = t30 * t31;
-        let t36 = t35 + t28 * t33 + (t35 + t25 * t34);
-        let t37 = t29 * t31;
-        let t38 = t24 * t34 - t37 - (t37 + t28 * t32);
+        let t31 = t27 * t29 + t25 * t30;
+        let t32 = t24 * t30 - t27 * t28;
         prescribed.position[0][0] = t24 * data.point[0] - t25 * data.point[1];
         prescribed.position[0][1] = t25 * data.point[0] + t24 * data.point[1];
-        prescribed.position[1][0] = -(data.point[0] * t29 + data.point[1] * t30);
-        prescribed.position[1][1] = data.point[0] * t30 - data.point[1] * t29;
-        prescribed.position[2][0] = -(data.point[0] * t32 + data.point[1] * t33);
-        prescribed.position[2][1] = data.point[0] * t33 - data.point[1] * t32;
-        prescribed.position[3][0] = -(data.point[0] * t36 + data.point[1] * t38);
-        prescribed.position[3][1] = data.point[0] * t38 - data.point[1] * t36;
+        prescribed.position[1][0] = -(data.point[0] * t28 + data.point[1] * t29);
+        prescribed.position[1][1] = data.point[0] * t29 - data.point[1] * t28;
+        prescribed.position[2][0] = -(data.point[0] * t31 + data.point[1] * t32);
+        prescribed.position[2][1] = data.point[0] * t32 - data.point[1] * t31;
         prescribed.slope[0][0] = t24 * data.tangent[0] - t25 * data.tangent[1];
         prescribed.slope[0][1] = t25 * data.tangent[0] + t24 * data.tangent[1];
-        prescribed.slope[1][0] = -(data.tangent[0] * t29 + data.tangent[1] * t30);
-        prescribed.slope[1][1] = data.tangent[0] * t30 - data.tangent[1] * t29;
-        prescribed.slope[2][0] = -(data.tangent[0] * t32 + data.tangent[1] * t33);
-        prescribed.slope[2][1] = data.tangent[0] * t33 - data.tangent[1] * t32;
-        prescribed.slope[3][0] = -(data.tangent[0] * t36 + data.tangent[1] * t38);
-        prescribed.slope[3][1] = data.tangent[0] * t38 - data.tangent[1] * t36;
+        prescribed.slope[1][0] = -(data.tangent[0] * t28 + data.tangent[1] * t29);
+        prescribed.slope[1][1] = data.tangent[0] * t29 - data.tangent[1] * t28;
+        prescribed.slope[2][0] = -(data.tangent[0] * t31 + data.tangent[1] * t32);
+        prescribed.slope[2][1] = data.tangent[0] * t32 - data.tangent[1] * t31;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     ///
@@ -1259,61 +1184,6 @@ pub mod spin_up_equations {
                 },
             ])
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
-                    body: 0,
-                    at_end: false,
-                    frame: 1,
-                    point: None,
-                },
-            ])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            2
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "hub"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 0] = [];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 1];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -1333,18 +1203,6 @@ pub mod spin_up_equations {
                 68950000000.0,
                 "Pa",
             )?;
-            let poisson = ::rncf::mesh::poisson(
-                "material `aluminium`",
-                "poisson",
-                0.3,
-                "1",
-            )?;
-            let damping = ::rncf::mesh::non_negative(
-                "material `aluminium`",
-                "damping",
-                0.0,
-                "s",
-            )?;
             let area = ::rncf::mesh::positive(
                 "section `tube`",
                 "area",
@@ -1362,23 +1220,8 @@ pub mod spin_up_equations {
                 EA: young * area,
                 EI: young * second_moment,
                 rhoA: density * area,
-                damping: damping,
             };
             Ok(())
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-            frame_hub(&self.model, t, &mut motions[1]);
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             cable_planar_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
@@ -1532,27 +1375,18 @@ pub mod spin_up_equations {
                 ::rncf::mesh::array_mut(forces),
             );
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 1,
+                    point: None,
+                },
+            ])
         }
         fn condition(
             &self,
@@ -1580,39 +1414,7 @@ pub mod spin_up_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_root_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_root_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_root_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 (0, _) => {
@@ -1693,6 +1495,47 @@ pub mod spin_up_equations {
                 }
                 _ => {}
             }
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            2
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "hub"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 1];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+            frame_hub(&self.model, t, &mut motions[1]);
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
         }
     }
 }

@@ -1,6 +1,17 @@
 //! Expansion of `models/src/spin_up_spatial.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
 /// Spin-up manoeuvre of a flexible beam in space (Ren & Yang 2021, section 4.1.1).
+///
+/// # Chosen and left out
+///
+/// * Body `beam` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
+/// * Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+/// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
+/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
+/// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct SpinUpSpatial {
@@ -33,7 +44,7 @@ impl ::rncf::Model for SpinUpSpatial {
     /// Number of elements.
     param elements: count = 6;
 
-    material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; poisson = 0.3; }
+    material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
     section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
 
     /// Angle of the hub, Eq. (22).
@@ -60,7 +71,12 @@ impl ::rncf::Model for SpinUpSpatial {
 }"#;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
+        "Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
+        "Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
+        "Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.",
+        "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -179,8 +195,6 @@ pub mod spin_up_spatial_equations {
         pub EI: T,
         /// density * area, kg/m.
         pub rhoA: T,
-        /// Damping of the strain measures, s.
-        pub damping: T,
     }
     impl CableSpatial {
         /// The constants of four elements side by side.
@@ -194,7 +208,6 @@ pub mod spin_up_spatial_equations {
                 EA: lanes.load(rows.map(|row| row.EA)),
                 EI: lanes.load(rows.map(|row| row.EI)),
                 rhoA: lanes.load(rows.map(|row| row.rhoA)),
-                damping: lanes.load(rows.map(|row| row.damping)),
             }
         }
     }
@@ -888,9 +901,9 @@ pub mod spin_up_spatial_equations {
         forces[4] = EI * (0.5 * (t23 * (fields[4] * 2.0) - fields[1] * t30));
         forces[5] = EI * (0.5 * (t23 * (fields[5] * 2.0) - fields[2] * t30));
     }
-    /// Motion of frame `hub` and its first three derivatives.
+    /// Motion of frame `hub` and its first two derivatives.
     ///
-    /// Operations: 9 additions, 17 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
     pub fn frame_hub(
         model: &super::SpinUpSpatial,
         t: f64,
@@ -909,9 +922,8 @@ pub mod spin_up_spatial_equations {
         let t20 = theta.cos();
         let t21 = theta.sin();
         let t22 = 6.283185307179586 / model.T_s;
-        let t23 = t22 * t17.sin();
         let theta_t = (if t <= model.T_s {
-            t15 * (t - t16 * t23)
+            t15 * (t - t16 * (t22 * t17.sin()))
         } else {
             model.omega_s
         });
@@ -920,14 +932,8 @@ pub mod spin_up_spatial_equations {
         } else {
             0.0
         });
-        let theta_t_t_t = (if t <= model.T_s {
-            t15 * (t16 * (t22 * (t22 * t23)))
-        } else {
-            0.0
-        });
         motion.spin[2] = theta_t;
         motion.spin_rate[2] = theta_t_t;
-        motion.spin_jerk[2] = theta_t_t_t;
         motion.rotation[0][0] = t20;
         motion.rotation[0][1] = -t21;
         motion.rotation[1][0] = t21;
@@ -953,60 +959,6 @@ pub mod spin_up_spatial_equations {
         rows[4] = data.normals[1][0] * q[3] + data.normals[1][1] * q[4]
             + data.normals[1][2] * q[5];
     }
-    /// Joint `root`: conditions, velocity level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_velocity(
-        model: &super::SpinUpSpatial,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-    }
-    /// Joint `root`: conditions, acceleration level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_acceleration(
-        model: &super::SpinUpSpatial,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-    }
-    /// Joint `root`: conditions, jerk level.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_jerk(
-        model: &super::SpinUpSpatial,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = 0.0;
-        rows[1] = 0.0;
-        rows[2] = 0.0;
-        rows[3] = 0.0;
-        rows[4] = 0.0;
-    }
     /// Joint `root`: derivatives of the conditions.
     ///
     /// Operations: 0 additions, 0 multiplications.
@@ -1017,37 +969,16 @@ pub mod spin_up_spatial_equations {
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
         jacobian[7] = 1.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
-        jacobian[10] = 0.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
         jacobian[14] = 1.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
-        jacobian[20] = 0.0;
         jacobian[21] = data.normals[0][0];
         jacobian[22] = data.normals[0][1];
         jacobian[23] = data.normals[0][2];
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
         jacobian[27] = data.normals[1][0];
         jacobian[28] = data.normals[1][1];
         jacobian[29] = data.normals[1][2];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
@@ -1059,27 +990,9 @@ pub mod spin_up_spatial_equations {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = 0.0;
-        prescribed.position[1][1] = 0.0;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = 0.0;
-        prescribed.position[2][1] = 0.0;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = 0.0;
-        prescribed.position[3][1] = 0.0;
-        prescribed.position[3][2] = 0.0;
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = 0.0;
-        prescribed.slope[1][1] = 0.0;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = 0.0;
-        prescribed.slope[2][1] = 0.0;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = 0.0;
-        prescribed.slope[3][1] = 0.0;
-        prescribed.slope[3][2] = 0.0;
     }
     /// Joint `root`: conditions, position level.
     ///
@@ -1146,7 +1059,6 @@ pub mod spin_up_spatial_equations {
             - q[3] * (data.normals[1][0] * t28 + data.normals[1][1] * t29);
         rows[0] = data.point[0] * t28 + data.point[1] * t29;
         rows[1] = data.point[1] * t28 - data.point[0] * t29;
-        rows[2] = 0.0;
         rows[3] = t30;
         rows[4] = t31;
     }
@@ -1202,7 +1114,6 @@ pub mod spin_up_spatial_equations {
                 + (t41 + q[3] * (data.normals[1][0] * t37 + data.normals[1][1] * t38)));
         rows[0] = data.point[0] * t37 + data.point[1] * t38;
         rows[1] = data.point[1] * t37 - data.point[0] * t38;
-        rows[2] = 0.0;
         rows[3] = t43;
         rows[4] = t44;
     }
@@ -1276,7 +1187,6 @@ pub mod spin_up_spatial_equations {
                             * (data.normals[1][0] * t44 + data.normals[1][1] * t46))));
         rows[0] = data.point[0] * t44 + data.point[1] * t46;
         rows[1] = data.point[1] * t44 - data.point[0] * t46;
-        rows[2] = 0.0;
         rows[3] = t53;
         rows[4] = t60;
     }
@@ -1300,39 +1210,18 @@ pub mod spin_up_spatial_equations {
         let t23 = theta.cos();
         let t24 = theta.sin();
         jacobian[0] = 1.0;
-        jacobian[1] = 0.0;
-        jacobian[2] = 0.0;
-        jacobian[3] = 0.0;
-        jacobian[4] = 0.0;
-        jacobian[5] = 0.0;
-        jacobian[6] = 0.0;
         jacobian[7] = 1.0;
-        jacobian[8] = 0.0;
-        jacobian[9] = 0.0;
-        jacobian[10] = 0.0;
-        jacobian[11] = 0.0;
-        jacobian[12] = 0.0;
-        jacobian[13] = 0.0;
         jacobian[14] = 1.0;
-        jacobian[15] = 0.0;
-        jacobian[16] = 0.0;
-        jacobian[17] = 0.0;
-        jacobian[18] = 0.0;
-        jacobian[19] = 0.0;
-        jacobian[20] = 0.0;
         jacobian[21] = t23 * data.normals[0][0] - t24 * data.normals[0][1];
         jacobian[22] = t24 * data.normals[0][0] + t23 * data.normals[0][1];
         jacobian[23] = data.normals[0][2];
-        jacobian[24] = 0.0;
-        jacobian[25] = 0.0;
-        jacobian[26] = 0.0;
         jacobian[27] = t23 * data.normals[1][0] - t24 * data.normals[1][1];
         jacobian[28] = t24 * data.normals[1][0] + t23 * data.normals[1][1];
         jacobian[29] = data.normals[1][2];
     }
-    /// Joint `root`: what it prescribes, with three derivatives.
+    /// Joint `root`: what it prescribes, and its derivatives.
     ///
-    /// Operations: 33 additions, 61 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 22 additions, 43 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_prescribed(
         model: &super::SpinUpSpatial,
         t: f64,
@@ -1351,46 +1240,34 @@ pub mod spin_up_spatial_equations {
         let t26 = theta.cos();
         let t27 = theta.sin();
         let t28 = 6.283185307179586 / model.T_s;
-        let t29 = t28 * t23.sin();
-        let t30 = (if t <= model.T_s { t21 * (t - t22 * t29) } else { model.omega_s });
-        let t31 = t27 * t30;
-        let t32 = t26 * t30;
-        let t33 = (if t <= model.T_s {
+        let t29 = (if t <= model.T_s {
+            t21 * (t - t22 * (t28 * t23.sin()))
+        } else {
+            model.omega_s
+        });
+        let t30 = t27 * t29;
+        let t31 = t26 * t29;
+        let t32 = (if t <= model.T_s {
             t21 * (1.0 - t22 * (t28 * (t24 * t28)))
         } else {
             0.0
         });
-        let t34 = t30 * t32 + t27 * t33;
-        let t35 = t26 * t33 - t30 * t31;
-        let t36 = (if t <= model.T_s { t21 * (t22 * (t28 * (t28 * t29))) } else { 0.0 });
-        let t37 = t32 * t33;
-        let t38 = t37 + t30 * t35 + (t37 + t27 * t36);
-        let t39 = t31 * t33;
-        let t40 = t26 * t36 - t39 - (t39 + t30 * t34);
+        let t33 = t29 * t31 + t27 * t32;
+        let t34 = t26 * t32 - t29 * t30;
         prescribed.position[0][0] = t26 * data.point[0] - t27 * data.point[1];
         prescribed.position[0][1] = t27 * data.point[0] + t26 * data.point[1];
         prescribed.position[0][2] = data.point[2];
-        prescribed.position[1][0] = -(data.point[0] * t31 + data.point[1] * t32);
-        prescribed.position[1][1] = data.point[0] * t32 - data.point[1] * t31;
-        prescribed.position[1][2] = 0.0;
-        prescribed.position[2][0] = -(data.point[0] * t34 + data.point[1] * t35);
-        prescribed.position[2][1] = data.point[0] * t35 - data.point[1] * t34;
-        prescribed.position[2][2] = 0.0;
-        prescribed.position[3][0] = -(data.point[0] * t38 + data.point[1] * t40);
-        prescribed.position[3][1] = data.point[0] * t40 - data.point[1] * t38;
-        prescribed.position[3][2] = 0.0;
+        prescribed.position[1][0] = -(data.point[0] * t30 + data.point[1] * t31);
+        prescribed.position[1][1] = data.point[0] * t31 - data.point[1] * t30;
+        prescribed.position[2][0] = -(data.point[0] * t33 + data.point[1] * t34);
+        prescribed.position[2][1] = data.point[0] * t34 - data.point[1] * t33;
         prescribed.slope[0][0] = t26 * data.tangent[0] - t27 * data.tangent[1];
         prescribed.slope[0][1] = t27 * data.tangent[0] + t26 * data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.slope[1][0] = -(data.tangent[0] * t31 + data.tangent[1] * t32);
-        prescribed.slope[1][1] = data.tangent[0] * t32 - data.tangent[1] * t31;
-        prescribed.slope[1][2] = 0.0;
-        prescribed.slope[2][0] = -(data.tangent[0] * t34 + data.tangent[1] * t35);
-        prescribed.slope[2][1] = data.tangent[0] * t35 - data.tangent[1] * t34;
-        prescribed.slope[2][2] = 0.0;
-        prescribed.slope[3][0] = -(data.tangent[0] * t38 + data.tangent[1] * t40);
-        prescribed.slope[3][1] = data.tangent[0] * t40 - data.tangent[1] * t38;
-        prescribed.slope[3][2] = 0.0;
+        prescribed.slope[1][0] = -(data.tangent[0] * t30 + data.tangent[1] * t31);
+        prescribed.slope[1][1] = data.tangent[0] * t31 - data.tangent[1] * t30;
+        prescribed.slope[2][0] = -(data.tangent[0] * t33 + data.tangent[1] * t34);
+        prescribed.slope[2][1] = data.tangent[0] * t34 - data.tangent[1] * t33;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     ///
@@ -1484,67 +1361,6 @@ pub mod spin_up_spatial_equations {
                 },
             ])
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
-                    body: 0,
-                    at_end: false,
-                    frame: 1,
-                    point: None,
-                },
-            ])
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([])
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::mesh::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
-                    component: 2,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            3
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "hub"][frame]
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 0] = [];
-            VARIES[load]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 1];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
         fn prepare(
             &mut self,
             body: usize,
@@ -1564,18 +1380,6 @@ pub mod spin_up_spatial_equations {
                 68950000000.0,
                 "Pa",
             )?;
-            let poisson = ::rncf::mesh::poisson(
-                "material `aluminium`",
-                "poisson",
-                0.3,
-                "1",
-            )?;
-            let damping = ::rncf::mesh::non_negative(
-                "material `aluminium`",
-                "damping",
-                0.0,
-                "s",
-            )?;
             let area = ::rncf::mesh::positive(
                 "section `tube`",
                 "area",
@@ -1593,23 +1397,8 @@ pub mod spin_up_spatial_equations {
                 EA: young * area,
                 EI: young * second_moment,
                 rhoA: density * area,
-                damping: damping,
             };
             Ok(())
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
-            frame_hub(&self.model, t, &mut motions[1]);
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                _ => {}
-            }
-            value
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
         }
         fn mass(&self, body: usize, mass: &mut [f64]) {
             cable_spatial_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
@@ -1763,27 +1552,18 @@ pub mod spin_up_spatial_equations {
                 ::rncf::mesh::array_mut(forces),
             );
         }
-        fn moment(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            force: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
-        }
-        fn moment_tangent(
-            &self,
-            dimension: usize,
-            slope: &[f64],
-            moment: [f64; 3],
-            tangent: &mut [f64],
-        ) {
-            match dimension {
-                _ => {}
-            }
+        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::JointSpec {
+                    name: "root",
+                    kind: ::rncf::mesh::JointKind::Clamp,
+                    body: 0,
+                    at_end: false,
+                    frame: 1,
+                    point: None,
+                },
+            ])
         }
         fn condition(
             &self,
@@ -1811,39 +1591,7 @@ pub mod spin_up_spatial_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            joint_root_referenced_velocity(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            joint_root_referenced_acceleration(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            joint_root_referenced_jerk(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
+                        _ => {}
                     }
                 }
                 (0, _) => {
@@ -1924,6 +1672,53 @@ pub mod spin_up_spatial_equations {
                 }
                 _ => {}
             }
+        }
+        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::mesh::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::mesh::Place::End,
+                    what: ::rncf::mesh::PointQuantity::Position,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "hub"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 1];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
+            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+            frame_hub(&self.model, t, &mut motions[1]);
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
         }
     }
 }

@@ -17,7 +17,6 @@ rncf::model! {
         section tube {
             area = 0.7299 cm^2;
             second_moment = 0.8215 cm^4;
-            torsion_constant = 1.643 cm^4;
             shear_factor = 0.53;
         }
 

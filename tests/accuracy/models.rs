@@ -9,7 +9,7 @@ rncf::model! {
         param T_s = 2 s;
         /// Number of elements.
         param elements: count = 1;
-        material rubber { density = 1000 kg/m^3; young = 0.2 MPa; poisson = 0.49; damping = 5 ms; }
+        material rubber { density = 1000 kg/m^3; young = 0.2 MPa; damping = 5 ms; }
         section strip { area = 2 cm^2; second_moment = 50 cm^4; }
         motion theta(t) =
             if t <= T_s { (omega_s/T_s) * (t^2/2 + (T_s/(2*pi))^2 * (cos(2*pi*t/T_s) - 1)) }
@@ -36,7 +36,7 @@ rncf::model! {
         param T_s = 2 s;
         /// Number of elements.
         param elements: count = 1;
-        material rubber { density = 1000 kg/m^3; young = 0.2 MPa; poisson = 0.49; }
+        material rubber { density = 1000 kg/m^3; young = 0.2 MPa; }
         section strip { area = 2 cm^2; second_moment = 50 cm^4; }
         motion theta(t) =
             if t <= T_s { (omega_s/T_s) * (t^2/2 + (T_s/(2*pi))^2 * (cos(2*pi*t/T_s) - 1)) }
@@ -63,7 +63,7 @@ rncf::model! {
         param T_s = 15 s;
         /// Number of elements.
         param elements: count = 16;
-        material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; poisson = 0.3; }
+        material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
         section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
         motion theta(t) =
             if t <= T_s { (omega_s/T_s) * (t^2/2 + (T_s/(2*pi))^2 * (cos(2*pi*t/T_s) - 1)) }
@@ -88,7 +88,7 @@ rncf::model! {
         param omega = 4 rad/s;
         /// Number of elements.
         param elements: count = 6;
-        material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; poisson = 0.3; }
+        material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
         section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
         frame hub = rotating(axis = z, angle = omega * t);
         body beam in hub {
@@ -112,7 +112,7 @@ rncf::model! {
         param omega = 4 rad/s;
         /// Number of elements.
         param elements: count = 6;
-        material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; poisson = 0.3; }
+        material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
         section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
         frame hub = rotating(axis = z, angle = omega * t);
         body beam in hub {
@@ -137,7 +137,7 @@ rncf::model! {
         param damping = 0 s;
         /// Number of elements.
         param elements: count = 4;
-        material rubber { density = 1000 kg/m^3; young = 1 MPa; poisson = 0.49; damping = damping; }
+        material rubber { density = 1000 kg/m^3; young = 1 MPa; damping = damping; }
         section round { area = 2 cm^2; second_moment = 1 cm^4; }
         body cable in inertial {
             planar xy;
@@ -156,7 +156,7 @@ rncf::model! {
     pub model Conservative {
         /// Number of elements.
         param elements: count = 4;
-        material rubber { density = 1000 kg/m^3; young = 1 MPa; poisson = 0.49; }
+        material rubber { density = 1000 kg/m^3; young = 1 MPa; }
         section round { area = 2 cm^2; second_moment = 1 cm^4; }
         body cable in inertial {
             planar xy;
@@ -216,7 +216,6 @@ rncf::model! {
         material steel { density = 7850 kg/m^3; young = 210 GPa; }
         section rod { area = 1 cm^2; second_moment = 1 cm^4; }
         frame hub = rotating(axis = z, angle = 3 [rad/s] * t);
-        frame arm in hub = rotating(axis = y, angle = 20 deg);
         body beam in hub {
             spatial;
             line from [0, 0, 0] m to [1, 0, 0] m;

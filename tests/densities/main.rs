@@ -14,7 +14,7 @@ rncf::model! {
         /// Gravity of the sun at the start.
         param pull = 0.4 m/s^2;
         const density = 1200 kg/m^3;
-        material rubber { density = density; young = 2 MPa; poisson = 0.3; }
+        material rubber { density = density; young = 2 MPa; }
         section cord = circle(radius = 10 mm);
         frame sail = free(origin = [distance, 1 m, 0.5 m], axis = [0.6, 0, 0.8], angle = 0.4 rad, angular_velocity = [0.2, -0.1, 0.5] rad/s);
         fixture core on sail { mass = 0.8 kg; }
@@ -39,7 +39,7 @@ rncf::model! {
         param loaded = 0 m/s^2;
         const rho = 7800 kg/m^3;
         const area = 3 mm^2;
-        material steel { density = rho; young = 210 GPa; poisson = 0.3; }
+        material steel { density = rho; young = 210 GPa; }
         section wire { area = area; second_moment = 0.7 mm^4; }
         motion theta(t) = 0.7 [rad/s] * t;
         frame hub = rotating(axis = z, angle = theta(t));
@@ -51,6 +51,7 @@ rncf::model! {
         load rope_weight = density(rope, -loaded * rho * area * inertial.ey.in(hub));
         load strip_weight = density(strip, [0, -loaded * rho * area, 0]);
         output tip = rope.end;
+        output strip_tip = strip.end;
     }
 }
 
@@ -61,7 +62,7 @@ rncf::model! {
         param count: count = 3;
         /// Load per length.
         param push = 0.2 N/m;
-        material rubber { density = 1200 kg/m^3; young = 2 MPa; poisson = 0.3; }
+        material rubber { density = 1200 kg/m^3; young = 2 MPa; }
         section cord = circle(radius = 10 mm);
         frame hub = free(origin = [1, 0, 0] m, angular_velocity = [0, 0, 0.5] rad/s);
         fixture core on hub { mass = 0.8 kg; inertia = [0.1, 0.1, 0.1] kg*m^2; }
@@ -82,7 +83,7 @@ rncf::model! {
     /// The same, one by one.
     pub model Apart {
         param push = 0.2 N/m;
-        material rubber { density = 1200 kg/m^3; young = 2 MPa; poisson = 0.3; }
+        material rubber { density = 1200 kg/m^3; young = 2 MPa; }
         section cord = circle(radius = 10 mm);
         frame hub = free(origin = [1, 0, 0] m, angular_velocity = [0, 0, 0.5] rad/s);
         fixture core on hub { mass = 0.8 kg; inertia = [0.1, 0.1, 0.1] kg*m^2; }
@@ -259,7 +260,7 @@ rncf::model! {
         param loaded = 0 m/s^2;
         const rho = 7800 kg/m^3;
         const area = 3 mm^2;
-        material steel { density = rho; young = 210 GPa; poisson = 0.3; }
+        material steel { density = rho; young = 210 GPa; }
         section wire { area = area; second_moment = 0.7 mm^4; }
         body rope in inertial { spatial; line from [0, 0, 0] m to [0, 0, -2] m; mesh 2 * cable(wire, steel); }
         joint top = clamp(rope.start, inertial);

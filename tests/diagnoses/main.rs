@@ -99,7 +99,7 @@ mod redundant {
             const crank = 0.14 m;
             const length = 0.3 m;
             const radius = 8 mm;
-            material soft { density = 7870 kg/m^3; young = 0.2 GPa; poisson = 0.29; }
+            material soft { density = 7870 kg/m^3; young = 0.2 GPa; }
             section round { area = pi * radius^2; second_moment = pi * radius^4 / 4; }
             motion theta(t) = 8 [rad/s^2] * t^2;
             frame pin_frame = moving(origin = [0, -crank * sin(theta(t)), crank * (cos(theta(t)) - 1)]);
@@ -182,7 +182,7 @@ mod values {
             param ball_mass = 1 kg;
             /// Mass at the end of the beam.
             param tip_mass = 1 kg;
-            material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+            material steel { density = 7850 kg/m^3; young = 210 GPa; }
             section wire { area = 1 mm^2; second_moment = 0.08 mm^4; }
             rigid arm { mass = arm_mass; inertia = [j, 0.1 [kg*m^2], 0.1 [kg*m^2]]; }
             rigid disc { plane xy; mass = disc_mass; inertia = disc_inertia; }
@@ -195,6 +195,8 @@ mod values {
             joint root = clamp(beam.start, inertial);
             fixture tip on beam.end { mass = tip_mass; }
             output x = arm.x;
+            output disc_x = disc.x;
+            output tip_x = beam.end.x;
         }
     }
 }

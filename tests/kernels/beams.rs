@@ -61,6 +61,7 @@ rncf::model! {
         joint root = clamp(shaft.start, inertial);
         joint base = clamp(strip.start, inertial);
         output tip = shaft.end;
+        output strip_tip = strip.end;
     }
 }
 

@@ -75,7 +75,6 @@ fn straight_planar() {
         EA: 4000.0,
         EI: 130.0,
         rhoA: 0.44,
-        damping: 0.0,
     };
     let mut random = Random(1);
     for _ in 0..20 {
@@ -99,7 +98,6 @@ fn straight_spatial() {
         EA: 4000.0,
         EI: 130.0,
         rhoA: 0.44,
-        damping: 0.0,
     };
     let mut random = Random(2);
     for _ in 0..20 {

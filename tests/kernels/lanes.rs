@@ -109,7 +109,6 @@ fn lanes_have_constants_of_their_own() {
         EA: 4000.0 + 100.0 * random.next(),
         EI: 130.0 + 10.0 * random.next(),
         rhoA: 0.44,
-        damping: 0.0,
     });
     let q: [[f64; 12]; LANES] = std::array::from_fn(|_| *rncf::mesh::array(&shape(12, &mut random)));
     let q4 = std::array::from_fn(|place| std::array::from_fn(|lane| q[lane][place]));

@@ -37,6 +37,8 @@ rncf::model! {
         joint two = clamp(straight.start, inertial);
         joint three = clamp(strip.start, inertial);
         output tip = straight.end;
+        output tip_of_twisted = twisted.end;
+        output tip_of_strip = strip.end;
     }
 }
 

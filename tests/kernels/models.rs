@@ -3,7 +3,7 @@
 rncf::model! {
     /// Damped, curved, planar, polynomial bending; a moment at the tip.
     pub model CurvedDamped {
-        material rubber { density = 1100 kg/m^3; young = 10 MPa; poisson = 0.49; damping = 2 ms; }
+        material rubber { density = 1100 kg/m^3; young = 10 MPa; damping = 2 ms; }
         section square { area = 4 cm^2; second_moment = 1.3 cm^4; }
         motion theta(t) = 3 [rad/s] * t + 0.2 [rad] * sin(2 [rad/s] * t);
         frame rotor = rotating(axis = z, angle = theta(t));
@@ -22,7 +22,7 @@ rncf::model! {
     /// Damped, curved, planar, exact bending.
     pub model CurvedExact {
         param damping = 1 ms;
-        material rubber { density = 1100 kg/m^3; young = 10 MPa; poisson = 0.49; damping = damping; }
+        material rubber { density = 1100 kg/m^3; young = 10 MPa; damping = damping; }
         section square { area = 4 cm^2; second_moment = 1.3 cm^4; }
         body strip in inertial {
             planar xy;
@@ -37,7 +37,7 @@ rncf::model! {
 rncf::model! {
     /// Damped, in space, exact bending in a loop over points; a moment that turns with a frame.
     pub model SpatialExact {
-        material rubber { density = 1100 kg/m^3; young = 10 MPa; poisson = 0.49; damping = 1 ms; }
+        material rubber { density = 1100 kg/m^3; young = 10 MPa; damping = 1 ms; }
         section square { area = 4 cm^2; second_moment = 1.3 cm^4; }
         frame rotor = rotating(axis = [1, 2, 2], angle = 3 [rad/s] * t);
         body strip in rotor {
@@ -54,7 +54,7 @@ rncf::model! {
 rncf::model! {
     /// Damped, in space, polynomial bending by a three-point tensor; gravity and a force.
     pub model SpatialTensor {
-        material rubber { density = 1100 kg/m^3; young = 10 MPa; poisson = 0.49; damping = 1 ms; }
+        material rubber { density = 1100 kg/m^3; young = 10 MPa; damping = 1 ms; }
         section square { area = 4 cm^2; second_moment = 1.3 cm^4; }
         body strip in inertial {
             spatial;

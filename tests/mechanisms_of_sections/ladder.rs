@@ -37,6 +37,7 @@ rncf::model! {
         output tip_1 = whole.end;
         output tip_2 = in_modes.end;
         output tip_3 = little.end;
+        output tip_4 = stiff.end;
     }
 }
 

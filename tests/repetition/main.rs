@@ -113,7 +113,7 @@ rncf::model! {
     /// Wires in a row in a turning frame, their ends in common.
     pub model Row {
         param parts: count = 3;
-        material rubber { density = 1000 kg/m^3; young = 20 MPa; poisson = 0.3; }
+        material rubber { density = 1000 kg/m^3; young = 20 MPa; }
         section round = circle(radius = 8 mm);
         motion phi(t) = 2 [rad/s^2] * t^2;
         frame hub = rotating(axis = z, angle = phi(t));
@@ -136,7 +136,7 @@ rncf::model! {
 rncf::model! {
     /// The same as one wire.
     pub model Whole {
-        material rubber { density = 1000 kg/m^3; young = 20 MPa; poisson = 0.3; }
+        material rubber { density = 1000 kg/m^3; young = 20 MPa; }
         section round = circle(radius = 8 mm);
         motion phi(t) = 2 [rad/s^2] * t^2;
         frame hub = rotating(axis = z, angle = phi(t));
@@ -176,7 +176,7 @@ rncf::model! {
         param rim = 0.5 m;
         param near_at: count = 1;
         param far_at: count = 1;
-        material rubber { density = 1000 kg/m^3; young = 20 MPa; poisson = 0.3; }
+        material rubber { density = 1000 kg/m^3; young = 20 MPa; }
         section round = circle(radius = 8 mm);
         frame core = free(angular_velocity = [0, 0, 3] rad/s);
         fixture hub on core { mass = 2 kg; inertia = [0.1, 0.1, 0.2] kg*m^2; }

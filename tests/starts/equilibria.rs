@@ -10,7 +10,7 @@ rncf::model! {
     pub model Whirl {
         param spin = 30 rad/s;
         param elements: count = 16;
-        material soft { density = 1000 kg/m^3; young = 10 MPa; poisson = 0.3; }
+        material soft { density = 1000 kg/m^3; young = 10 MPa; }
         section round = circle(radius = 2 mm);
         frame hub = rotating(axis = z, angle = spin*t);
         body wire in hub {
@@ -34,7 +34,7 @@ rncf::model! {
     pub model Leaning {
         param spin = 20 rad/s;
         param elements: count = 8;
-        material soft { density = 1000 kg/m^3; young = 100 MPa; poisson = 0.3; }
+        material soft { density = 1000 kg/m^3; young = 100 MPa; }
         section flat = rectangle(y = 5 mm, z = 20 mm);
         frame hub = rotating(axis = z, angle = spin*t);
         body blade in hub {
@@ -53,7 +53,7 @@ rncf::model! {
     pub model Unprepared {
         param spin = 20 rad/s;
         param elements: count = 8;
-        material soft { density = 1000 kg/m^3; young = 100 MPa; poisson = 0.3; }
+        material soft { density = 1000 kg/m^3; young = 100 MPa; }
         section flat = rectangle(y = 5 mm, z = 20 mm);
         frame hub = rotating(axis = z, angle = spin*t);
         body blade in hub {
@@ -72,7 +72,7 @@ rncf::model! {
         param spin = 5 rad/s;
         param elements: count = 12;
         param shift = 1 m;
-        material nylon { density = 1100 kg/m^3; young = 2 GPa; poisson = 0.3; }
+        material nylon { density = 1100 kg/m^3; young = 2 GPa; }
         section round = circle(radius = 0.2 mm);
         frame hub = rotating(axis = z, angle = spin*t);
         body rope in hub {
@@ -95,7 +95,7 @@ rncf::model! {
         param spin = 0.5 deg/s;
         param length = 10 km;
         param elements: count = 8;
-        material aluminium { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.3; }
+        material aluminium { density = 2700 kg/m^3; young = 70 GPa; }
         section wire = circle(radius = 38 um);
         frame sail = free(velocity = [0, 3, 0] m/s, angular_velocity = [0, 0, spin]);
         fixture core on sail { mass = 300 kg; inertia = [100, 100, 100] kg*m^2; }

@@ -11,7 +11,7 @@ rncf::model! {
         param hub = 0 m;
         param pieces: count = 2;
         const limit = 1 day;
-        material steel { density = 7800 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        material steel { density = 7800 kg/m^3; young = 210 GPa; }
         section round = circle(radius = 1 mm);
         body wire in inertial {
             planar xy;

@@ -7,7 +7,7 @@ rncf::model! {
     pub model Thrown {
         param elements: count = 6;
         param upwards = 3 m/s;
-        material nylon { density = 1100 kg/m^3; young = 20 MPa; poisson = 0.3; }
+        material nylon { density = 1100 kg/m^3; young = 20 MPa; }
         section round = circle(radius = 1 mm);
         body string in inertial {
             spatial;
@@ -27,7 +27,7 @@ rncf::model! {
     /// The same, damped, in the plane, with the exact bending energy.
     pub model Damped {
         param elements: count = 3;
-        material nylon { density = 1100 kg/m^3; young = 20 MPa; poisson = 0.3; damping = 2 ms; }
+        material nylon { density = 1100 kg/m^3; young = 20 MPa; damping = 2 ms; }
         section round = circle(radius = 5 mm);
         body string in inertial {
             planar xy;
@@ -43,7 +43,7 @@ rncf::model! {
 rncf::model! {
     /// Linear elastic beside slack, in space.
     pub model Both {
-        material nylon { density = 1100 kg/m^3; young = 20 MPa; poisson = 0.3; }
+        material nylon { density = 1100 kg/m^3; young = 20 MPa; }
         section round = circle(radius = 5 mm);
         body linear in inertial { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 2 * cable(round, nylon); }
         body slack in inertial { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 2 * cable(round, nylon, slack = true); }

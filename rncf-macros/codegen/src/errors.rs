@@ -1,7 +1,7 @@
 //! All mistakes of a declaration, collected with the places that they underline.
 
-use proc_macro2::{Span, TokenStream};
-use quote::quote_spanned;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{quote, quote_spanned};
 
 /// A stretch of source text, from the first to the last token that an error underlines.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +39,9 @@ impl From<Span> for Area {
     }
 }
 
+/// What the compiler says to be deprecated where a warning stands.
+pub const WARNING: &str = "no_influence";
+
 /// One mistake: what is underlined, what is wrong and what would be right.
 #[derive(Clone, Debug)]
 pub struct Mistake {
@@ -63,6 +66,22 @@ impl Mistake {
         let (start, end) = (self.area.start, self.area.end);
         let call = quote_spanned!(end=> { #message });
         quote_spanned!(start=> ::core::compile_error! #call)
+    }
+
+    /// A warning with this message, underlining the first token. On stable Rust a macro warns by the use of something
+    /// deprecated, so that `allow(deprecated)` around the macro silences it and `deny(deprecated)` makes it an error.
+    pub fn to_warning(&self) -> TokenStream {
+        let message = &self.message;
+        let word = Ident::new(WARNING, self.area.start.resolved_at(Span::call_site()));
+        let item = Ident::new(WARNING, Span::call_site());
+        quote! {
+            #[allow(non_upper_case_globals)]
+            const _: () = {
+                #[deprecated(note = #message)]
+                const #item: () = ();
+                #word
+            };
+        }
     }
 }
 

@@ -5,12 +5,14 @@ use std::collections::HashMap;
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 
 use crate::check::Spans;
+use crate::check::influence::influence;
 use crate::elements::Library;
 use crate::errors::{Errors, Mistake};
 use crate::{check, emit, parse, stub};
 
 /// Expands a declaration with the standard elements. Mistakes become `compile_error!`s where they
-/// were made, beside a stand-in for the struct that keeps the rest of the crate free of them.
+/// were made, beside a stand-in for the struct that keeps the rest of the crate free of them. What has no influence
+/// becomes a warning.
 pub fn expand(tokens: TokenStream) -> TokenStream {
     let mut errors = Errors::new();
     let tree = parse::parse(tokens, &mut errors);
@@ -20,9 +22,14 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     match (tree, model) {
         (Some(tree), Some(model)) if errors.is_empty() => {
             let _ = errors.finish();
-            let text = emit::model(&model, &Library::standard());
-            match text.parse::<TokenStream>() {
-                Ok(tokens) => respan(tokens, &names(&tree)),
+            let library = Library::standard();
+            let warnings = influence(&tree, &model, &library);
+            match emit::model(&model, &library).parse::<TokenStream>() {
+                Ok(tokens) => {
+                    let mut tokens = respan(tokens, &names(&tree));
+                    tokens.extend(warnings.iter().map(Mistake::to_warning));
+                    tokens
+                }
                 Err(error) => {
                     let mut errors = Errors::new();
                     errors.at(
@@ -54,6 +61,19 @@ pub fn text(tokens: TokenStream, library: &Library) -> Result<String, Vec<Mistak
     match model {
         Some(model) if mistakes.is_empty() => Ok(format(&emit::model(&model, library))),
         _ => Err(mistakes),
+    }
+}
+
+/// Warnings about a declaration without mistakes, which the text of [`text`] does not contain; none where there are
+/// mistakes.
+pub fn warnings(tokens: TokenStream, library: &Library) -> Vec<Mistake> {
+    let mut errors = Errors::new();
+    let tree = parse::parse(tokens, &mut errors);
+    let model = tree.as_ref().and_then(|tree| check::check(tree, library, &mut errors));
+    let is_right = errors.finish().is_empty();
+    match (tree, model) {
+        (Some(tree), Some(model)) if is_right => influence(&tree, &model, library),
+        _ => Vec::new(),
     }
 }
 

@@ -275,6 +275,15 @@ pub enum Fidelity {
     Small(Expr),
     /// No deformation.
     Rigid,
+    /// No deformation, all mass at the centre of mass.
+    Point,
+}
+
+impl Fidelity {
+    /// Whether a body can change its shape.
+    pub fn deforms(&self) -> bool {
+        !matches!(self, Self::Rigid | Self::Point)
+    }
 }
 
 /// The stress-free axis of a body.

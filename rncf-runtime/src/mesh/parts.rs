@@ -268,13 +268,20 @@ pub struct LoadSpec {
 
 /// One model, as emitted: specifications and kernels. Indices follow the order of the declaration;
 /// frame 0 is the inertial one. `absolute` means that the body's vectors are in the inertial frame.
+/// Methods with a body here are emitted only for models that have what they are about.
 pub trait Parts: Send + Sync + 'static {
     /// Bodies.
-    fn bodies(&self) -> Vec<BodySpec>;
+    fn bodies(&self) -> Vec<BodySpec> {
+        Vec::new()
+    }
     /// Joints.
-    fn joints(&self) -> Vec<JointSpec>;
+    fn joints(&self) -> Vec<JointSpec> {
+        Vec::new()
+    }
     /// Loads.
-    fn loads(&self) -> Vec<LoadSpec>;
+    fn loads(&self) -> Vec<LoadSpec> {
+        Vec::new()
+    }
     /// What outputs read, in the order of [`Parts::outputs`]'s argument.
     fn observed(&self) -> Vec<ObservedSpec>;
     /// Number of output columns.
@@ -286,7 +293,9 @@ pub trait Parts: Send + Sync + 'static {
     /// Whether energy is conserved: nothing moves or acts in a prescribed way, nothing damps.
     fn conservative(&self) -> bool;
     /// Times at which a derivative of a motion or load may jump, s.
-    fn kinks(&self) -> Vec<f64>;
+    fn kinks(&self) -> Vec<f64> {
+        Vec::new()
+    }
     /// Appends the gaps (left less right side) of conditions in motions and loads that time decides in another way than
     /// by [`Parts::kinks`], at time `t`, s, and their time derivatives.
     fn gaps(&self, _t: f64, _out: &mut Vec<[f64; 2]>) {}
@@ -296,10 +305,12 @@ pub trait Parts: Send + Sync + 'static {
     ///
     /// # Errors
     /// A material or section that makes no physical sense, by name.
-    fn prepare(&mut self, body: usize, length: f64, shape: &[f64]) -> Result<(), ModelError>;
+    fn prepare(&mut self, _body: usize, _length: f64, _shape: &[f64]) -> Result<(), ModelError> {
+        Ok(())
+    }
 
     /// Motion of every prescribed frame at `t`, jerks included where there are constraints on
-    /// markers; entries of free frames are not read.
+    /// markers or mean axes; entries of free frames are not read.
     fn frames(&self, t: f64, motions: &mut [FrameMotion]);
     /// Initial position (m) and velocity relative to the frame (m/s) of a body at the arclength `x`
     /// (m) of its axis, each with its derivative by `x`, frame axes; `None`: undeformed, at rest in
@@ -363,17 +374,18 @@ pub trait Parts: Send + Sync + 'static {
     fn field_gradient(&self, _load: usize, _t: f64, _z: &[Vector], _gradient: &mut [f64]) {}
 
     /// Adds the elastic forces of one element.
-    fn elastic_force(&self, body: usize, element: usize, q: &[f64], v: &[f64], force: &mut [f64]);
+    fn elastic_force(&self, _body: usize, _element: usize, _q: &[f64], _v: &[f64], _force: &mut [f64]) {}
     /// Adds their derivatives with respect to q and q', rows first.
     fn elastic_tangent(
         &self,
-        body: usize,
-        element: usize,
-        q: &[f64],
-        v: &[f64],
-        stiffness: &mut [f64],
-        damping: &mut [f64],
-    );
+        _body: usize,
+        _element: usize,
+        _q: &[f64],
+        _v: &[f64],
+        _stiffness: &mut [f64],
+        _damping: &mut [f64],
+    ) {
+    }
     /// Adds the elastic forces of four elements of one kind of body, one in each lane: (body, element) for
     /// each, components of the nodal vectors.
     fn elastic_force4(
@@ -410,30 +422,40 @@ pub trait Parts: Send + Sync + 'static {
     fn conserving_tangent(&self, _body: usize, _element: usize, _start: &[f64], _end: &[f64], _stiffness: &mut [f64]) {}
 
     /// Whether a load's components depend on time.
-    fn load_varies(&self, load: usize) -> bool;
+    fn load_varies(&self, _load: usize) -> bool {
+        false
+    }
     /// Components of a load at `t`, in its frame's axes.
-    fn load(&self, load: usize, t: f64) -> [f64; 3];
+    fn load(&self, _load: usize, _t: f64) -> [f64; 3] {
+        [0.0; 3]
+    }
 
     /// Mass matrix of an element's vectors (scalars, rows first).
-    fn mass(&self, body: usize, mass: &mut [f64]);
+    fn mass(&self, _body: usize, _mass: &mut [f64]) {}
     /// Strain energy of one element, J.
-    fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64;
-    /// Weights of an element's nodal vectors in the `order`-th derivative d/dx (0, 1, 2) of an interpolant
-    /// at `xi` in [0, 1].
-    fn shapes(&self, body: usize, of: Interpolant, order: usize, xi: f64, weights: &mut [f64]);
+    fn energy(&self, _body: usize, _element: usize, _q: &[f64]) -> f64 {
+        0.0
+    }
+    /// Weights of an element's nodal vectors in the `order`-th derivative d/dx of an interpolant at `xi` in [0, 1]:
+    /// 0, 1 of the position, 0 of the section's axes, and those of [`Parts::fields`].
+    fn shapes(&self, _body: usize, _of: Interpolant, _order: usize, _xi: f64, _weights: &mut [f64]) {}
     /// What stresses of a body follow from.
-    fn section(&self, body: usize) -> SectionSpec;
+    fn section(&self, _body: usize) -> SectionSpec {
+        SectionSpec::NONE
+    }
     /// Number of fields that the strain energy of a body depends on, and for each the interpolant and order
     /// of derivative.
-    fn fields(&self, body: usize) -> &'static [(Interpolant, usize)];
+    fn fields(&self, _body: usize) -> &'static [(Interpolant, usize)] {
+        &[]
+    }
     /// Forces on the fields of a body at a point of an element, dU/d(field) per unit length, body axes: N on
     /// order 1 of the position, N m on the others; from the fields' values in the stress-free shape, at
     /// present, and their rates, one vector of the body's dimension after the other.
-    fn field_forces(&self, body: usize, stress_free: &[f64], fields: &[f64], rates: &[f64], forces: &mut [f64]);
+    fn field_forces(&self, _body: usize, _stress_free: &[f64], _fields: &[f64], _rates: &[f64], _forces: &mut [f64]) {}
     /// Adds the generalised force of a moment (N m, body axes; planar: first component) on a slope.
-    fn moment(&self, dimension: usize, slope: &[f64], moment: [f64; 3], force: &mut [f64]);
+    fn moment(&self, _dimension: usize, _slope: &[f64], _moment: [f64; 3], _force: &mut [f64]) {}
     /// Adds its derivative with respect to the slope, rows first.
-    fn moment_tangent(&self, dimension: usize, slope: &[f64], moment: [f64; 3], tangent: &mut [f64]);
+    fn moment_tangent(&self, _dimension: usize, _slope: &[f64], _moment: [f64; 3], _tangent: &mut [f64]) {}
     /// Adds the generalised force of a moment (N m, body axes) on the axes r_y, r_z of a section in space
     /// (six numbers each): exact virtual work, `r_y x Q_y + r_z x Q_z = M`.
     fn section_moment(&self, _axes: &[f64; 6], _moment: [f64; 3], _force: &mut [f64; 6]) {}
@@ -442,24 +464,25 @@ pub trait Parts: Send + Sync + 'static {
 
     /// Conditions of a joint on the position and slope of its node: position rows, then direction or
     /// slope rows. `q`, `v`, `a` hold the position, then the slope; with a section its axes instead, unless
-    /// the joint holds the slope.
+    /// the joint holds the slope. `rows` come as zeros; what is zero is not written.
     #[allow(clippy::too_many_arguments)]
     fn condition(
         &self,
-        joint: usize,
-        absolute: bool,
-        level: ConstraintLevel,
-        t: f64,
-        data: &JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    );
-    /// Derivatives of the conditions with respect to position and slope, rows first.
-    fn condition_jacobian(&self, joint: usize, absolute: bool, t: f64, data: &JointData, jacobian: &mut [f64]);
-    /// What the joint prescribes where its conditions are eliminated.
-    fn prescribed(&self, joint: usize, absolute: bool, t: f64, data: &JointData, prescribed: &mut Prescribed);
+        _joint: usize,
+        _absolute: bool,
+        _level: ConstraintLevel,
+        _t: f64,
+        _data: &JointData,
+        _q: &[f64],
+        _v: &[f64],
+        _a: &[f64],
+        _rows: &mut [f64],
+    ) {
+    }
+    /// Derivatives of the conditions with respect to position and slope, rows first, into zeros.
+    fn condition_jacobian(&self, _joint: usize, _absolute: bool, _t: f64, _data: &JointData, _jacobian: &mut [f64]) {}
+    /// What the joint prescribes where its conditions are eliminated, into zeros.
+    fn prescribed(&self, _joint: usize, _absolute: bool, _t: f64, _data: &JointData, _prescribed: &mut Prescribed) {}
 
     /// Values of the output columns from what they observe.
     fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]);
@@ -512,8 +535,9 @@ pub trait Parts: Send + Sync + 'static {
         _t: f64,
         _z: &[Vector],
         _velocity: &[Vector],
-        _gradient: &mut [f64],
+        gradient: &mut [f64],
     ) {
+        gradient.fill(0.0);
     }
     /// sum_i lambda_i d^2 C_i/dz dz: 3 k x 3 k.
     fn marker_constraint_hessian(
@@ -522,8 +546,9 @@ pub trait Parts: Send + Sync + 'static {
         _t: f64,
         _z: &[Vector],
         _lambda: &[f64],
-        _hessian: &mut [f64],
+        hessian: &mut [f64],
     ) {
+        hessian.fill(0.0);
     }
 
     /// Whether a force on markers was declared as a load, which equilibria apply in parts.
@@ -539,9 +564,11 @@ pub trait Parts: Send + Sync + 'static {
         _t: f64,
         _z: &[Vector],
         _velocity: &[Vector],
-        _by_value: &mut [f64],
-        _by_velocity: &mut [f64],
+        by_value: &mut [f64],
+        by_velocity: &mut [f64],
     ) {
+        by_value.fill(0.0);
+        by_velocity.fill(0.0);
     }
     /// Potential of a conservative force, J.
     fn marker_energy(&self, _force: usize, _t: f64, _z: &[Vector]) -> f64 {

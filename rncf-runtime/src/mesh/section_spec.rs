@@ -64,3 +64,15 @@ pub struct SectionSpec {
     /// Name of the material, for messages.
     pub material: &'static str,
 }
+
+impl SectionSpec {
+    /// Of a model without bodies, whose sections nobody asks for.
+    pub(super) const NONE: Self = Self {
+        shape: SectionShape::General { extent: [None, None] },
+        area: 0.0,
+        second_moments: [0.0; 2],
+        torsion_constant: 0.0,
+        yield_stress: None,
+        material: "",
+    };
+}

@@ -9,7 +9,7 @@ macro_rules! spin_up {
                 param T_s = 15 s;
                 param elements: count = 6;
                 param modes: count = 4;
-                material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; poisson = 0.3; }
+                material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
                 section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
                 motion theta(t) =
                     if t <= T_s { (omega_s/T_s) * (t^2/2 + (T_s/(2*pi))^2 * (cos(2*pi*t/T_s) - 1)) }

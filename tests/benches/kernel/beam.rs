@@ -88,7 +88,6 @@ fn spatial() -> f64 {
         rhoA: shaft.rhoA,
         rhoIz: shaft.rhoIz,
         rhoIy: shaft.rhoIy,
-        damping: 0.0,
     };
     let [q, ..] = shape::<30>();
     let (mut force, mut stiffness) = ([0.0; 30], [0.0; 900]);
@@ -127,7 +126,6 @@ fn plane() -> f64 {
         GIz: shaft.GIz,
         rhoA: shaft.rhoA,
         rhoIz: shaft.rhoIz,
-        damping: 0.0,
     };
     let [q, ..] = shape::<14>();
     let (mut force, mut stiffness) = ([0.0; 14], [0.0; 196]);

@@ -27,7 +27,6 @@ impl Data {
             EA: 5.03e6,
             EI: 566.0,
             rhoA: 0.2,
-            damping: 0.0,
         };
         Self {
             rows: [row; LANES],

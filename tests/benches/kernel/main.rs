@@ -95,7 +95,6 @@ fn elastic_planar() -> f64 {
         EA: 5.03e6,
         EI: 566.0,
         rhoA: 0.2,
-        damping: 0.0,
     };
     let [q, ..] = shape(2).map(|values| <[f64; 8]>::try_from(values).unwrap());
     let (mut force, mut stiffness) = ([0.0; 8], [0.0; 64]);
@@ -115,7 +114,6 @@ fn elastic_spatial() -> f64 {
         EA: 5.03e6,
         EI: 566.0,
         rhoA: 0.2,
-        damping: 0.0,
     };
     let [q, ..] = shape(3).map(|values| <[f64; 12]>::try_from(values).unwrap());
     let (mut force, mut stiffness) = ([0.0; 12], [0.0; 144]);

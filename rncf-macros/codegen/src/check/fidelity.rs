@@ -6,7 +6,7 @@ use crate::model::{Fidelity, FrameId, Motions, Space};
 use crate::parse::tree::{Item, Statement};
 
 impl<'a> Check<'a> {
-    /// `modal(n);`, `small(n);`, `rigid;` or nothing; `None`: reported.
+    /// `modal(n);`, `small(n);`, `rigid;`, `point;` or nothing; `None`: reported.
     pub(super) fn fidelity(&mut self, statements: &'a [Statement]) -> Option<Fidelity> {
         let mut found = None;
         for statement in statements {
@@ -14,7 +14,7 @@ impl<'a> Check<'a> {
                 continue;
             };
             if let Some((_, line)) = found {
-                let (words, line): (_, usize) = ("`modal`, `small` or `rigid`", line);
+                let (words, line): (_, usize) = ("`modal`, `small`, `rigid` or `point`", line);
                 self.errors
                     .at(word.span, say::duplicate_statement(words, &line.to_string()));
                 continue;
@@ -24,6 +24,7 @@ impl<'a> Check<'a> {
                 (_, Some(None)) => None,
                 ("modal", Some(Some(count))) => Some(Fidelity::Modal(count)),
                 ("small", Some(Some(count))) => Some(Fidelity::Small(count)),
+                ("point", _) => Some(Fidelity::Point),
                 _ => Some(Fidelity::Rigid),
             };
             found = Some((fidelity, Area::from(word.span).line()));

@@ -82,7 +82,7 @@ pub const FOLLOWER_IN_SPACE: &str =
 pub const AXES_OF_LOAD: &str = "the components stand in the axes of another frame already: leave out `in`, or make them components in it with `.in(..)`";
 pub const DENSITY_REPETITION: &str =
     "a density acts on all repetitions of a body: write it in the loop, with the loop's index in brackets";
-pub const DENSITY_ON_MODES: &str = "a density acts on bodies that are described by all their nodal vectors: leave out `modal`, `small` or `rigid` of this body";
+pub const DENSITY_ON_MODES: &str = "a density acts on bodies that are described by all their nodal vectors: leave out `modal`, `small`, `rigid` or `point` of this body";
 pub const NO_OUTPUT: &str = "the model has no output: add e.g. `output u = beam.end.x;`";
 
 pub const FIXTURE_PLACE: &str =
@@ -284,9 +284,12 @@ messages! {
     no_moment(name, word) = "`{name}` is a `{word}` joint, which carries no moment";
     start_twice(frame, name) = "the bodies of `{frame}` start by `{name}` already: one start is enough";
     start_without_bodies(frame) = "no body lives in `{frame}`: name the frame that stands behind `in` of the bodies";
-    start_of_modes(body) = "body `{body}` is described by modes or does not deform, and modes have no initial shape: leave out `modal`, `small` or `rigid`, or this start";
+    start_of_modes(body) = "body `{body}` is described by modes or does not deform, and modes have no initial shape: leave out `modal`, `small`, `rigid` or `point`, or this start";
     start_with_velocity(body) = "body `{body}` has an initial velocity, and here it starts at rest in its frame: leave out one of them";
     start_out_of_plane(plane, axis) = "a body of this frame moves in the {plane} plane: the angular velocity has a {axis} component only";
+    unused(kind, name) = "nothing uses the {kind} `{name}`: leave it out, or call it `_{name}`";
+    unseen(name, others, place) = "no output, caution or start sees `{name}`{others}: observe it (e.g. `output of_{name} = {place};`), leave it out, or call it `_{name}`";
+    unread_property(property, kind, name, why) = "nothing reads the {property} of {kind} `{name}`, for {why}: leave it out, or call the {kind} `_{name}`";
     spring_stiffness(word, unit) = "`{word}` needs a stiffness: for a damper alone write `stiffness = 0 [{unit}]`";
 }
 

@@ -279,7 +279,7 @@ impl<'m> Start<'m> {
     }
 
     /// Length of a body's axis.
-    fn length(&self, body: BodyId) -> f64 {
+    pub fn length(&self, body: BodyId) -> f64 {
         match &self.model.bodies[body.0].line {
             Line::Straight { from, to } => norm(subtract(self.vector(to), self.vector(from))),
             Line::Arc { radius, angle, .. } => (self.value(radius) * self.value(angle)).abs(),

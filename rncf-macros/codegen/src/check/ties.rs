@@ -116,7 +116,7 @@ impl Check<'_> {
                 (area.unwrap_or(place), say::tied_twice(what, tie, name))
             }
             (Untied::Loose { motions }, Some(body)) if !is_body => {
-                let is_rigid = body.fidelity == Fidelity::Rigid && bodies.all(|body| body.fidelity == Fidelity::Rigid);
+                let is_rigid = !body.fidelity.deforms() && bodies.all(|body| !body.fidelity.deforms());
                 let message = if is_rigid {
                     say::rigid_lacks_inertia(name, motions)
                 } else {
@@ -212,6 +212,9 @@ impl<'m> Frame<'m> {
             let inertia = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
             self.add_mass(&mut mass, self.start.value(&part.mass), center, inertia);
         }
+        for (_, id) in self.bodies().filter(|(body, _)| body.fidelity == Fidelity::Point) {
+            self.add_mass(&mut mass, 1.0, self.centre(id), [[0.0; 3]; 3]);
+        }
         for (_, id) in self.bodies().filter(|(body, _)| body.fidelity == Fidelity::Rigid) {
             let (end, length) = (self.start.place(id, &Location::End).0, self.length());
             let places = [0.0, 0.25, 0.5, 0.75].map(|part| Location::At(Box::new(Expr::Number(part * length))));
@@ -238,6 +241,24 @@ impl<'m> Frame<'m> {
             }
         }
         (mass, scales)
+    }
+
+    /// Centre of a body's axis. What is round-off of its length is zero: there is no inertia about it.
+    fn centre(&self, id: BodyId) -> Vector {
+        const POINTS: usize = 64;
+        let length = self.start.length(id);
+        let sum = (0..POINTS).fold([0.0; 3], |sum, at| {
+            let x = (at as f64 + 0.5) / POINTS as f64 * length;
+            add(sum, self.start.place(id, &Location::At(Box::new(Expr::Number(x)))).0)
+        });
+        let centre = scale(1.0 / POINTS as f64, sum);
+        centre.map(|component| {
+            if component.abs() > 1e-9 * length {
+                component
+            } else {
+                0.0
+            }
+        })
     }
 
     fn add_mass(&self, mass: &mut [Row; 6], own: f64, center: Vector, inertia: [[f64; 3]; 3]) {
@@ -272,7 +293,7 @@ impl<'m> Frame<'m> {
         let model = self.start.model;
         let flexible = |body: BodyId| {
             let body = &model.bodies[body.0];
-            body.frame == self.id && body.fidelity != Fidelity::Rigid
+            body.frame == self.id && body.fidelity.deforms()
         };
         let joints = model
             .joints

@@ -57,7 +57,7 @@ impl Conserving {
 pub fn not_conservative(model: &Model, variants: &[VariantKernels], variant_of: &[usize]) -> Option<String> {
     let bodies = model.bodies.iter().zip(variant_of);
     let mut damped = bodies
-        .filter(|&(body, &variant)| body.fidelity != Fidelity::Rigid && variants[variant].variant.damped)
+        .filter(|&(body, &variant)| body.fidelity.deforms() && variants[variant].variant.damped)
         .map(|(body, _)| format!("body `{}` is damped", body.name));
     damped
         .next()

@@ -5,20 +5,20 @@ use std::fmt::Write;
 use super::equations::Equations;
 use super::expression::{inline, operator};
 use super::kernel::documentation;
+use super::notes::notes;
 use super::number::number;
 use super::{module_name, visibility};
-use crate::elements::{Interpolant, Library, NodalVector};
-use crate::lower::constraints::members;
-use crate::lower::markers::list;
+use crate::elements::Library;
 use crate::lower::motions::Time;
-use crate::model::{Body, Fidelity, INERTIAL, Model, Motions, Space};
+use crate::model::Model;
 
 /// The struct, its defaults and what it says of itself.
 pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> String {
     let name = &model.name;
-    let mut text = documentation(std::iter::once(
-        if model.doc.is_empty() { name } else { &model.doc }.as_str(),
-    ));
+    let notes = notes(model, library, equations);
+    let list: Vec<String> = notes.iter().map(|note| format!("* {note}")).collect();
+    let doc = if model.doc.is_empty() { name } else { &model.doc };
+    let mut text = documentation([doc.as_str(), "# Chosen and left out", &list.join("\n")].into_iter());
     let _ = writeln!(
         text,
         "#[derive(Clone, Debug, PartialEq)]\n#[allow(non_snake_case)]\n{}struct {name} {{",
@@ -57,15 +57,12 @@ pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> S
         let _ = writeln!(text, "{}: {value},", param.name);
     }
     text += "}\n}\n}\n";
-    text + &implementation(model, library, equations)
+    text + &implementation(model, &notes)
 }
 
-fn implementation(model: &Model, library: &Library, equations: &Equations) -> String {
+fn implementation(model: &Model, notes: &[String]) -> String {
     let (name, module) = (&model.name, module_name(model));
-    let notes: Vec<String> = notes(model, library, equations)
-        .iter()
-        .map(|note| format!("{note:?}"))
-        .collect();
+    let notes: Vec<String> = notes.iter().map(|note| format!("{note:?}")).collect();
     let mut text = format!(
         "#[allow(unused_variables, clippy::all)]\nimpl ::rncf::Model for {name} {{\n\
          const NAME: &'static str = {name:?};\n\
@@ -180,137 +177,4 @@ fn raw(text: &str) -> String {
         fence.push('#');
     }
     format!("r{fence}\"{text}\"{fence}")
-}
-
-/// What was chosen and left out, and why.
-fn notes(model: &Model, library: &Library, equations: &Equations) -> Vec<String> {
-    let mut notes = Vec::new();
-    for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
-        let variant = &equations.variants[variant];
-        notes.push(format!(
-            "Body `{}` uses `{}`. {}",
-            body.name, variant.name, variant.elastic.choice
-        ));
-        if let Space::Planar { .. } = body.space {
-            notes.push(format!(
-                "Body `{}` is planar: two components a vector, no motion along the normal.",
-                body.name
-            ));
-        }
-        notes.extend(section(body, &variant.variant.vectors(library)));
-        notes.push(placed(model, body));
-        notes.extend(described(body));
-    }
-    notes.extend(moving(model, equations));
-    notes.push(super::conserving::note(equations));
-    notes
-}
-
-/// What the nodes of a body carry beside position and slope.
-fn section(body: &Body, vectors: &[&NodalVector]) -> Option<String> {
-    let axes = vectors.iter().filter(|vector| vector.of != Interpolant::Position);
-    let names: Vec<&str> = axes.map(|vector| vector.name).collect();
-    let which = match body.space {
-        Space::Planar { .. } => "the section's y axis",
-        Space::Spatial => "the section's y and z axes",
-    };
-    (!names.is_empty()).then(|| {
-        format!(
-            "Body `{}` has nodal vectors for {which} ({}): sections shear, twist and have rotary inertia.",
-            body.name,
-            names.join(", ")
-        )
-    })
-}
-
-/// Where a body lives.
-fn placed(model: &Model, body: &Body) -> String {
-    let (name, frame) = (&body.name, &model.frames[body.frame.0]);
-    if body.frame == INERTIAL {
-        return format!(
-            "Body `{name}` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame."
-        );
-    }
-    if frame.free.is_none() {
-        return format!(
-            "Body `{name}` moves in the prescribed frame `{}`: no unknowns for the frame, its reactions are evaluated.",
-            frame.name
-        );
-    }
-    let follows = if body.mean_axes {
-        ", which follows the body's mean axes"
-    } else {
-        ""
-    };
-    format!(
-        "Body `{name}` moves in the free frame `{}`{follows}: force and moment of its inertia on the frame, and their \
-         derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
-        frame.name
-    )
-}
-
-/// How finely a body's deformation is described, where not by all nodal vectors.
-fn described(body: &Body) -> Option<String> {
-    let name = &body.name;
-    match body.fidelity {
-        Fidelity::Full => None,
-        Fidelity::Modal(_) => Some(format!(
-            "Body `{name}` deforms in its lowest modes in its frame (Eqs. 15-17)."
-        )),
-        Fidelity::Small(_) => Some(format!(
-            "Body `{name}` deforms little, in its lowest modes in its frame (Eqs. 18-20)."
-        )),
-        Fidelity::Rigid => Some(format!("Body `{name}` does not deform.")),
-    }
-}
-
-/// Free frames, constraints, forces and fixtures.
-fn moving(model: &Model, equations: &Equations) -> Vec<String> {
-    let mut notes = Vec::new();
-    for frame in &model.frames {
-        if let Some(free) = &frame.free {
-            let what = if free.is_body { "Rigid body" } else { "Frame" };
-            notes.push(format!(
-                "{what} `{}` is free in {}.",
-                frame.name,
-                unknowns(&free.motions)
-            ));
-        }
-    }
-    for kernels in &equations.constraints {
-        let names = members(model, &kernels.of);
-        let form = match kernels.hessian {
-            Some(_) => "gradient and second derivatives are derived",
-            None => "linear in its vectors, no second derivatives",
-        };
-        let count = kernels.levels[0].outputs.len();
-        let multipliers = if count == 1 { "multiplier" } else { "multipliers" };
-        notes.push(format!("Constraint {names}: {count} {multipliers}; {form}."));
-    }
-    for kernels in &equations.forces {
-        let names = list(kernels.of.iter().map(|&index| model.forces[index].name.as_str()));
-        let potential = if kernels.energy.is_some() { "a" } else { "no" };
-        notes.push(format!(
-            "Force {names}: {potential} potential; its tangents are derived."
-        ));
-    }
-    for fixture in &model.fixtures {
-        let body = &model.bodies[fixture.body.0].name;
-        notes.push(format!(
-            "Fixture `{}` adds constants to the inertia of `{body}` and no unknowns.",
-            fixture.name
-        ));
-    }
-    notes
-}
-
-fn unknowns(motions: &Motions) -> &'static str {
-    match motions {
-        Motions::Spatial => "six motions: three positions and a rotation vector that begins anew every step",
-        Motions::Planar { .. } => "three motions: two positions and an angle",
-        Motions::Turning => "three motions: a rotation vector that begins anew every step",
-        Motions::Hinged { .. } => "one motion: an angle",
-        Motions::Shifting => "three motions: a point mass does not turn",
-        Motions::ShiftingPlanar { .. } => "two motions: a point mass does not turn",
-    }
 }

@@ -29,7 +29,7 @@ pub struct VariantKernels {
     /// Mass matrix of the nodal vectors.
     pub mass: Kernel,
     /// Weights of the nodal vectors in each interpolant and its derivatives.
-    pub shapes: Vec<(Interpolant, [Kernel; 3])>,
+    pub shapes: Vec<(Interpolant, Vec<Kernel>)>,
     /// Forces on the fields at a point.
     pub field_forces: Kernel,
     /// Documentation of the struct with the constants, and the struct's fields.
@@ -224,7 +224,7 @@ impl Equations {
         kernels.extend(self.loads.iter().map(|(_, kernel)| kernel));
         for (referenced, absolute) in &self.joints {
             for joint in referenced.iter().chain(absolute) {
-                kernels.extend(&joint.levels);
+                kernels.extend(joint.levels.iter().flatten());
                 kernels.extend([&joint.jacobian, &joint.prescribed]);
             }
         }
@@ -240,7 +240,7 @@ impl Equations {
         kernels.extend(self.moments.iter().flat_map(|(_, kernels)| kernels));
         kernels.extend(self.section_moments.iter().flatten());
         kernels.extend(self.reduced.iter().map(|reduced| &reduced.kernel));
-        kernels.push(&self.switches.kinks.0);
+        kernels.extend((self.switches.kinks.1 > 0).then_some(&self.switches.kinks.0));
         if self.switches.gaps.1 > 0 {
             kernels.push(&self.switches.gaps.0);
         }
@@ -322,14 +322,17 @@ fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Librar
             coefficient.unit, coefficient.name
         );
     }
-    text += &format!("/// Damping of the strain measures, s.\npub damping: {number},\n");
+    let damping = variant.damped.then_some("damping");
+    if damping.is_some() {
+        text += &format!("/// Damping of the strain measures, s.\npub damping: {number},\n");
+    }
     match &variant.material {
         Some(material) => return text + &super::points::material_fields(name, material),
         None => text += "}\n",
     }
     if lanes {
         let coefficients = coefficients.iter().map(|coefficient| coefficient.name);
-        let fields: Vec<&str> = ["length"].into_iter().chain(coefficients).chain(["damping"]).collect();
+        let fields: Vec<&str> = ["length"].into_iter().chain(coefficients).chain(damping).collect();
         text += &rows_side_by_side(&crate::lower::camel_case(name), &fields);
     }
     text

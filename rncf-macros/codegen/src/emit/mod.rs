@@ -9,6 +9,7 @@ pub mod equations;
 pub mod expression;
 pub mod kernel;
 mod moving;
+mod notes;
 pub mod number;
 pub mod parts;
 pub mod points;

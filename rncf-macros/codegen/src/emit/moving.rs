@@ -15,6 +15,9 @@ use crate::model::{Expr, Marker, Model, Motions};
 
 const VECTORS: &str = "&[[f64; 3]]";
 
+/// The last arm, and all of a function that need not be written.
+const NOTHING: &str = "_ => {}\n";
+
 /// Formulas longer than this are not repeated in the documentation.
 const LONGEST_FORMULA: usize = 250;
 
@@ -42,7 +45,7 @@ fn pattern(of: &[usize]) -> String {
 /// Arms that call one kernel each, and a last one that does nothing.
 fn arms<'k>(kernels: impl Iterator<Item = (&'k [usize], &'k Kernel)>, arguments: &str) -> String {
     let arm = |(of, kernel): (&[usize], &Kernel)| format!("{} => {}({arguments}),\n", pattern(of), kernel.name);
-    kernels.map(arm).collect::<String>() + "_ => {}\n"
+    kernels.map(arm).collect::<String>() + NOTHING
 }
 
 impl Parts<'_> {
@@ -258,16 +261,20 @@ impl Parts<'_> {
             .iter()
             .filter_map(|k| Some((&k.of[..], k.rate_gradient.as_ref()?)));
         let rate = arms(rate, "&self.model, t, z, velocity, gradient");
-        let _ = writeln!(
-            text,
-            "fn marker_constraint_rate_gradient(&self, constraint: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, gradient: &mut [f64]) {{\ngradient.fill(0.0);\nmatch constraint {{\n{rate}}}\n}}"
-        );
+        if rate != NOTHING {
+            let _ = writeln!(
+                text,
+                "fn marker_constraint_rate_gradient(&self, constraint: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, gradient: &mut [f64]) {{\ngradient.fill(0.0);\nmatch constraint {{\n{rate}}}\n}}"
+            );
+        }
         let hessian = kernels.iter().filter_map(|k| Some((&k.of[..], k.hessian.as_ref()?)));
         let hessian = arms(hessian, "&self.model, t, z, lambda, hessian");
-        let _ = writeln!(
-            text,
-            "fn marker_constraint_hessian(&self, constraint: usize, t: f64, z: {VECTORS}, lambda: &[f64], hessian: &mut [f64]) {{\nhessian.fill(0.0);\nmatch constraint {{\n{hessian}}}\n}}"
-        );
+        if hessian != NOTHING {
+            let _ = writeln!(
+                text,
+                "fn marker_constraint_hessian(&self, constraint: usize, t: f64, z: {VECTORS}, lambda: &[f64], hessian: &mut [f64]) {{\nhessian.fill(0.0);\nmatch constraint {{\n{hessian}}}\n}}"
+            );
+        }
         text
     }
 
@@ -306,16 +313,20 @@ impl Parts<'_> {
         );
         let tangent = kernels.iter().filter_map(|k| Some((&k.of[..], k.tangent.as_ref()?)));
         let tangent = arms(tangent, "&self.model, t, z, velocity, by_value, by_velocity");
-        let _ = writeln!(
-            text,
-            "fn marker_force_tangent(&self, force: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, by_value: &mut [f64], by_velocity: &mut [f64]) {{\nby_value.fill(0.0);\nby_velocity.fill(0.0);\nmatch force {{\n{tangent}}}\n}}"
-        );
+        if tangent != NOTHING {
+            let _ = writeln!(
+                text,
+                "fn marker_force_tangent(&self, force: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, by_value: &mut [f64], by_velocity: &mut [f64]) {{\nby_value.fill(0.0);\nby_velocity.fill(0.0);\nmatch force {{\n{tangent}}}\n}}"
+            );
+        }
         let energy = kernels.iter().filter_map(|k| Some((&k.of[..], k.energy.as_ref()?)));
         let energy = arms(energy, "&self.model, t, z, &mut energy");
-        let _ = writeln!(
-            text,
-            "fn marker_energy(&self, force: usize, t: f64, z: {VECTORS}) -> f64 {{\nlet mut energy = 0.0;\nmatch force {{\n{energy}}}\nenergy\n}}"
-        );
+        if energy != NOTHING {
+            let _ = writeln!(
+                text,
+                "fn marker_energy(&self, force: usize, t: f64, z: {VECTORS}) -> f64 {{\nlet mut energy = 0.0;\nmatch force {{\n{energy}}}\nenergy\n}}"
+            );
+        }
         text
     }
 

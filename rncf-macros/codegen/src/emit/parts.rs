@@ -57,21 +57,26 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
         "}}\n}}\n{}}}\nimpl ::rncf::mesh::Parts for Equations {{\n",
         writer.numbering_methods()
     );
-    text += &writer.bodies();
-    text += &writer.joints();
+    let has_bodies = !model.bodies.is_empty();
+    if has_bodies {
+        text += &writer.bodies();
+        text += &writer.prepare();
+        text += &writer.element_functions();
+        text += &writer.conserving();
+        text += &writer.sections();
+    }
+    if !model.joints.is_empty() {
+        text += &writer.joints();
+        text += &writer.conditions();
+    }
     text += &writer.shares();
     text += &writer.loads();
     text += &writer.observed();
     text += &writer.facts();
-    text += &writer.prepare();
     text += &writer.time_functions();
     text += &writer.initial();
     text += &super::start::starts(&writer);
-    text += &writer.element_functions();
-    text += &writer.conserving();
-    text += &writer.sections();
     text += &writer.moments();
-    text += &writer.conditions();
     text += &writer.check();
     text += &writer.free();
     text += &writer.markers();
@@ -208,6 +213,7 @@ impl Parts<'_> {
             Fidelity::Modal(count) => format!("Modal({})", self.count(count)),
             Fidelity::Small(count) => format!("Small({})", self.count(count)),
             Fidelity::Rigid => "Rigid".to_string(),
+            Fidelity::Point => "Point".to_string(),
         }
     }
 
@@ -245,6 +251,9 @@ impl Parts<'_> {
     }
 
     fn loads(&self) -> String {
+        if self.model.loads.is_empty() {
+            return String::new();
+        }
         let mut text = "fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
         for load in &self.model.loads {
             let (kind, frame) = match &load.kind {
@@ -268,7 +277,25 @@ impl Parts<'_> {
                 load.name
             );
         }
-        text + "])\n}\n"
+        let varies: Vec<bool> = self
+            .model
+            .loads
+            .iter()
+            .map(|load| crate::lower::motions::varies(self.model, load.kind.components()))
+            .collect();
+        let _ = writeln!(
+            text,
+            "])\n}}\nfn load_varies(&self, load: usize) -> bool {{ const VARIES: [bool; {}] = {varies:?};\nVARIES[load] }}",
+            varies.len()
+        );
+        if self.equations.loads.is_empty() {
+            return text;
+        }
+        text += "fn load(&self, load: usize, t: f64) -> [f64; 3] {\nlet mut value = [0.0; 3];\nmatch load {\n";
+        for (index, kernel) in &self.equations.loads {
+            let _ = writeln!(text, "{index} => {}(&self.model, t, &mut value),", kernel.name);
+        }
+        text + "_ => {}\n}\nvalue\n}\n"
     }
 
     /// What the scene is asked for; `None` for reductions, which ask for several.
@@ -341,22 +368,18 @@ impl Parts<'_> {
     fn facts(&self) -> String {
         let names: Vec<&String> = self.model.frames.iter().map(|frame| &frame.name).collect();
         let columns: usize = self.model.outputs.iter().map(|output| output.components.len()).sum();
-        let kinks = self.equations.switches.kinks.1;
-        let varies: Vec<bool> = self
-            .model
-            .loads
-            .iter()
-            .map(|load| crate::lower::motions::varies(self.model, load.kind.components()))
-            .collect();
+        let kinks = match self.equations.switches.kinks.1 {
+            0 => String::new(),
+            count => format!(
+                "fn kinks(&self) -> ::std::vec::Vec<f64> {{\nlet mut times = [0.0; {count}];\nkinks(&self.model, &mut times);\ntimes.to_vec()\n}}\n"
+            ),
+        };
         format!(
             "fn output_columns(&self) -> usize {{ {columns} }}\n\
              fn frame_count(&self) -> usize {{ {} }}\n\
              fn frame_name(&self, frame: usize) -> &'static str {{ {names:?}[frame] }}\n\
-             fn load_varies(&self, load: usize) -> bool {{ const VARIES: [bool; {}] = {varies:?};\nVARIES[load] }}\n\
-             fn conservative(&self) -> bool {{ {} }}\n\
-             fn kinks(&self) -> ::std::vec::Vec<f64> {{\nlet mut times = [0.0; {kinks}];\nkinks(&self.model, &mut times);\ntimes.to_vec()\n}}\n{}",
+             fn conservative(&self) -> bool {{ {} }}\n{kinks}{}",
             names.len(),
-            varies.len(),
             self.equations.conservative,
             self.gaps()
         )
@@ -416,10 +439,8 @@ impl Parts<'_> {
             for coefficient in variant.variant.coefficients(self.library) {
                 fields.push(format!("{}: {}", coefficient.name, super::section::coefficient(body, coefficient)));
             }
-            if body.properties.contains_key(element.damping) {
+            if variant.variant.damped {
                 fields.push(format!("damping: {}", element.damping));
-            } else {
-                fields.push("damping: 0.0".to_string());
             }
             if let Some(material) = &variant.variant.material {
                 fields.extend(super::points::material_values(&variant.name, material, body, |expr| self.expr(expr)));
@@ -457,17 +478,14 @@ impl Parts<'_> {
         for (index, kernel) in &self.equations.frames {
             let _ = writeln!(text, "{}(&self.model, t, &mut motions[{index}]);", kernel.name);
         }
-        text += "}\nfn load(&self, load: usize, t: f64) -> [f64; 3] {\nlet mut value = [0.0; 3];\nmatch load {\n";
-        for (index, kernel) in &self.equations.loads {
-            let _ = writeln!(text, "{index} => {}(&self.model, t, &mut value),", kernel.name);
-        }
-        text += "_ => {}\n}\nvalue\n}\n";
+        text += "}\n";
         text + &self.outputs()
     }
 
     fn moments(&self) -> String {
         let mut text = String::new();
-        for (which, name, argument) in [(0, "moment", "force"), (1, "moment_tangent", "tangent")] {
+        let on_slopes = [(0, "moment", "force"), (1, "moment_tangent", "tangent")].into_iter();
+        for (which, name, argument) in on_slopes.filter(|_| !self.equations.moments.is_empty()) {
             let arms: String = self
                 .equations
                 .moments
@@ -512,14 +530,19 @@ impl Parts<'_> {
 
     fn conditions(&self) -> String {
         let condition = self.by_joint(|kernels| {
-            let levels = kernels.levels.iter().zip(LEVELS).map(|(kernel, level)| {
-                format!(
-                    "::rncf::system::ConstraintLevel::{} => {}(&self.model, t, data, q, v, a, rows),\n",
-                    camel_case(level),
-                    kernel.name
-                )
+            let levels = kernels.levels.iter().zip(LEVELS).filter_map(|(kernel, level)| {
+                let name = &kernel.as_ref()?.name;
+                let level = camel_case(level);
+                Some(format!(
+                    "::rncf::system::ConstraintLevel::{level} => {name}(&self.model, t, data, q, v, a, rows),\n"
+                ))
             });
-            format!("match level {{\n{}}}", levels.collect::<String>())
+            let rest = if kernels.levels.iter().all(Option::is_some) {
+                ""
+            } else {
+                "_ => {}\n"
+            };
+            format!("match level {{\n{}{rest}}}", levels.collect::<String>())
         });
         let jacobian = self.by_joint(|kernels| format!("{}(&self.model, t, data, jacobian);", kernels.jacobian.name));
         let prescribed =

@@ -20,10 +20,6 @@ fn has(body: &Body, name: &str) -> bool {
     body.properties.contains_key(name) || derived.is_some_and(from)
 }
 
-/// What a model without bodies says of their sections.
-const NO_SECTION: &str = "::rncf::mesh::SectionSpec { shape: ::rncf::mesh::SectionShape::General { extent: [None, None] }, \
-                          area: 0.0, second_moments: [0.0; 2], torsion_constant: 0.0, yield_stress: None, material: \"\" }\n";
-
 impl Parts<'_> {
     /// Statements that bind the properties of a body, each checked, and those that its coefficients derive.
     pub fn properties(&self, body: &Body) -> String {
@@ -34,7 +30,13 @@ impl Parts<'_> {
         ];
         for (vocabulary, kind, owner) in vocabularies {
             for property in vocabulary {
-                if let Some(value) = body.properties.get(property.name) {
+                // What is not given is no more than its default, and nothing reads it.
+                let default = property.default.map(Expr::Number);
+                if let Some(value) = body
+                    .properties
+                    .get(property.name)
+                    .filter(|value| default.as_ref() != Some(value))
+                {
                     let value = check(property, kind, owner, &self.expr(value));
                     let _ = writeln!(text, "let {} = {value};", variable(property.name));
                 }
@@ -78,12 +80,6 @@ impl Parts<'_> {
                 self.row(body)
             )
         });
-        // Of a model without bodies nothing is asked.
-        let (section, fields) = if self.model.bodies.is_empty() {
-            (NO_SECTION.to_string(), "&[]\n".to_string())
-        } else {
-            (section, fields)
-        };
         let kind = self.kind();
         format!(
             "fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {{\n{kind}let model = &self.model;\n{section}}}\n\

@@ -11,11 +11,12 @@ use crate::symbolic::{Graph, Id, linear::Vector};
 #[derive(Clone, Debug)]
 pub struct JointKernels {
     /// Values: position level, and what the rate, acceleration and jerk levels are with the highest
-    /// derivative of q set to zero.
-    pub levels: [Kernel; 4],
-    /// Derivatives with respect to the position and the directions after it.
+    /// derivative of q set to zero; `None` where nothing is left of it, as of conditions that do not change
+    /// with time.
+    pub levels: [Option<Kernel>; 4],
+    /// Derivatives with respect to the position and the directions after it, without zeros.
     pub jacobian: Kernel,
-    /// What is prescribed where the conditions are eliminated.
+    /// What is prescribed where the conditions are eliminated, without zeros.
     pub prescribed: Kernel,
 }
 
@@ -151,23 +152,14 @@ pub fn joint_kernels(model: &Model, joint: &Joint, has_section: bool, absolute: 
             rows = conditions.without(&rows, level);
         }
         let title = format!("Joint `{}`: conditions, {} level.", joint.name, LEVELS[level]);
-        let outputs = rows
-            .iter()
-            .enumerate()
-            .map(|(row, &id)| (format!("rows[{row}]"), id))
-            .collect();
-        conditions.kernel(name(LEVELS[level]), title, outputs, &states)
+        let mut outputs = super::kernel::values(&rows, "rows");
+        outputs.retain(|&(_, id)| !conditions.time.graph.is_zero(id));
+        (!outputs.is_empty()).then(|| conditions.kernel(name(LEVELS[level]), title, outputs, &states))
     });
     let jacobian = {
         let mut conditions = Conditions::new(model, joint, has_section, absolute);
         let (rows, symbols) = (conditions.rows.clone(), conditions.q[0].clone());
-        let mut outputs = Vec::new();
-        for (row, &id) in rows.iter().enumerate() {
-            for (column, &symbol) in symbols.iter().enumerate() {
-                let derivative = conditions.time.graph.partial(id, symbol);
-                outputs.push((format!("jacobian[{}]", row * symbols.len() + column), derivative));
-            }
-        }
+        let outputs = super::kernel::derivatives(&mut conditions.time.graph, &rows, &symbols, "jacobian");
         let title = format!("Joint `{}`: derivatives of the conditions.", joint.name);
         conditions.kernel(name("jacobian"), title, outputs, &["jacobian: &mut [f64]"])
     };
@@ -178,13 +170,14 @@ pub fn joint_kernels(model: &Model, joint: &Joint, has_section: bool, absolute: 
             .into_iter()
             .zip(conditions.targets.clone())
         {
-            for level in 0..4 {
+            for level in 0..=super::motions::highest_derivative(model) {
                 let place = |(component, &id)| (format!("prescribed.{what}[{level}][{component}]"), id);
                 outputs.extend(vector.iter().enumerate().map(place));
                 vector = conditions.rate(&vector);
             }
         }
-        let title = format!("Joint `{}`: what it prescribes, with three derivatives.", joint.name);
+        outputs.retain(|&(_, id)| !conditions.time.graph.is_zero(id));
+        let title = format!("Joint `{}`: what it prescribes, and its derivatives.", joint.name);
         conditions.kernel(
             name("prescribed"),
             title,

@@ -137,19 +137,23 @@ pub fn section_moment_kernels() -> [Kernel; 2] {
     })
 }
 
-/// Highest order of the derivatives of an interpolant that are emitted.
-const HIGHEST_ORDER: usize = 2;
-
-/// Weights of the nodal vectors in the derivatives d/dx of orders 0, 1, 2 of every interpolant.
-pub fn shape_kernels(variant: &Variant, library: &Library) -> Vec<(Interpolant, [Kernel; HIGHEST_ORDER + 1])> {
+/// Weights of the nodal vectors in the derivatives d/dx of every interpolant, order by order up to the highest that
+/// the strain energy, a slope or an axis of the section is a function of.
+pub fn shape_kernels(variant: &Variant, library: &Library) -> Vec<(Interpolant, Vec<Kernel>)> {
     let vectors = variant.vectors(library);
+    let highest = |of: Interpolant| {
+        let fields = variant.declaration(library).fields_in(variant.dimension);
+        let orders = fields.filter(|field| field.of == of).map(|field| field.order);
+        orders.fold(usize::from(of == Interpolant::Position), usize::max)
+    };
     let all = [Interpolant::Position, Interpolant::SectionY, Interpolant::SectionZ].into_iter();
     let there = all.filter(|of| vectors.iter().any(|vector| vector.of == *of));
     there
         .map(|of| {
+            let orders = 0..=highest(of);
             (
                 of,
-                std::array::from_fn(|order| shape_kernel(variant, library, of, order)),
+                orders.map(|order| shape_kernel(variant, library, of, order)).collect(),
             )
         })
         .collect()

@@ -239,26 +239,35 @@ pub(super) fn unit(axis: [f64; 3]) -> [f64; 3] {
     axis.map(|x| x / size)
 }
 
-/// Motion of a frame: pose, velocity, acceleration and jerk; spin and its first two derivatives.
+/// How often what moves in a prescribed way is differentiated: the jerk is read by constraints on markers, on their
+/// own jerk level, and by mean axes alone.
+pub fn highest_derivative(model: &Model) -> usize {
+    let constrained = !model.constraints.is_empty() || model.bodies.iter().any(|body| body.mean_axes);
+    if constrained { 3 } else { 2 }
+}
+
+/// Motion of a frame: pose, velocity, acceleration; spin and its derivative; where they are read, both jerks.
 pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
     let mut time = Time::new(model);
     let (rotation, position) = time.pose(frame);
     let velocity = time.derivatives(&position);
     let acceleration = time.derivatives(&velocity);
-    let jerk = time.derivatives(&acceleration);
     let spin = time.spin(frame);
     let spin_rate = time.derivatives(&spin);
-    let spin_jerk = time.derivatives(&spin_rate);
+    let mut vectors = vec![
+        ("position", position),
+        ("velocity", velocity),
+        ("acceleration", acceleration),
+        ("spin", spin),
+        ("spin_rate", spin_rate),
+    ];
+    let highest = highest_derivative(model);
+    if highest == 3 {
+        let [jerk, spin_jerk] = [2, 4].map(|rate| time.derivatives(&vectors[rate].1));
+        vectors.extend([("jerk", jerk), ("spin_jerk", spin_jerk)]);
+    }
     let mut outputs = Vec::new();
-    for (name, vector) in [
-        ("position", &position),
-        ("velocity", &velocity),
-        ("acceleration", &acceleration),
-        ("spin", &spin),
-        ("spin_rate", &spin_rate),
-        ("jerk", &jerk),
-        ("spin_jerk", &spin_jerk),
-    ] {
+    for (name, vector) in &vectors {
         outputs.extend(
             vector
                 .iter()
@@ -282,8 +291,9 @@ pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
         );
     }
     let declaration = &model.frames[frame.0];
+    let count = if highest == 3 { "three" } else { "two" };
     let title = format!(
-        "Motion of frame `{}` and its first three derivatives.",
+        "Motion of frame `{}` and its first {count} derivatives.",
         declaration.name
     );
     let mut kernel = time.kernel(format!("frame_{}", declaration.name), title, outputs);
@@ -325,6 +335,13 @@ pub struct Switches {
     pub gaps: (Kernel, usize),
     /// The same of conditions that differ between the repetitions of a loop.
     pub repeated: Vec<(RepeatId, Kernel, usize)>,
+}
+
+impl Switches {
+    /// Whether no branch ever changes.
+    pub fn is_empty(&self) -> bool {
+        self.kinks.1 == 0 && self.gaps.1 == 0 && self.repeated.is_empty()
+    }
 }
 
 /// Finds all conditions that change with time. Those linear in t switch at `-g(0) / g'`; the others where an

@@ -331,6 +331,7 @@ const STATEMENTS: &[&str] = &[
     "modal",
     "small",
     "rigid",
+    "point",
 ];
 
 fn statements(cursor: &mut Cursor, errors: &mut Errors) -> Vec<Statement> {
@@ -364,7 +365,7 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
         }
         "spatial" => Statement::Space { area, plane: None },
         "mean_axes" => Statement::MeanAxes { area },
-        "rigid" => Statement::Fidelity { word, count: None },
+        "rigid" | "point" => Statement::Fidelity { word, count: None },
         "modal" | "small" => {
             let call = expr::call(cursor, word.clone(), 0)?;
             let mut arguments = call.arguments;

@@ -29,7 +29,7 @@
 //!             | "arc" "from" vector "direction" vector [ "normal" vector ] "radius" expr "angle" expr ";"
 //!             | "section_y" vector ";" | "twist" right ";"
 //!             | "mean_axes" ";"
-//!             | ( "modal" | "small" ) "(" expr ")" ";" | "rigid" ";"
+//!             | ( "modal" | "small" ) "(" expr ")" ";" | "rigid" ";" | "point" ";"
 //!             | "mesh" primary "*" call ";"     // element(section, material [, option = value])
 //! fixture     = "fixture" NAME "on" PLACE fields
 //!                   // FRAME[.at(vector)]: mass inertia; BODY.end|..: mass offset gyration

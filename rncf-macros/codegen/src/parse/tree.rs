@@ -305,11 +305,11 @@ pub enum Statement {
         /// Angle from the start to the end.
         value: Expr,
     },
-    /// `modal(n);`, `small(n);` or `rigid;`
+    /// `modal(n);`, `small(n);`, `rigid;` or `point;`
     Fidelity {
         /// The word.
         word: Name,
-        /// Number of modes; none of a rigid body.
+        /// Number of modes; none of a body that does not deform.
         count: Option<Expr>,
     },
     /// `initial position [..];` or `initial velocity [..];`

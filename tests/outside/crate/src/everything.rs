@@ -13,7 +13,7 @@ rncf::model! {
         /// Acceleration of free fall.
         const g = 9.81 m/s^2;
         /// Aluminium, slightly damped.
-        material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; poisson = 0.3; damping = 1e-5 s; }
+        material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; damping = 1e-5 s; }
         section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
         motion theta(t) =
             if t <= T_s { (omega_s/T_s) * (t^2/2 + (T_s/(2*pi))^2 * (cos(2*pi*t/T_s) - 1)) }

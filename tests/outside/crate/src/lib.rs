@@ -23,7 +23,7 @@ rncf::model! {
         /// Length of the rod.
         const reach = 1.2 m;
 
-        material nylon { density = 1.15 g/cm^3; young = 2.7 GPa; poisson = 0.4; damping = 0.4 ms; }
+        material nylon { density = 1.15 g/cm^3; young = 2.7 GPa; damping = 0.4 ms; }
         section rod { area = pi * (2 mm)^2; second_moment = pi * (2 mm)^4 / 4; }
 
         /// Angle of the hub.

@@ -1,5 +1,6 @@
 mod density;
 mod free;
+mod influence;
 mod joints;
 mod precedence;
 mod repeat;

@@ -65,7 +65,8 @@ fn states(kernels: &JointKernels, t: f64) -> Inputs {
         inputs.insert(format!("a[{i}]"), a);
     }
     inputs.extend([("t".to_string(), t), ("model.gap".to_string(), 0.5)]);
-    for kernel in kernels.levels.iter().chain([&kernels.jacobian, &kernels.prescribed]) {
+    let levels = kernels.levels.iter().flatten();
+    for kernel in levels.chain([&kernels.jacobian, &kernels.prescribed]) {
         fill(kernel, &mut inputs, &mut Random(4));
     }
     inputs
@@ -74,16 +75,20 @@ fn states(kernels: &JointKernels, t: f64) -> Inputs {
 /// Rows of a level with the highest derivative of q: `J v` and `J a` are left out of the kernels.
 fn whole_rows(kernels: &JointKernels, level: usize, width: usize, t: f64) -> Vec<f64> {
     let inputs = states(kernels, t);
-    let rows = evaluate(&kernels.levels[level], &inputs);
+    let rows = kernels.levels[level].as_ref().map(|kernel| evaluate(kernel, &inputs));
+    let rows = rows.unwrap_or_default();
     let jacobian = evaluate(&kernels.jacobian, &inputs);
     let word = ["q", "v", "a"].get(level).filter(|_| level > 0);
-    (0..rows.len())
+    // What is not written is zero.
+    let at = |values: &std::collections::HashMap<String, f64>, place: &str| values.get(place).copied().unwrap_or(0.0);
+    let count = kernels.levels[0].as_ref().map_or(0, |kernel| kernel.outputs.len());
+    (0..count)
         .map(|row| {
-            let entry = |column: usize| jacobian[&format!("jacobian[{}]", row * width + column)];
+            let entry = |column: usize| at(&jacobian, &format!("jacobian[{}]", row * width + column));
             let along = word.map_or(0.0, |word| {
                 (0..width).map(|c| entry(c) * inputs[&format!("{word}[{c}]")]).sum()
             });
-            rows[&format!("rows[{row}]")] + along
+            at(&rows, &format!("rows[{row}]")) + along
         })
         .collect()
 }
@@ -116,7 +121,8 @@ fn levels_of_joints_on_sections() {
         }
         let q: Vec<String> = (0..width).map(|i| format!("q[{i}]")).collect();
         let inputs = states(&kernels, t);
-        assert_tangent(&kernels.jacobian, "jacobian", &kernels.levels[0], "rows", &q, &inputs);
+        let position = kernels.levels[0].as_ref().unwrap();
+        assert_tangent(&kernels.jacobian, "jacobian", position, "rows", &q, &inputs);
     }
 }
 
@@ -143,7 +149,7 @@ fn prescribed_axes_fulfil_the_conditions() {
                 );
             }
         }
-        for (row, value) in evaluate(&kernels.levels[0], &inputs) {
+        for (row, value) in evaluate(kernels.levels[0].as_ref().unwrap(), &inputs) {
             assert!(value.abs() < 1e-14, "{kind:?} {row}: {value}");
         }
     }

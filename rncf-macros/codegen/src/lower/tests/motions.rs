@@ -10,6 +10,8 @@ use crate::model::{Expr, FrameId, Function, Model};
 /// The rotor swings on an origin that swings, too.
 fn swinging() -> Model {
     let mut model = base();
+    // Mean axes read third derivatives.
+    model.bodies[0].mean_axes = true;
     let swing = |rate: f64| Expr::Call(Function::Sin, vec![times(number(rate), Expr::Time)]);
     model.motions[0].value = swing(1.7);
     model.frames[1].origin = [swing(0.9), number(0.2), swing(1.3)];
@@ -67,4 +69,16 @@ fn third_derivatives_of_what_joints_prescribe() {
             compare(&kernel, &inputs, &name(level), &name(level + 1));
         }
     }
+}
+
+/// Without constraints on markers and mean axes nothing reads a jerk.
+#[test]
+fn third_derivatives_are_left_out_where_nothing_reads_them() {
+    let mut model = swinging();
+    model.bodies[0].mean_axes = false;
+    let jerks = |kernel: &Kernel, word: &str| kernel.outputs.iter().any(|(place, _)| place.contains(word));
+    let frame = frame_kernel(&model, FrameId(1));
+    assert!(jerks(&frame, "spin_rate") && !jerks(&frame, "jerk"));
+    let prescribed = joint_kernels(&model, &model.joints[0], false, true).prescribed;
+    assert!(jerks(&prescribed, "position[2]") && !jerks(&prescribed, "position[3]"));
 }

@@ -1,0 +1,178 @@
+//! What has no influence, and what has.
+
+use super::{SPIN_UP, run};
+use crate::elements::Library;
+use crate::expand::warnings;
+
+/// Warned words and messages of a model that is right.
+fn found(text: &str) -> Vec<(String, String)> {
+    assert_eq!(run(text).1.len(), 0, "{:?}", run(text).1);
+    let warnings = warnings(text.parse().expect("tokens"), &Library::standard());
+    let word = |warning: &crate::errors::Mistake| warning.area.source_text().expect("spans of a text");
+    warnings
+        .iter()
+        .map(|warning| (word(warning), warning.message.clone()))
+        .collect()
+}
+
+/// A pendulum that is observed, with other items.
+fn beside(items: &str) -> Vec<String> {
+    let text = format!("model Beside {{ rigid bob {{ mass = 1 kg; }} output x = bob.x; {items} }}");
+    found(&text).into_iter().map(|(word, _)| word).collect()
+}
+
+/// A rod of steel in the plane, with other items, and other words in its place.
+fn rod(items: &str, replace: &[(&str, &str)]) -> Vec<(String, String)> {
+    let text = format!(
+        "model Rod {{
+            material steel {{ density = 7850 kg/m^3; young = 210 GPa; }}
+            section wire {{ area = 1 mm^2; second_moment = 0.08 mm^4; }}
+            body rod {{ planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 4 * cable(wire, steel); }}
+            joint root = clamp(rod.start, inertial);
+            output tip = rod.end;
+            {items}
+        }}"
+    );
+    found(&replace.iter().fold(text, |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replace(from, to)
+    }))
+}
+
+fn words(found: Vec<(String, String)>) -> Vec<String> {
+    found.into_iter().map(|(word, _)| word).collect()
+}
+
+#[test]
+fn what_is_used_is_no_matter() {
+    assert_eq!(words(found(SPIN_UP)), ["poisson"]);
+    assert_eq!(words(rod("", &[])), [""; 0]);
+}
+
+#[test]
+fn what_nobody_names_is_told_at_its_name() {
+    for item in [
+        "param gain = 3;",
+        "const gain = 3 m;",
+        "motion gain(t) = t;",
+        "frame gain = moving(origin = [1, 0, 0] m);",
+        "material gain { density = 1 kg/m^3; young = 1 Pa; }",
+        "section gain { area = 1 m^2; }",
+    ] {
+        assert_eq!(beside(item), ["gain"], "{item}");
+        assert_eq!(beside(&item.replace("gain", "_gain")), [""; 0], "{item}");
+    }
+    let (_, message) = &rod("param gain = 3;", &[])[0];
+    assert_eq!(
+        message,
+        "nothing uses the param `gain`: leave it out, or call it `_gain`"
+    );
+    // A chain is told at its end.
+    assert_eq!(beside("const a = 1; const b = a; param c = b;"), ["c"]);
+    // The run and cautions read.
+    assert_eq!(beside("param long = 3 s; run { t_end = long; }"), [""; 0]);
+    assert_eq!(beside("param n = 3; caution few = \"few\" if n < 2;"), [""; 0]);
+}
+
+#[test]
+fn what_is_not_seen_is_told_once_for_all_that_hangs_together() {
+    let arm = "rigid arm { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; velocity = [speed, 0, 0]; } param speed = 3 m/s;";
+    assert_eq!(beside(arm), ["arm"]);
+    assert_eq!(beside(&arm.replace("arm", "_arm")), [""; 0]);
+    let tied = format!(
+        "{arm} rigid tool {{ mass = 1 kg; }} spring cord = linear(arm, tool, stiffness = 1 N/m, length = 0 m);"
+    );
+    assert_eq!(beside(&tied), ["arm"]);
+    // Gravity and joints to the ground connect nothing.
+    let held =
+        format!("{tied} joint pivot = revolute(arm, inertial, axis = z); load weight = gravity([0, 0, -1] m/s^2);");
+    assert_eq!(beside(&held), ["arm"]);
+    // What acts on the observed body is seen, and all that acts on that.
+    for tie in [
+        "spring more = linear(tool, bob, stiffness = 1 N/m, length = 0 m);",
+        "joint more = spherical(tool, bob);",
+        "constraint more = tool.x - 2 * bob.x;",
+        "load more = force(bob, [1, 0, 0] [N/m] * tool.x);",
+        "output more = tool.x;",
+        "start more = spinning(arm);",
+    ] {
+        let is_start = tie.contains("spinning");
+        let bodies = "material stuff { density = 1 kg/m^3; young = 1 Pa; } section thin { area = 1 m^2; second_moment = 1 m^4; } \
+                      body rope in arm { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 1 * cable(thin, stuff); } \
+                      joint hook = clamp(rope.start, arm);";
+        let items = format!("{held} {} {tie}", if is_start { bodies } else { "" });
+        assert_eq!(beside(&items), [""; 0], "{tie}");
+    }
+    // But not what only reads it: the force acts on the other one.
+    let reads = "rigid tool { mass = 1 kg; } load more = force(tool, [1, 0, 0] [N/m] * bob.x);";
+    assert_eq!(beside(reads), ["tool"]);
+}
+
+#[test]
+fn bodies_act_on_free_frames_and_not_on_prescribed_ones() {
+    let stuff =
+        "material stuff { density = 1 kg/m^3; young = 1 Pa; } section thin { area = 1 m^2; second_moment = 1 m^4; }";
+    let body = |name: &str, frame: &str| {
+        format!(
+            "body {name} in {frame} {{ planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 2 * cable(thin, stuff); }} \
+             joint of_{name} = clamp({name}.start, {frame});"
+        )
+    };
+    let in_place = |frame: &str, seen: &str| {
+        let bodies = [body("left", "place"), body("right", "place")].concat();
+        beside(&format!(
+            "{stuff} frame place = {frame}; {bodies} fixture hub on left.end {{ mass = 1 kg; }} {seen}"
+        ))
+    };
+    let (free, turning) = ("free(plane = xy)", "rotating(axis = z, angle = 1 [rad/s] * t)");
+    let core = "fixture core on place { mass = 1 kg; inertia = 1 kg*m^2; }";
+    assert_eq!(in_place(free, &format!("{core} output y = left.end.y;")), [""; 0]);
+    assert_eq!(in_place(turning, "output y = left.end.y;"), ["right"]);
+    // Of a frame with bodies the first body is told.
+    assert_eq!(in_place(free, core), ["left"]);
+}
+
+#[test]
+fn properties_that_no_element_reads_are_told() {
+    let with = |from: &str, to: &str| rod("", &[(from, to)]);
+    let [young, moment, space] = ["young = 210 GPa;", "second_moment = 0.08 mm^4;", "planar xy;"];
+    let poisson = "young = 210 GPa; poisson = 0.3;";
+    let (word, message) = &with(young, poisson)[0];
+    assert_eq!(word, "poisson");
+    assert_eq!(
+        message,
+        "nothing reads the poisson of material `steel`, for `cable` has no shear: leave it out, or call the material `_steel`"
+    );
+    assert_eq!(rod("", &[(young, poisson), ("steel", "_steel")]), []);
+    for field in ["damping = 1 ms;", "yield = 250 MPa;"] {
+        assert_eq!(with(young, &format!("{young} {field}")), [], "{field}");
+    }
+    for (field, in_plane, in_space) in [
+        ("torsion_constant = 0.1 mm^4;", 1, 1),
+        ("shear_factor = 0.8;", 1, 1),
+        ("extent_y = 1 mm;", 0, 0),
+        ("extent_z = 1 mm;", 1, 0),
+    ] {
+        let field = format!("{moment} {field}");
+        assert_eq!(with(moment, &field).len(), in_plane, "{field}");
+        assert_eq!(
+            rod("", &[(moment, &field), (space, "spatial;")]).len(),
+            in_space,
+            "{field}"
+        );
+    }
+    // The section of a beam is read where it moves.
+    let both = "second_moment_y = 1 mm^4; second_moment_z = 1 mm^4; torsion_constant = 1 mm^4; shear_factor = 0.8;";
+    let beam = [(moment, both), (young, poisson), ("cable(", "beam(")];
+    assert_eq!(words(rod("", &beam)), ["second_moment_y", "torsion_constant"]);
+    let in_space = [&beam[..], &[(space, "spatial;")]].concat();
+    assert_eq!(rod("", &in_space), []);
+    // Nothing damps what does not deform.
+    let damped = "young = 210 GPa; damping = 1 ms;";
+    for word in ["rigid;", "point;"] {
+        assert_eq!(
+            words(rod("", &[(young, damped), (space, &format!("{space} {word}"))])),
+            ["damping"]
+        );
+    }
+}
