@@ -49,7 +49,7 @@ fn without_dissipation_the_multiplier_diverges_however_short_the_step() {
     }
     assert!(
         largest(&little, 1.0, 4.0) > 10.0,
-        "what little damping takes away comes again"
+        "little damping leaves the error of the start for seconds"
     );
     agrees(largest(&damped, 0.0, 0.1), 1.1, 0.1);
     agrees(damped[99].multiplier, 2e-3, 0.25);
