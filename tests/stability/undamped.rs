@@ -138,7 +138,7 @@ fn little_dissipation_is_enough_for_short_steps_alone() {
         // Errors of second order: 1600 h^2.
         assert_eq!(found < 1700.0 * h * h, stable, "{found}");
     }
-    // An error test notices oscillating accelerations before they grow.
+    // Every change of the step begins anew from the velocity on the constraint.
     for rho_inf in [0.8, 0.95, 0.99, 0.999] {
         let points = ours(Method::GeneralizedAlpha { rho_inf }, Options::default(), 4.0);
         let found = largest(&errors(&points), 0.0, 4.0);
