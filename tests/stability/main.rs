@@ -27,3 +27,12 @@ fn short(values: &[f64]) -> String {
     let texts: Vec<String> = values.iter().map(|value| format!("{value:.1e}")).collect();
     texts.join(" ")
 }
+
+/// Fails where a number is not the printed one within a part of it: the digits that THEORY prints.
+#[track_caller]
+fn agrees(found: f64, printed: f64, within: f64) {
+    assert!(
+        (found / printed - 1.0).abs() < within,
+        "{found:e} instead of {printed:e}"
+    );
+}

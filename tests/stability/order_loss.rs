@@ -2,6 +2,7 @@
 
 use rncf::{Method, Options};
 
+use crate::agrees;
 use crate::failing::index_3::{Change, Family};
 use crate::pendulum::{Begin, Error, errors, fixed, largest, ours, run, scene, textbook};
 
@@ -61,14 +62,6 @@ fn restarted(method: Method, steps: &[f64]) -> Vec<Error> {
 /// The largest error of the multiplier, N/m, of a textbook's method.
 fn changing(method: Method, begin: Begin, change: Change, steps: &[f64]) -> f64 {
     largest(&errors(&textbook(family(method), begin, change, steps)), 0.0, 9.0)
-}
-
-#[track_caller]
-fn agrees(found: f64, printed: f64, within: f64) {
-    assert!(
-        (found / printed - 1.0).abs() < within,
-        "{found:e} instead of {printed:e}"
-    );
 }
 
 #[test]

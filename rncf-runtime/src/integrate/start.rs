@@ -46,8 +46,8 @@ pub(super) fn check_settings(t: f64, t_end: f64, method: Method, options: &Optio
 /// step to step, however short the steps are (THEORY 10, T1).
 pub(super) fn check_dissipation(constraints: usize, method: Method, options: &Options) -> Result<(), SolveErrorKind> {
     let undamped = match method {
-        Method::Hht { alpha } if alpha == 0.0 => "alpha = 0",
-        Method::GeneralizedAlpha { rho_inf } if rho_inf == 1.0 => "rho_inf = 1",
+        Method::Hht { alpha: 0.0 } => "alpha = 0",
+        Method::GeneralizedAlpha { rho_inf: 1.0 } => "rho_inf = 1",
         _ => return Ok(()),
     };
     if constraints == 0 || options.stabilised {
