@@ -8,7 +8,7 @@ use crate::emit::equations::Equations;
 use crate::expand;
 use crate::lower::free::free_kernel;
 use crate::lower::motions::switches;
-use crate::model::{Expr, Force, MarkerId, Model, MotionId};
+use crate::model::{Binary, Comparison, Expr, Force, Function, MarkerId, Model, MotionId};
 
 fn text(model: &Model) -> String {
     expand::format(&emit::model(model, &Library::standard()))
@@ -101,6 +101,33 @@ fn kinks_of_constraints_and_forces_are_known() {
     assert_eq!((found.gaps.1, found.repeated.len()), (0, 0));
     assert_eq!(count, 1);
     assert_eq!(evaluate(&kernel, &Inputs::new())["kinks[0]"], 2.0);
+}
+
+#[test]
+fn conditions_that_are_not_linear_in_time_are_written_as_gaps() {
+    let mut model = moving();
+    let angle = Expr::Binary(Binary::Multiply, Box::new(number(3.0)), Box::new(Expr::Time));
+    let wave = Expr::Call(Function::Sin, vec![angle]);
+    let [wave, level, on, off] = [wave, number(0.5), number(1.0), number(0.0)].map(Box::new);
+    model.forces.push(Force {
+        name: "gate".to_string(),
+        doc: String::new(),
+        markers: vec![MarkerId(0)],
+        components: vec![[
+            number(0.0),
+            Expr::If(Comparison::Greater, wave, level, on, off),
+            number(0.0),
+        ]],
+        energy: None,
+        is_load: true,
+    });
+    let (kernel, count) = switches(&model).gaps;
+    assert_eq!(count, 1);
+    let values = evaluate(&kernel, &Inputs::from([("t".to_string(), 0.2)]));
+    assert!((values["gaps[0][0]"] - (0.6_f64.sin() - 0.5)).abs() < 1e-15);
+    assert!((values["gaps[0][1]"] - 3.0 * 0.6_f64.cos()).abs() < 1e-15);
+    let text = text(&model);
+    assert!(text.contains("pub fn gaps(") && text.contains("fn gaps(&self, t: f64"));
 }
 
 #[test]
