@@ -479,7 +479,7 @@ mod tests {
             ),
             (
                 &["steady", "--every", "1 s"],
-                "`--every` belongs to `run`, not to `steady`: it does not advance in time",
+                "`--every` belongs to `run`, `chart`, `advise`, not to `steady`: it does not advance in time",
             ),
             (
                 &["static", "--spin", "1 rad/s"],
@@ -491,7 +491,7 @@ mod tests {
             ),
             (
                 &["modes", "--stabilised"],
-                "`--stabilised` belongs to `run`, not to `modes`: it does not advance in time",
+                "`--stabilised` belongs to `run`, `chart`, `advise`, not to `modes`: it does not advance in time",
             ),
             (
                 &["modes", "--axis", "x"],

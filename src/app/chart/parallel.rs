@@ -186,15 +186,17 @@ mod tests {
     fn a_run_ends_at_its_limit_by_interruption_or_by_failure() {
         let stop = AtomicBool::new(false);
         let settings = RunSettings {
-            t_end: Some(1e9),
-            every: Some(1e9),
+            t_end: Some(1e6),
+            every: Some(1e6),
             ..RunSettings::default()
         };
         let rotor = Rotor {
             loss: 0.0,
+            fail_at: f64::INFINITY,
             ..Rotor::default()
         };
-        assert!(matches!(solve(&rotor, &settings, 0.05, &stop), Ended::TooLong));
+        let ended = solve(&rotor, &settings, 0.05, &stop);
+        assert!(matches!(ended, Ended::TooLong));
         let failing = Rotor {
             fail_at: 1.0,
             ..Rotor::default()
