@@ -8,13 +8,14 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::Model;
-use crate::app::clock::thread_cpu_time;
+use crate::app::clock::{Clock, thread_cpu_time};
 use crate::app::run::{Incomplete, RunError, RunResult, RunSettings, run_watched};
 
 /// How often Ctrl-C is looked for, and the clock of a run.
 const PAUSE: Duration = Duration::from_millis(20);
-/// A run whose work is done by other threads has used its limit after so many times as long on the wall.
-const WALL: f64 = 4.0;
+/// Large scenes work on other threads: a run is charged at least its process's time over so many times the cores, which
+/// does not exceed its own time where each core has a run of its own.
+const SHARE: f64 = 2.0;
 
 /// What became of a run.
 pub(super) enum Ended {
@@ -29,9 +30,8 @@ pub(super) fn solve<M: Model>(model: &M, settings: &RunSettings, limit: f64, sto
     if stop.load(Ordering::Relaxed) {
         return Ended::Interrupted;
     }
-    let (began, cpu) = (Instant::now(), thread_cpu_time());
-    let mut seen = began;
-    let mut is_too_long = false;
+    let (clock, own) = (Clock::start(), thread_cpu_time());
+    let (mut seen, mut is_too_long) = (Instant::now(), false);
     let outcome = run_watched(model, settings, |_| {
         if stop.load(Ordering::Relaxed) {
             return ControlFlow::Break(());
@@ -40,10 +40,10 @@ pub(super) fn solve<M: Model>(model: &M, settings: &RunSettings, limit: f64, sto
             return ControlFlow::Continue(());
         }
         seen = Instant::now();
-        let wall = began.elapsed().as_secs_f64();
-        let used = match (cpu, thread_cpu_time()) {
-            (Some(start), Some(now)) => now.saturating_sub(start).as_secs_f64().max(wall / WALL),
-            _ => wall,
+        let all = clock.seconds().cpu;
+        let used = match (own, thread_cpu_time()) {
+            (Some(start), Some(now)) => now.saturating_sub(start).as_secs_f64().max(all / (SHARE * cores())),
+            _ => all,
         };
         is_too_long = used > limit;
         if is_too_long {
@@ -65,6 +65,10 @@ pub(super) fn solve<M: Model>(model: &M, settings: &RunSettings, limit: f64, sto
     }
 }
 
+fn cores() -> f64 {
+    thread::available_parallelism().map_or(1.0, |cores| cores.get() as f64)
+}
+
 /// Works on tasks on all cores. In this thread `done` gets every result, which may bring the next task, and
 /// `interrupted` is asked some fifty times a second: where it is true, the flag that `work` sees is set, and no task is
 /// begun any more.
@@ -77,7 +81,7 @@ pub(super) fn on_all_cores<T: Send, R: Send>(
     work: impl Fn(&T, &AtomicBool) -> R + Sync,
     mut done: impl FnMut(T, R) -> Result<Option<T>, String>,
 ) -> Result<(), String> {
-    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let cores = cores() as usize;
     let stop = AtomicBool::new(false);
     let mut failure = Ok(());
     thread::scope(|scope| {
@@ -186,15 +190,17 @@ mod tests {
     fn a_run_ends_at_its_limit_by_interruption_or_by_failure() {
         let stop = AtomicBool::new(false);
         let settings = RunSettings {
-            t_end: Some(1e9),
-            every: Some(1e9),
+            t_end: Some(1e6),
+            every: Some(1e6),
             ..RunSettings::default()
         };
         let rotor = Rotor {
             loss: 0.0,
+            fail_at: f64::INFINITY,
             ..Rotor::default()
         };
-        assert!(matches!(solve(&rotor, &settings, 0.05, &stop), Ended::TooLong));
+        let ended = solve(&rotor, &settings, 0.05, &stop);
+        assert!(matches!(ended, Ended::TooLong));
         let failing = Rotor {
             fail_at: 1.0,
             ..Rotor::default()

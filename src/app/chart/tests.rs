@@ -231,7 +231,15 @@ fn failures_and_long_runs_are_reported_and_tried_again_with_more_patience() {
         (&3.into(), &0.into())
     );
     // A converged run needs time, too.
-    let short = ["--limit", "1 us", "--t-end", "20000 s", "--every", "1 s"];
+    let short = [
+        "--limit",
+        "1 us",
+        "--t-end",
+        "20000 s",
+        "--every",
+        "1 s",
+        "fail_at=1e9 s",
+    ];
     let all = [
         &[
             "--rtols",
