@@ -105,7 +105,8 @@ def agreement(task: Plan, exact: dict, finest: dict) -> None:
             apart = np.abs(runs["exudyn"].v - runs["rncf"].v).max()
             print(f"- {elements} elements: converged Exudyn and rncf differ by {apart:.1e} m in v")
     for code in ("exudyn", "rncf") if finest else ():
-        print(f"- {code}: {task.elements} elements differ from {task.finest} by {np.abs(exact[code].v - finest[code].v).max():.1e} m")
+        apart = np.abs(exact[code].v - finest[code].v).max()
+        print(f"- {code}: {task.elements} elements differ from {task.finest} by {apart:.1e} m")
 
 
 def defaults(task: Plan) -> None:
