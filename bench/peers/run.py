@@ -34,13 +34,17 @@ BEGINNING = 0.02
 
 
 def main() -> None:
+    """Compares at every speed asked for."""
     arguments = options()
     missing = [sentence for module in CODES.values() if (sentence := module.missing())]
     if missing:
         sys.exit("\n".join(missing))
     arguments.out.mkdir(parents=True, exist_ok=True)
     for speed in arguments.speeds:
-        compare(plan(speed, arguments.quick), arguments)
+        try:
+            compare(plan(speed, arguments.quick), arguments)
+        except Failed as failure:
+            sys.exit(f"no converged run at {speed:g} rad/s: {failure}")
 
 
 def options() -> argparse.Namespace:
