@@ -5,22 +5,30 @@
 
 import argparse
 import os
+import sys
 
 os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
-import numpy as np
+try:
+    import numpy as np
 
-import exudyn_spin_up
-import rncf_spin_up
-import scipy_spin_up
+    import exudyn_spin_up
+    import rncf_spin_up
+    import scipy_spin_up
+    from spin_up import Failed
+except ImportError as error:
+    sys.exit(f"{error}: run `python3 -m venv .venv && .venv/bin/pip install -r bench/peers/requirements.txt`")
 
 
 def main() -> None:
+    """Runs all and prints the differences."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--speed", type=float, default=4.0, help="of the hub, rad/s")
     parser.add_argument("--elements", type=int, default=6)
     parser.add_argument("--step", type=float, default=5e-4, help="Exudyn is extrapolated from this step and its half, s")
     arguments = parser.parse_args()
+    if missing := exudyn_spin_up.missing() or rncf_spin_up.missing():
+        sys.exit(missing)
     speed, elements, step = arguments.speed, arguments.elements, arguments.step
 
     def by_scipy(law: str, free_norm: bool) -> np.ndarray:
@@ -42,4 +50,7 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except Failed as failure:
+        sys.exit(str(failure))

@@ -34,13 +34,17 @@ BEGINNING = 0.02
 
 
 def main() -> None:
+    """Compares at every speed asked for."""
     arguments = options()
     missing = [sentence for module in CODES.values() if (sentence := module.missing())]
     if missing:
         sys.exit("\n".join(missing))
     arguments.out.mkdir(parents=True, exist_ok=True)
     for speed in arguments.speeds:
-        compare(plan(speed, arguments.quick), arguments)
+        try:
+            compare(plan(speed, arguments.quick), arguments)
+        except Failed as failure:
+            sys.exit(f"no converged run at {speed:g} rad/s: {failure}")
 
 
 def options() -> argparse.Namespace:
@@ -105,7 +109,8 @@ def agreement(task: Plan, exact: dict, finest: dict) -> None:
             apart = np.abs(runs["exudyn"].v - runs["rncf"].v).max()
             print(f"- {elements} elements: converged Exudyn and rncf differ by {apart:.1e} m in v")
     for code in ("exudyn", "rncf") if finest else ():
-        print(f"- {code}: {task.elements} elements differ from {task.finest} by {np.abs(exact[code].v - finest[code].v).max():.1e} m")
+        apart = np.abs(exact[code].v - finest[code].v).max()
+        print(f"- {code}: {task.elements} elements differ from {task.finest} by {apart:.1e} m")
 
 
 def defaults(task: Plan) -> None:
