@@ -55,7 +55,7 @@ mod tests {
     #[test]
     fn the_front_has_what_nothing_beats_in_both() {
         assert_eq!(front(&POINTS), [1, 3, 0, 5]);
-        assert_eq!(front(&[]), []);
+        assert!(front(&[]).is_empty());
         // Two of the same cost: only the better one.
         assert_eq!(front(&[(1.0, 0.2), (1.0, 0.1)]), [1]);
     }
