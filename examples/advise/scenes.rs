@@ -13,7 +13,8 @@ rncf::model! {
         const length = 0.3 m;
         const width = 2 cm;
 
-        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        // The jolt of the start dies away.
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; damping = 1e-5 s; }
         section square { area = width^2; second_moment = width^4 / 12; }
 
         rigid flywheel { plane xy; mass = 4 kg; inertia = 0.02 kg*m^2; speed = spin; }

@@ -27,6 +27,8 @@ pub(super) struct Choices {
     pub meshes: Vec<Vec<(usize, f64)>>,
     /// The model's own mesh.
     pub declared: Vec<(usize, f64)>,
+    /// Whether there are bodies beside them that deform.
+    pub has_others: bool,
     /// What is not questioned, one sentence each.
     pub notes: Vec<String>,
 }
@@ -62,6 +64,7 @@ impl Choices {
         let scene = model.build(formulation, joints).map_err(|error| error.to_string())?;
         let all = scene.bodies();
         let counted = counted(model, &all, |model| model.build(formulation, joints).map(|scene| scene.bodies()));
+        let has_others = all.iter().any(|body| body.repetitions.is_some() && body.fidelity.deforms());
         let mut notes = Vec::new();
         let mut bodies = Vec::new();
         for body in &all {
@@ -102,6 +105,7 @@ impl Choices {
             bodies,
             meshes,
             declared,
+            has_others,
             notes,
         })
     }
@@ -125,6 +129,11 @@ impl Choices {
             counts: self.meshes[mesh].clone(),
             fidelity: bodies.map(|(name, declared)| (name.clone(), at_most(*declared))).collect(),
         }
+    }
+
+    /// Whether the mesh of a setting counts: something deforms.
+    pub fn deforms(&self, setting: &Setting) -> bool {
+        self.has_others || setting.fidelity.iter().any(|(_, fidelity)| fidelity.deforms())
     }
 
     /// The setting with one body described in another way.
@@ -241,6 +250,7 @@ mod tests {
             ],
             meshes: scaled(&[(1, 8.0)]),
             declared: vec![(1, 8.0)],
+            has_others: false,
             notes: Vec::new(),
         }
     }

@@ -29,6 +29,9 @@ pub(super) struct Advice<'a> {
     pub warnings: &'a [String],
 }
 
+/// Part of the time of the simplest rung from which on a faster one is told.
+const FASTER: f64 = 0.8;
+
 /// Time for people: `12 ms`.
 pub(super) fn time(seconds: f64) -> String {
     match seconds {
@@ -82,7 +85,7 @@ impl Advice<'_> {
         let mut words = Vec::new();
         match &rung.outcome {
             Outcome::Impossible(reason) => words.push(format!("impossible: {reason}")),
-            _ if found.named == Some(index) => words.push("suffices, the cheapest".into()),
+            _ if found.named == Some(index) => words.push("suffices, the simplest".into()),
             _ if rung.suffices => words.push("suffices".into()),
             _ => {}
         }
@@ -156,6 +159,7 @@ impl Advice<'_> {
         }
         let mut lines = vec![sentence];
         lines.extend(self.changes::<M>(&rung.setting));
+        lines.extend(self.faster(index));
         lines.extend(trial.warnings.iter().map(|warning| format!("It warns: {warning}")));
         lines
     }
@@ -184,10 +188,20 @@ impl Advice<'_> {
                 format!("{} suffice", each.join(", "))
             }
         };
-        if has_mesh && kinds.iter().any(|kind| kind.deforms()) {
+        if has_mesh && self.choices.deforms(setting) {
             let _ = write!(text, " with {}", counts());
         }
         text
+    }
+
+    /// The fastest rung that suffices, where it is not the simplest one.
+    fn faster(&self, named: usize) -> Option<String> {
+        let cpu = |rung: &Rung| rung.trial().map_or(f64::INFINITY, |trial| trial.cpu);
+        let all = self.found.rungs.iter().filter(|rung| rung.suffices);
+        let fastest = all.min_by(|a, b| cpu(a).total_cmp(&cpu(b)))?;
+        (cpu(fastest) < FASTER * cpu(&self.found.rungs[named])).then(|| {
+            format!("It is the simplest; the fastest is `{}` with {}.", fastest.name, time(cpu(fastest)))
+        })
     }
 
     /// What to write into the model for a setting, and how to try it; nothing where it is as declared.
@@ -208,8 +222,7 @@ impl Advice<'_> {
         }
         let counts = setting.counts.iter().zip(&declared.counts);
         let counts: Vec<_> = counts.filter(|(new, old)| new != old).map(|(new, _)| *new).collect();
-        let deforms = setting.fidelity.is_empty() || setting.fidelity.iter().any(|(_, how)| how.deforms());
-        for &(param, value) in counts.iter().filter(|_| deforms) {
+        for &(param, value) in counts.iter().filter(|_| self.choices.deforms(setting)) {
             parts.push(format!("`param {}: count = {value};`", M::params()[param].name));
         }
         if parts.is_empty() {
