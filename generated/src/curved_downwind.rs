@@ -1273,12 +1273,6 @@ pub mod curved_downwind_equations {
                 7.299e-5,
                 "m^2",
             )?;
-            let second_moment_y = ::rncf::mesh::positive(
-                "section `tube`",
-                "second_moment_y",
-                8.215e-9,
-                "m^4",
-            )?;
             let second_moment_z = ::rncf::mesh::positive(
                 "section `tube`",
                 "second_moment_z",
@@ -1288,12 +1282,6 @@ pub mod curved_downwind_equations {
             let shear_factor_y = ::rncf::mesh::positive(
                 "section `tube`",
                 "shear_factor_y",
-                0.53,
-                "1",
-            )?;
-            let shear_factor_z = ::rncf::mesh::positive(
-                "section `tube`",
-                "shear_factor_z",
                 0.53,
                 "1",
             )?;

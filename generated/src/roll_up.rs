@@ -887,33 +887,15 @@ pub mod roll_up_equations {
                 3.141592653589793 * (model.slenderness * model.slenderness),
                 "m^2",
             )?;
-            let second_moment_y = ::rncf::mesh::positive(
-                "section `round`",
-                "second_moment_y",
-                0.7853981633974483 * model.slenderness.powi(4),
-                "m^4",
-            )?;
             let second_moment_z = ::rncf::mesh::positive(
                 "section `round`",
                 "second_moment_z",
                 0.7853981633974483 * model.slenderness.powi(4),
                 "m^4",
             )?;
-            let torsion_constant = ::rncf::mesh::positive(
-                "section `round`",
-                "torsion_constant",
-                1.5707963267948966 * model.slenderness.powi(4),
-                "m^4",
-            )?;
             let shear_factor_y = ::rncf::mesh::positive(
                 "section `round`",
                 "shear_factor_y",
-                0.8863636363636362,
-                "1",
-            )?;
-            let shear_factor_z = ::rncf::mesh::positive(
-                "section `round`",
-                "shear_factor_z",
                 0.8863636363636362,
                 "1",
             )?;

@@ -72,7 +72,7 @@ impl Mistake {
     /// deprecated, so that `allow(deprecated)` around the macro silences it and `deny(deprecated)` makes it an error.
     pub fn to_warning(&self) -> TokenStream {
         let message = &self.message;
-        let word = Ident::new(WARNING, self.area.start.resolved_at(Span::call_site()));
+        let word = Ident::new(WARNING, self.area.start);
         let item = Ident::new(WARNING, Span::call_site());
         quote! {
             #[allow(non_upper_case_globals)]

@@ -118,7 +118,7 @@ fn of_the_inertial_and_of_prescribed_frames() {
             "_absolute_velocity",
             "_absolute_jerk",
             "fn free(",
-            "fn frame_",
+            "fn frame_hub(",
         ],
         &[
             "RNCF and ANCF are the same, no kernels for a moving frame",

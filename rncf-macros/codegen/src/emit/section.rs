@@ -13,6 +13,27 @@ fn variable(name: &str) -> &str {
     if name == "yield" { "yield_stress" } else { name }
 }
 
+/// Properties that coefficients alone read.
+const ELASTIC: [&str; 7] = [
+    "poisson",
+    "second_moment",
+    "second_moment_y",
+    "second_moment_z",
+    "torsion_constant",
+    "shear_factor_y",
+    "shear_factor_z",
+];
+
+/// Whether coefficients read a property, or something that follows from it.
+fn is_factor(coefficients: &[&Coefficient], name: &str) -> bool {
+    let follows = |factor: &str| {
+        let derived = DERIVED.iter().find(|derived| derived.name == factor);
+        derived.is_some_and(|derived| derived.from.contains(&name))
+    };
+    let factors = coefficients.iter().flat_map(|coefficient| coefficient.factors);
+    factors.into_iter().any(|factor| *factor == name || follows(factor))
+}
+
 /// Whether a body has a property, or those that it follows from.
 fn has(body: &Body, name: &str) -> bool {
     let derived = DERIVED.iter().find(|derived| derived.name == name);
@@ -24,6 +45,8 @@ impl Parts<'_> {
     /// Statements that bind the properties of a body, each checked, and those that its coefficients derive.
     pub fn properties(&self, body: &Body) -> String {
         let mut text = String::new();
+        let element = &self.library.elements[body.element.0];
+        let coefficients = element.coefficients_in(body.space.dimension(), &body.options);
         let vocabularies = [
             (MATERIAL, "material", &body.material_name),
             (SECTION, "section", &body.section_name),
@@ -32,18 +55,14 @@ impl Parts<'_> {
             for property in vocabulary {
                 // What is not given is no more than its default, and nothing reads it.
                 let default = property.default.map(Expr::Number);
-                if let Some(value) = body
-                    .properties
-                    .get(property.name)
-                    .filter(|value| default.as_ref() != Some(value))
-                {
+                let is_read = !ELASTIC.contains(&property.name) || is_factor(&coefficients, property.name);
+                let given = body.properties.get(property.name).filter(|_| is_read);
+                if let Some(value) = given.filter(|value| default.as_ref() != Some(value)) {
                     let value = check(property, kind, owner, &self.expr(value));
                     let _ = writeln!(text, "let {} = {value};", variable(property.name));
                 }
             }
         }
-        let element = &self.library.elements[body.element.0];
-        let coefficients = element.coefficients_in(body.space.dimension(), &body.options);
         for derived in DERIVED {
             let used = coefficients
                 .iter()

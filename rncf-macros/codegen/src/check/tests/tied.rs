@@ -1,6 +1,7 @@
 //! Mechanisms whose free frames are held by joints and constraints with multipliers.
 
-use super::run;
+use super::{model, run};
+use crate::model::Fidelity;
 
 const PARTS: &str = "
     material steel { density = 7850 kg/m^3; young = 210 GPa; }
@@ -82,4 +83,32 @@ fn driven_hinges() {
         messages(&format!("{arm} {drive} joint pivot = pin(boom.start, inertial);")),
         Vec::<String>::new()
     );
+}
+
+/// A body whose mass is at one point has no inertia about it.
+#[test]
+fn points_have_no_inertia_about_themselves() {
+    let text = |from: &str, items: &str| {
+        format!(
+            "model Points {{
+                material steel {{ density = 7850 kg/m^3; young = 210 GPa; }}
+                section wire {{ area = 1 mm^2; second_moment = 0.08 mm^4; }}
+                frame place = free(plane = xy);
+                body rod in place {{ planar xy; line from [{from}, 0, 0] m to [1, 0, 0] m; mesh 2 * cable(wire, steel); point; }}
+                output tip = rod.end;
+                {items}
+            }}"
+        )
+    };
+    for from in ["-1", "0"] {
+        let (_, mistakes) = run(&text(from, ""));
+        let messages: Vec<&str> = mistakes.iter().map(|mistake| mistake.message.as_str()).collect();
+        assert!(
+            messages.len() == 1 && messages[0].starts_with("`place` has no inertia against turning"),
+            "{from}: {messages:?}"
+        );
+        // Something at another point helps.
+        let tool = "fixture tool on place.at([3, 0, 0] m) { mass = 1 kg; }";
+        assert_eq!(model(&text(from, tool)).bodies[0].fidelity, Fidelity::Point);
+    }
 }
