@@ -4,6 +4,9 @@
 //!
 //! `cargo run --release --example fidelity`
 
+// One declaration serves several models: not all of them need all of its params.
+#![allow(deprecated)]
+
 use rncf::app::{RunResult, RunSettings, run};
 use rncf::prelude::*;
 

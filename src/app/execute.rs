@@ -104,7 +104,9 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
         counts.steps,
         counts.rejected_steps,
         counts.factorizations,
-        counts.steps_per_factorization().map_or("no".into(), |steps| digits(steps, 2)),
+        counts
+            .steps_per_factorization()
+            .map_or("no".into(), |steps| digits(steps, 2)),
         digits(result.seconds.cpu, 3),
     );
     head += &result.envelopes.lines();

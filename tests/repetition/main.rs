@@ -1,5 +1,8 @@
 //! Loops and shared nodes: models with them against the same models written out.
 
+// One declaration serves several models: not all of them need all of its params.
+#![allow(deprecated)]
+
 use rncf::prelude::*;
 use rncf::system::State;
 

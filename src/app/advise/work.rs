@@ -76,7 +76,9 @@ impl<M: Model> Work<'_, M> {
     /// Error that the integration in time makes of a rung's outputs; `None` where a tighter run fails.
     pub fn time_error_of(&mut self, found: &Found, rung: usize) -> Option<f64> {
         let trial = found.rungs[rung].trial()?;
-        let fine = self.run(&found.rungs[rung].setting, 0.1 * self.base.options.rtol).ok()?;
+        let fine = self
+            .run(&found.rungs[rung].setting, 0.1 * self.base.options.rtol)
+            .ok()?;
         Some(difference(found, &trial.history, &fine.history))
     }
 
