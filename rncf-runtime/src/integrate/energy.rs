@@ -38,10 +38,14 @@ const GROWTH: f64 = 2.0;
 const RELEASE: f64 = 0.1;
 /// Ratio of the next attempt to one whose iteration failed (THEORY 7.1).
 const RETRY: f64 = 0.25;
+/// Most iterations of a step, and of one that starts from uniform motion.
+const ITERATIONS: u32 = 16;
+const PATIENT_ITERATIONS: u32 = 60;
 
 /// The method.
 pub(super) struct EnergyMomentum {
     fixed: bool,
+    stabilised: bool,
     charts: Charts,
     inverse_weights: Vec<f64>,
     newton: Newton,
@@ -67,6 +71,7 @@ impl EnergyMomentum {
         let zeros = State::of(system, 0.0);
         Self {
             fixed: matches!(options.step, StepSize::Fixed(_)),
+            stabilised: options.stabilised,
             charts: Charts::new(system.turns(), system.pattern()),
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (options.rtol * size)).collect(),
             newton: Newton::new(system),
@@ -85,16 +90,38 @@ impl EnergyMomentum {
         }
     }
 
-    /// Predicts the end of a step of size `h` by the last rate of the accelerations.
-    fn predict(&mut self, h: f64) {
+    /// Predicts the end of a step of size `h` by the last rate of the accelerations, or with the velocity alone.
+    fn predict(&mut self, h: f64, uniformly: bool) {
         let Trial { state, low } = &mut self.trial;
         (state.t, low.t) = compensated::sum(self.now.t, self.low.t, h);
         state.turns.clone_from(&self.now.turns);
         state.lambda.copy_from_slice(&self.now.lambda);
         for i in 0..state.a.len() {
-            state.a[i] = self.now.a[i] + 0.5 * h * self.jerk[i];
+            state.a[i] = if uniformly {
+                0.0
+            } else {
+                self.now.a[i] + 0.5 * h * self.jerk[i]
+            };
         }
         self.newton.place(h, &self.now, &self.low, &mut self.trial);
+    }
+
+    /// Solves the step of size `h`. Where stiff motions move that it does not resolve, the accelerations at its start are no
+    /// guide: then once more from uniform motion.
+    fn solve<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Result<(), Cause> {
+        self.predict(h, false);
+        let start = (&self.now, &self.low);
+        let solved = self
+            .newton
+            .solve(system, h, start, &mut self.trial, ITERATIONS, statistics);
+        if !matches!(solved, Err(Cause::Newton { .. })) {
+            return solved;
+        }
+        self.predict(h, true);
+        self.newton.discard();
+        let start = (&self.now, &self.low);
+        self.newton
+            .solve(system, h, start, &mut self.trial, PATIENT_ITERATIONS, statistics)
     }
 
     /// Puts the true accelerations of its end into the trial, and the velocities of what is carried along.
@@ -150,6 +177,10 @@ impl Scheme for EnergyMomentum {
         if let Err(text) = system.conserving() {
             return Err(SolveErrorKind::Setting(text));
         }
+        if self.stabilised && system.constraints() > 0 {
+            let text = "energy-momentum integration keeps positions alone on the constraints: leave `stabilised` away";
+            return Err(SolveErrorKind::Setting(text.to_string()));
+        }
         self.now.clone_from(state);
         self.now.rebase(self.charts.turns());
         self.before.clone_from(&self.now);
@@ -166,11 +197,7 @@ impl Scheme for EnergyMomentum {
             next: controller.failed(h, RETRY),
             cause,
         };
-        self.predict(h);
-        let solved = self
-            .newton
-            .solve(system, h, (&self.now, &self.low), &mut self.trial, statistics);
-        if let Err(cause) = solved {
+        if let Err(cause) = self.solve(system, h, statistics) {
             self.newton.discard();
             return failed(&mut self.controller, cause);
         }

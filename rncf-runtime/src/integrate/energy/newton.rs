@@ -18,8 +18,6 @@ const POOR: f64 = 0.1;
 const STAGNANT: f64 = 0.5;
 /// Increments that stagnate below this part of the step, or of the sizes of the unknowns, are round-off.
 const NOISE: [f64; 2] = [1e-10, 1e-13];
-/// Most iterations of one attempt.
-const ITERATIONS: u32 = 40;
 /// The factorization is kept while the step is within this ratio of the one it was made for.
 const SAME_STEP: f64 = 1.2;
 
@@ -81,20 +79,21 @@ impl Newton {
         }
     }
 
-    /// Iterates from the predictor in `trial` until nothing but round-off is left of the residual.
+    /// Iterates from the predictor in `trial`, at most so many times, until nothing but round-off is left of the residual.
     pub(super) fn solve<S: System + ?Sized>(
         &mut self,
         system: &mut S,
         h: f64,
         (start, low): (&State, &Low),
         trial: &mut Trial,
+        iterations: u32,
         statistics: &mut Statistics,
     ) -> Result<(), Cause> {
         if !self.is_made_for(h) {
             self.refresh(system, h, start, &trial.state, statistics)?;
         }
         let mut before: Option<f64> = None;
-        for _ in 0..ITERATIONS {
+        for _ in 0..iterations {
             self.increment(system, h, start, &trial.state, statistics)?;
             let size = norm(&self.dx, &self.inverse_sizes);
             if !size.is_finite() || !self.dlambda.iter().all(|d| d.is_finite()) {
