@@ -17,6 +17,8 @@ use crate::mesh::Fidelity;
 
 /// The result of a search, ready to be told.
 pub(super) struct Advice<'a> {
+    /// With times and tolerance filled in.
+    pub settings: &'a RunSettings,
     pub choices: &'a Choices,
     pub found: &'a Found,
     pub wanted: f64,
@@ -348,20 +350,11 @@ impl Advice<'_> {
     }
 
     /// The summary for the files.
-    pub fn summary<M: Model>(&self, model: &M, settings: &RunSettings) -> Summary {
+    pub fn summary<M: Model>(&self, model: &M) -> Summary {
         let mut summary = summary::head(model, "advise");
         let reason = self.found.is_interrupted.then(|| "interrupted by the user".to_owned());
         summary::outcome(&mut summary, reason);
-        summary::settings(
-            &mut summary,
-            &RunSettings {
-                options: crate::Options {
-                    rtol: self.rtol,
-                    ..settings.options
-                },
-                ..settings.clone()
-            },
-        );
+        summary::settings(&mut summary, self.settings);
         put(&mut summary, "wanted", json!(self.wanted));
         put(&mut summary, "time_error", json!(self.time_error));
         put(&mut summary, "remaining_error", json!(self.found.remaining));
