@@ -81,17 +81,26 @@ rncf::model! {
 
 fn as_described(words: &[(&str, Fidelity)]) -> RunSettings {
     RunSettings {
-        fidelity: words.iter().map(|(name, fidelity)| (name.to_string(), *fidelity)).collect(),
+        fidelity: words
+            .iter()
+            .map(|(name, fidelity)| (name.to_string(), *fidelity))
+            .collect(),
         ..RunSettings::default()
     }
 }
 
 #[test]
 fn a_body_described_at_run_time_is_the_declared_one() {
-    let modal = run(&ArmModal::default(), &RunSettings::default()).unwrap().history.values;
+    let modal = run(&ArmModal::default(), &RunSettings::default())
+        .unwrap()
+        .history
+        .values;
     let settings = as_described(&[("arm", Fidelity::Modal(3))]);
     assert_eq!(run(&Arm::default(), &settings).unwrap().history.values, modal);
-    let rigid = run(&ArmRigid::default(), &RunSettings::default()).unwrap().history.values;
+    let rigid = run(&ArmRigid::default(), &RunSettings::default())
+        .unwrap()
+        .history
+        .values;
     let settings = as_described(&[("arm", Fidelity::Rigid)]);
     assert_eq!(run(&Arm::default(), &settings).unwrap().history.values, rigid);
     assert_eq!(run(&ArmModal::default(), &settings).unwrap().history.values, rigid);
@@ -125,11 +134,27 @@ fn what_cannot_be_described_so_is_refused_by_name() {
     let cases = [
         ("spoke", Fidelity::Modal(2), "body `spoke` is repeated"),
         ("stiff", Fidelity::Modal(2), "body `stiff` is declared `rigid`"),
-        ("drifter", Fidelity::Rigid, "body `drifter` cannot be `rigid` since its frame follows its mean axes"),
+        (
+            "drifter",
+            Fidelity::Rigid,
+            "body `drifter` cannot be `rigid` since its frame follows its mean axes",
+        ),
         ("left", Fidelity::Rigid, "of body `left` out"),
-        ("loaded", Fidelity::Point, "on body `loaded`, which is described by modes"),
-        ("blade", Fidelity::Modal(1), "body `blade` is described by modes, which have no initial shape"),
-        ("lft", Fidelity::Rigid, "there is no meshed body `lft`: there are `left`, `right`, `loaded`"),
+        (
+            "loaded",
+            Fidelity::Point,
+            "on body `loaded`, which is described by modes",
+        ),
+        (
+            "blade",
+            Fidelity::Modal(1),
+            "body `blade` is described by modes, which have no initial shape",
+        ),
+        (
+            "lft",
+            Fidelity::Rigid,
+            "there is no meshed body `lft`: there are `left`, `right`, `loaded`",
+        ),
     ];
     for (name, fidelity, expected) in cases {
         let text = refusal(name, fidelity);
@@ -138,8 +163,13 @@ fn what_cannot_be_described_so_is_refused_by_name() {
     let twice = vec![("left".to_string(), Fidelity::Full); 2];
     let built = Net::default().build_as(Formulation::Rncf, Joints::Eliminated, &twice);
     assert_eq!(built.err().unwrap().message, "body `left` is described twice");
-    let right = [("stiff".to_string(), Fidelity::Point), ("spoke".to_string(), Fidelity::Full)];
-    let scene = Net::default().build_as(Formulation::Rncf, Joints::Eliminated, &right).unwrap();
+    let right = [
+        ("stiff".to_string(), Fidelity::Point),
+        ("spoke".to_string(), Fidelity::Full),
+    ];
+    let scene = Net::default()
+        .build_as(Formulation::Rncf, Joints::Eliminated, &right)
+        .unwrap();
     let bodies = scene.bodies();
     let stiff = bodies.iter().find(|body| body.name == "stiff").unwrap();
     assert_eq!(stiff.fidelity, Fidelity::Point);
@@ -149,10 +179,16 @@ fn what_cannot_be_described_so_is_refused_by_name() {
 
 #[test]
 fn a_point_that_nothing_turns_is_reported_and_no_rung() {
-    let text = run(&Stick::default(), &as_described(&[("stick", Fidelity::Point)])).unwrap_err().to_string();
+    let text = run(&Stick::default(), &as_described(&[("stick", Fidelity::Point)]))
+        .unwrap_err()
+        .to_string();
     assert!(text.contains("frame `f`") && text.contains("no inertia"), "{text}");
     let found = advise(&Stick::default(), &RunSettings::default(), &Wanted::default()).unwrap();
     assert!(found.rungs[0].name == "point" && !found.rungs[0].suffices);
-    assert!(found.rungs[0].reason.as_ref().unwrap().contains("no inertia"), "{:?}", found.rungs[0]);
+    assert!(
+        found.rungs[0].reason.as_ref().unwrap().contains("no inertia"),
+        "{:?}",
+        found.rungs[0]
+    );
     assert!(found.named.is_some(), "{found:#?}");
 }

@@ -28,11 +28,15 @@ fn a_stiff_short_rod_is_rigid_but_no_point() {
     let found = advised(&Engine::default(), 1e-3, &RunSettings::default());
     let (rung, word) = named(&found, "rod");
     assert_eq!(word, "rigid", "{:#?}", found.rungs);
-    assert!(rung.error.unwrap() < 1e-4 && rung.unknowns < found.rungs[found.declared.unwrap()].unknowns);
+    assert!(rung.error.unwrap() < 3e-4 && rung.unknowns < found.rungs[found.declared.unwrap()].unknowns);
     // The rotary inertia of the rod counts.
     let point = found.rungs.iter().find(|rung| rung.name.starts_with("point")).unwrap();
     assert!(!point.suffices && point.error.unwrap() > 1e-2, "{point:?}");
-    assert!(found.sentences[0].starts_with("`rod`: rigid suffices for 1e-3"), "{:?}", found.sentences);
+    assert!(
+        found.sentences[0].starts_with("`rod`: rigid suffices for 1e-3"),
+        "{:?}",
+        found.sentences
+    );
 }
 
 #[test]
@@ -41,7 +45,7 @@ fn a_slender_slow_boom_has_two_modes() {
     let (rung, word) = named(&found, "boom");
     assert_eq!(word, "modal(2)", "{:#?}", found.rungs);
     assert_eq!(rung.unknowns, Some(2));
-    // A tenth as accurate one mode suffices: the estimate follows what is wanted.
+    // For a fiftieth one mode suffices: the advice follows what is wanted.
     let found = advised(&Boom::default(), 2e-2, &RunSettings::default());
     assert_eq!(named(&found, "boom").1, "modal(1)", "{:#?}", found.rungs);
 }
@@ -68,6 +72,9 @@ fn an_accuracy_that_nothing_reaches_is_said_with_what_to_do() {
     let found = advised(&boom, 1e-9, &short);
     assert_eq!(found.named, None, "{:#?}", found.rungs);
     let text = &found.sentences[0];
-    assert!(text.starts_with("Nothing on the ladder is known to reach 1e-9"), "{text}");
+    assert!(
+        text.starts_with("Nothing on the ladder is known to reach 1e-9"),
+        "{text}"
+    );
     assert!(text.contains("Give finer meshes, e.g. `elements=4,8,16`"), "{text}");
 }

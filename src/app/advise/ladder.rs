@@ -46,13 +46,18 @@ fn rank(fidelity: Fidelity) -> usize {
 /// All descriptions from cheap to rich.
 pub(super) fn descriptions() -> Vec<Fidelity> {
     let modes = MODES.into_iter().map(Fidelity::Modal);
-    [Fidelity::Point, Fidelity::Rigid].into_iter().chain(modes).chain([Fidelity::Full]).collect()
+    [Fidelity::Point, Fidelity::Rigid]
+        .into_iter()
+        .chain(modes)
+        .chain([Fidelity::Full])
+        .collect()
 }
 
 /// Those from cheap to rich that a body which is declared so can have.
 pub(super) fn within(declared: Fidelity) -> Vec<Fidelity> {
     let all = descriptions().into_iter();
-    all.filter(|fidelity| declared.deforms() || !fidelity.deforms()).collect()
+    all.filter(|fidelity| declared.deforms() || !fidelity.deforms())
+        .collect()
 }
 
 impl Choices {
@@ -63,16 +68,17 @@ impl Choices {
     pub fn of<M: Model>(model: &M, formulation: Formulation, joints: Joints, lists: &[List]) -> Result<Self, String> {
         let scene = model.build(formulation, joints).map_err(|error| error.to_string())?;
         let all = scene.bodies();
-        let counted = counted(model, &all, |model| model.build(formulation, joints).map(|scene| scene.bodies()));
-        let has_others = all.iter().any(|body| body.repetitions.is_some() && body.fidelity.deforms());
+        let counted = counted(model, &all, |model| {
+            model.build(formulation, joints).map(|scene| scene.bodies())
+        });
+        let has_others = all
+            .iter()
+            .any(|body| body.repetitions.is_some() && body.fidelity.deforms());
         let mut notes = Vec::new();
         let mut bodies = Vec::new();
         for body in &all {
             match body.repetitions {
-                Some(_) => notes.push(format!(
-                    "`{}` is repeated and keeps all its nodal vectors.",
-                    body.name
-                )),
+                Some(_) => notes.push(format!("`{}` is repeated and keeps all its nodal vectors.", body.name)),
                 None => bodies.push((body.name.to_owned(), body.fidelity)),
             }
             if !body.fidelity.deforms() {
@@ -93,7 +99,14 @@ impl Choices {
         let params: Vec<usize> = counted.iter().map(|(param, _)| *param).collect();
         let declared = params.iter().map(|&param| {
             let is_listed = lists.iter().any(|list| list.param == param);
-            (param, if is_listed { M::params()[param].default } else { model.get(param) })
+            (
+                param,
+                if is_listed {
+                    M::params()[param].default
+                } else {
+                    model.get(param)
+                },
+            )
         });
         let declared: Vec<(usize, f64)> = declared.collect();
         let meshes = if lists.is_empty() {
@@ -127,7 +140,9 @@ impl Choices {
         let bodies = self.bodies.iter();
         Setting {
             counts: self.meshes[mesh].clone(),
-            fidelity: bodies.map(|(name, declared)| (name.clone(), at_most(*declared))).collect(),
+            fidelity: bodies
+                .map(|(name, declared)| (name.clone(), at_most(*declared)))
+                .collect(),
         }
     }
 
@@ -160,7 +175,12 @@ impl Choices {
             all => words.extend(all.iter().map(|(body, fidelity)| format!("{body}: {fidelity}"))),
         }
         if self.meshes.len() > 1 {
-            words.extend(setting.counts.iter().map(|&(param, value)| format!("{} = {value}", M::params()[param].name)));
+            words.extend(
+                setting
+                    .counts
+                    .iter()
+                    .map(|&(param, value)| format!("{} = {value}", M::params()[param].name)),
+            );
         }
         words.join(", ")
     }
@@ -186,7 +206,10 @@ fn counted<M: Model>(
             continue;
         }
         let pairs = bodies.iter().zip(&others);
-        let names: Vec<&'static str> = pairs.filter(|(a, b)| a.elements != b.elements).map(|(a, _)| a.name).collect();
+        let names: Vec<&'static str> = pairs
+            .filter(|(a, b)| a.elements != b.elements)
+            .map(|(a, _)| a.name)
+            .collect();
         if !names.is_empty() {
             found.push((index, names));
         }
@@ -234,7 +257,9 @@ fn listed<M: Model>(declared: &[(usize, f64)], lists: &[List]) -> Result<Vec<Vec
         (param, list.map_or(value, |(_, values)| values[mesh]))
     };
     let meshes = 0..lists[0].values.len();
-    Ok(meshes.map(|mesh| declared.iter().map(|entry| count(entry, mesh)).collect()).collect())
+    Ok(meshes
+        .map(|mesh| declared.iter().map(|entry| count(entry, mesh)).collect())
+        .collect())
 }
 
 #[cfg(test)]
@@ -256,7 +281,11 @@ mod tests {
     }
 
     fn words(setting: &Setting) -> String {
-        let words: Vec<String> = setting.fidelity.iter().map(|(_, fidelity)| fidelity.to_string()).collect();
+        let words: Vec<String> = setting
+            .fidelity
+            .iter()
+            .map(|(_, fidelity)| fidelity.to_string())
+            .collect();
         words.join(" ")
     }
 
@@ -264,7 +293,10 @@ mod tests {
     fn bodies_are_described_alike_as_far_as_they_can_be() {
         let choices = choices();
         assert_eq!(words(&choices.together(Fidelity::Full, 0)), "full full rigid");
-        assert_eq!(words(&choices.together(Fidelity::Modal(2), 0)), "modal(2) modal(2) rigid");
+        assert_eq!(
+            words(&choices.together(Fidelity::Modal(2), 0)),
+            "modal(2) modal(2) rigid"
+        );
         assert_eq!(words(&choices.together(Fidelity::Point, 0)), "point point point");
         assert_eq!(words(&choices.as_declared()), "full small(3) rigid");
     }

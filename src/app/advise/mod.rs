@@ -136,7 +136,9 @@ pub fn advise<M: Model>(model: &M, settings: &RunSettings, wanted: &Wanted) -> R
         outputs: (!wanted.outputs.is_empty()).then_some(&wanted.outputs[..]),
         limit: wanted.limit,
     };
-    let searched = task.search(&|| false, Bar::new(true)).map_err(|failure| failure.message)?;
+    let searched = task
+        .search(&|| false, Bar::new(true))
+        .map_err(|failure| failure.message)?;
     let (found, advice) = (&searched.found, searched.advice());
     let rung = |(index, rung): (usize, &search::Rung)| {
         let trial = rung.trial();
@@ -214,9 +216,7 @@ impl<M: Model> Task<'_, M> {
         let (rtol, time_error) = work.tolerance(&choices.as_declared(), self.wanted).map_err(|stop| {
             work.bar.clear();
             match stop {
-                Stop::Interrupted => {
-                    Failure::new(INTERRUPTION, "interrupted by the user before anything was known")
-                }
+                Stop::Interrupted => Failure::new(INTERRUPTION, "interrupted by the user before anything was known"),
                 Stop::Impossible(reason) => {
                     Failure::new(FAILURE, format!("as declared, {} does not run: {reason}", M::NAME))
                 }

@@ -53,7 +53,9 @@ struct Axis {
 
 impl Axis {
     fn over(values: impl Iterator<Item = f64>, from: f64, to: f64) -> Self {
-        let (low, high) = values.fold((f64::INFINITY, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
+        let (low, high) = values.fold((f64::INFINITY, 0.0_f64), |(low, high), value| {
+            (low.min(value), high.max(value))
+        });
         let (low, high) = if low <= high { (low, high) } else { (0.1, 1.0) };
         let first = (low.log10() + 1e-9).floor() as i32;
         let last = ((high.log10() - 1e-9).ceil() as i32).max(first + 1);
@@ -134,7 +136,13 @@ fn axes(svg: &mut String, x: &Axis, y: &Axis) {
         svg,
         "<path d=\"M{LEFT} {TOP}V{BOTTOM}H{RIGHT}\" fill=\"none\" stroke=\"{INK}\" stroke-width=\"1.5\"/>"
     );
-    text(svg, (0.5 * (LEFT + RIGHT), HEIGHT - 14.0), "middle", INK, "processor time");
+    text(
+        svg,
+        (0.5 * (LEFT + RIGHT), HEIGHT - 14.0),
+        "middle",
+        INK,
+        "processor time",
+    );
     let middle = 0.5 * (TOP + BOTTOM);
     let _ = writeln!(
         svg,
@@ -154,7 +162,8 @@ fn label(svg: &mut String, name: &str, (x, y): (f64, f64), color: &str, taken: &
         let misses = |o: &[f64; 4]| b[2] < o[0] || o[2] < b[0] || b[3] < o[1] || o[3] < b[1];
         is_inside(b) && taken.iter().all(misses)
     };
-    let heights = (0..12).map(|step| 0.6 * LETTER[0] * f64::from((step + 1) / 2) * if step % 2 == 0 { 1.0 } else { -1.0 });
+    let heights =
+        (0..12).map(|step| 0.6 * LETTER[0] * f64::from((step + 1) / 2) * if step % 2 == 0 { 1.0 } else { -1.0 });
     let all = heights.flat_map(|dy| [(11.0, dy + 4.0), (-11.0, dy + 4.0)]);
     let mut places = all.map(place);
     let found = places.clone().find(is_free).or_else(|| places.find(is_inside));
@@ -192,7 +201,10 @@ mod tests {
         };
         let svg = svg(&[dot("rigid", Look::Named), dot("<point>", Look::Suffices)], 1e-3);
         let place = |name: &str| {
-            let line = svg.lines().find(|line| line.ends_with(&format!(">{name}</text>"))).unwrap();
+            let line = svg
+                .lines()
+                .find(|line| line.ends_with(&format!(">{name}</text>")))
+                .unwrap();
             line.split('"').take(4).map(String::from).collect::<Vec<_>>()
         };
         assert_ne!(place("rigid"), place("&lt;point&gt;"));

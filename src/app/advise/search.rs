@@ -209,7 +209,10 @@ impl Search<'_> {
         let mesh = counts.and_then(|counts| meshes.iter().position(|mesh| *mesh == counts));
         let mesh = mesh.unwrap_or(meshes.len() - 1);
         let before = found.rungs.len();
-        for fidelity in descriptions().into_iter().filter(|fidelity| *fidelity != Fidelity::Full) {
+        for fidelity in descriptions()
+            .into_iter()
+            .filter(|fidelity| *fidelity != Fidelity::Full)
+        {
             let setting = self.choices.together(fidelity, mesh);
             if self.tried::<M>(found, setting).is_none() {
                 break;
@@ -219,7 +222,9 @@ impl Search<'_> {
         found.rungs.rotate_right(count);
         found.richest = richest.map(|richest| richest + count);
         if richest.is_none()
-            && let Some(last) = (0..found.rungs.len()).rev().find(|&rung| found.rungs[rung].trial().is_some())
+            && let Some(last) = (0..found.rungs.len())
+                .rev()
+                .find(|&rung| found.rungs[rung].trial().is_some())
         {
             self.measure::<M>(found, last);
         }

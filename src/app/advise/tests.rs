@@ -82,19 +82,31 @@ fn rungs_that_agree_by_symmetry_do_not_suffice() {
     // Modes 1 and 2 give the same, and so does the rigid body.
     let model = |setting: &Setting| {
         let count = modes(setting.fidelity[0].1);
-        Ok((if count <= 2 { 0.1 } else { 1e-5 * 8.0 / count as f64 }, 1.0 + count as f64))
+        Ok((
+            if count <= 2 { 0.1 } else { 1e-5 * 8.0 / count as f64 },
+            1.0 + count as f64,
+        ))
     };
     let found = found(&choices, 1e-3, &model);
     assert_eq!(named(&found), Some("modal(4)"));
     let names: Vec<&str> = found.rungs.iter().map(|rung| rung.name.as_str()).collect();
-    assert_eq!(names, ["point", "rigid", "modal(1)", "modal(2)", "modal(4)", "modal(8)", "full"]);
+    assert_eq!(
+        names,
+        ["point", "rigid", "modal(1)", "modal(2)", "modal(4)", "modal(8)", "full"]
+    );
     let rigid = found.rungs[1].estimate.unwrap();
     assert_eq!(rigid.next, [Some(0.0), Some(0.0)]);
     assert!((rigid.richest - 0.1).abs() < 1e-5 && !found.rungs[1].suffices);
     assert_eq!(found.declared, Some(6));
     let text = sentences(&choices, &found, 1e-3);
-    assert!(text.starts_with("`crank`: modal(4) suffices for 1e-3 (error about 2e-5, 5 s); as declared: 101 s."), "{text}");
-    assert!(text.contains("`body crank .. { .. modal(4); }`; to try it: `run --fidelity \"crank=modal(4)\"`"), "{text}");
+    assert!(
+        text.starts_with("`crank`: modal(4) suffices for 1e-3 (error about 2e-5, 5 s); as declared: 101 s."),
+        "{text}"
+    );
+    assert!(
+        text.contains("`body crank .. { .. modal(4); }`; to try it: `run --fidelity \"crank=modal(4)\"`"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -117,7 +129,10 @@ fn each_body_goes_as_far_down_as_it_can() {
     assert_eq!(named(&found), Some("crank: rigid, rod: modal(2)"));
     assert!(matches!(&found.rungs[0].outcome, Outcome::Impossible(reason) if reason == "nothing turns it"));
     let text = sentences(&choices, &found, 1e-3);
-    assert!(text.starts_with("`crank`: rigid, `rod`: modal(2) suffice for 1e-3"), "{text}");
+    assert!(
+        text.starts_with("`crank`: rigid, `rod`: modal(2) suffice for 1e-3"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -127,7 +142,10 @@ fn the_coarsest_mesh_that_suffices_carries_the_modes() {
     let model = |setting: &Setting| {
         let (count, elements) = (modes(setting.fidelity[0].1), setting.counts[0].1);
         let mesh = 0.05 / elements.powi(4);
-        Ok((mesh + if count < 100 { 0.01 / (1.0 + count as f64) } else { 0.0 }, 1.0 + count as f64 * elements))
+        Ok((
+            mesh + if count < 100 { 0.01 / (1.0 + count as f64) } else { 0.0 },
+            1.0 + count as f64 * elements,
+        ))
     };
     let found = found(&choices, 1e-3, &model);
     // 0.05/4^4 = 2e-4 suffices; modes never do here: 0.01/9.
@@ -137,7 +155,10 @@ fn the_coarsest_mesh_that_suffices_carries_the_modes() {
     let last = 0.05 / 8f64.powi(4) - 0.05 / 16f64.powi(4);
     assert!((found.remaining.unwrap() - last / 3.0).abs() < 1e-10);
     let text = sentences(&choices, &found, 1e-3);
-    assert!(text.contains("all nodal vectors suffices with coils = 4") && text.contains("coils=4"), "{text}");
+    assert!(
+        text.contains("all nodal vectors suffices with coils = 4") && text.contains("coils=4"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -148,10 +169,15 @@ fn an_accuracy_out_of_reach_is_said_with_what_to_do() {
     assert_eq!((named(&found), found.richest), (None, Some(8)));
     let text = sentences(&choices, &found, 1e-3);
     assert!(
-        text.starts_with("Nothing on the ladder is known to reach 1e-3: with the finest mesh (`full, coils = 8`) an error"),
+        text.starts_with(
+            "Nothing on the ladder is known to reach 1e-3: with the finest mesh (`full, coils = 8`) an error"
+        ),
         "{text}"
     );
-    assert!(text.contains("Give finer meshes, e.g. `coils=8,16,32`, or ask for no less than"), "{text}");
+    assert!(
+        text.contains("Give finer meshes, e.g. `coils=8,16,32`, or ask for no less than"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -177,7 +203,15 @@ fn what_ran_before_an_interruption_is_kept() {
     let found = found(&choices, 1e-3, &model);
     assert!(found.is_interrupted);
     let names: Vec<&str> = found.rungs.iter().map(|rung| rung.name.as_str()).collect();
-    assert_eq!(names, ["point, coils = 2", "rigid, coils = 2", "full, coils = 2", "full, coils = 4"]);
+    assert_eq!(
+        names,
+        [
+            "point, coils = 2",
+            "rigid, coils = 2",
+            "full, coils = 2",
+            "full, coils = 4"
+        ]
+    );
 }
 
 #[test]

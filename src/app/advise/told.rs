@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::ladder::{Choices, Setting};
 use super::picture;
 use super::search::{Found, Outcome, Rung};
+use super::work::TIGHTEST;
 use crate::Model;
 use crate::app::clock::Seconds;
 use crate::app::parameters::digits;
@@ -45,7 +46,11 @@ pub(super) fn time(seconds: f64) -> String {
 
 /// An error for people: `2e-5`.
 pub(super) fn size(error: f64) -> String {
-    if error == 0.0 { "0".into() } else { format!("{error:.0e}") }
+    if error == 0.0 {
+        "0".into()
+    } else {
+        format!("{error:.0e}")
+    }
 }
 
 fn sizes(error: Option<f64>) -> String {
@@ -78,7 +83,9 @@ impl Advice<'_> {
                 self.remark(index),
             ]
         };
-        std::iter::once(head).chain(self.found.rungs.iter().enumerate().map(row)).collect()
+        std::iter::once(head)
+            .chain(self.found.rungs.iter().enumerate().map(row))
+            .collect()
     }
 
     /// What is to be said of a rung.
@@ -99,7 +106,11 @@ impl Advice<'_> {
         }
         let count = rung.trial().map_or(0, |trial| trial.warnings.len());
         if count > 0 {
-            words.push(if count == 1 { "1 warning".into() } else { format!("{count} warnings") });
+            words.push(if count == 1 {
+                "1 warning".into()
+            } else {
+                format!("{count} warnings")
+            });
         }
         words.join("; ")
     }
@@ -170,7 +181,10 @@ impl Advice<'_> {
     fn descriptions<M: Model>(&self, setting: &Setting) -> String {
         let kinds: Vec<Fidelity> = setting.fidelity.iter().map(|(_, fidelity)| *fidelity).collect();
         let counts = || {
-            let counts = setting.counts.iter().map(|&(param, value)| format!("{} = {value}", M::params()[param].name));
+            let counts = setting
+                .counts
+                .iter()
+                .map(|&(param, value)| format!("{} = {value}", M::params()[param].name));
             counts.collect::<Vec<_>>().join(", ")
         };
         let has_mesh = self.choices.meshes.len() > 1;
@@ -186,7 +200,10 @@ impl Advice<'_> {
                 format!("{}: {} suffices", names.join(", "), word(*first))
             }
             all => {
-                let each: Vec<String> = all.iter().map(|(name, how)| format!("`{name}`: {}", word(*how))).collect();
+                let each: Vec<String> = all
+                    .iter()
+                    .map(|(name, how)| format!("`{name}`: {}", word(*how)))
+                    .collect();
                 format!("{} suffice", each.join(", "))
             }
         };
@@ -202,7 +219,11 @@ impl Advice<'_> {
         let all = self.found.rungs.iter().filter(|rung| rung.suffices);
         let fastest = all.min_by(|a, b| cpu(a).total_cmp(&cpu(b)))?;
         (cpu(fastest) < FASTER * cpu(&self.found.rungs[named])).then(|| {
-            format!("It is the simplest; the fastest is `{}` with {}.", fastest.name, time(cpu(fastest)))
+            format!(
+                "It is the simplest; the fastest is `{}` with {}.",
+                fastest.name,
+                time(cpu(fastest))
+            )
         })
     }
 
@@ -222,21 +243,31 @@ impl Advice<'_> {
                 (new, old) => format!("`{new};` instead of `{old};` in `body {name}`"),
             });
         }
+        // The mesh of what does not deform does not matter.
         let counts = setting.counts.iter().zip(&declared.counts);
-        let counts: Vec<_> = counts.filter(|(new, old)| new != old).map(|(new, _)| *new).collect();
-        for &(param, value) in counts.iter().filter(|_| self.choices.deforms(setting)) {
+        let counts = counts.filter(|(new, old)| new != old && self.choices.deforms(setting));
+        let counts: Vec<_> = counts.map(|(new, _)| *new).collect();
+        for &(param, value) in &counts {
             parts.push(format!("`param {}: count = {value};`", M::params()[param].name));
         }
         if parts.is_empty() {
             return Vec::new();
         }
         let mut words = vec!["run".to_string()];
-        words.extend(counts.iter().map(|&(param, value)| format!("{}={value}", M::params()[param].name)));
+        words.extend(
+            counts
+                .iter()
+                .map(|&(param, value)| format!("{}={value}", M::params()[param].name)),
+        );
         if !changed.is_empty() {
             let changed: Vec<_> = changed.iter().map(|(new, _)| (*new).clone()).collect();
             words.push(format!("--fidelity \"{}\"", described(&changed)));
         }
-        vec![format!("In the model: {}; to try it: `{}`.", parts.join(", "), words.join(" "))]
+        vec![format!(
+            "In the model: {}; to try it: `{}`.",
+            parts.join(", "),
+            words.join(" ")
+        )]
     }
 
     /// Why no rung suffices, and what to do.
@@ -285,8 +316,13 @@ impl Advice<'_> {
     fn notes(&self) -> Vec<String> {
         let mut notes = self.choices.notes.clone();
         if self.time_error > 0.5 * self.wanted {
+            let help = if self.rtol > 2.0 * TIGHTEST {
+                "give a tighter `--rtol`"
+            } else {
+                "round-off is near, ask for less, or for outputs that change more"
+            };
             notes.push(format!(
-                "The integration in time makes an error of about {} at rtol {:e}: give a tighter `--rtol`.",
+                "The integration in time makes an error of about {} at rtol {:e}: {help}.",
                 size(self.time_error),
                 self.rtol
             ));
@@ -314,7 +350,9 @@ impl Advice<'_> {
         for (index, rung) in self.found.rungs.iter().enumerate() {
             let (trial, estimate) = (rung.trial(), rung.estimate);
             let counts = rung.setting.counts.iter();
-            let counts: Vec<String> = counts.map(|&(p, value)| format!("{}={value}", M::params()[p].name)).collect();
+            let counts: Vec<String> = counts
+                .map(|&(p, value)| format!("{}={value}", M::params()[p].name))
+                .collect();
             let reason = match &rung.outcome {
                 Outcome::Impossible(reason) => reason.as_str(),
                 _ => "",
@@ -336,11 +374,13 @@ impl Advice<'_> {
                 (self.found.declared == Some(index)).to_string(),
                 quoted(reason),
             ];
-            let errors = trial.zip(richest).map(|(trial, richest)| {
-                crate::app::chart::errors::errors(&trial.history, &richest.history)
-            });
+            let errors = trial
+                .zip(richest)
+                .map(|(trial, richest)| crate::app::chart::errors::errors(&trial.history, &richest.history));
             for &column in &self.found.chosen {
-                let relative = errors.as_ref().map(|errors| errors[column].max / self.found.scales[column]);
+                let relative = errors
+                    .as_ref()
+                    .map(|errors| errors[column].max / self.found.scales[column]);
                 cells.push(exact(relative));
             }
             text += &cells.join(",");
@@ -359,7 +399,11 @@ impl Advice<'_> {
         put(&mut summary, "time_error", json!(self.time_error));
         put(&mut summary, "remaining_error", json!(self.found.remaining));
         put(&mut summary, "advice", json!(self.sentences::<M>()));
-        put(&mut summary, "named", self.named().map_or(Value::Null, |rung| json!(rung.name)));
+        put(
+            &mut summary,
+            "named",
+            self.named().map_or(Value::Null, |rung| json!(rung.name)),
+        );
         let rungs = self.found.rungs.iter().enumerate().map(|(index, rung)| {
             let trial = rung.trial();
             json!({
