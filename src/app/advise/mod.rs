@@ -178,6 +178,8 @@ struct Task<'t, M> {
 
 /// A search that is done.
 struct Searched {
+    /// With times and tolerance filled in.
+    settings: RunSettings,
     choices: Choices,
     found: Found,
     wanted: f64,
@@ -235,6 +237,7 @@ impl<M: Model> Task<'_, M> {
             ));
         }
         Ok(Searched {
+            settings: work.base,
             rtol,
             time_error: of_named.unwrap_or(time_error),
             seconds: clock.seconds(),
@@ -249,6 +252,7 @@ impl<M: Model> Task<'_, M> {
 impl Searched {
     fn advice(&self) -> Advice<'_> {
         Advice {
+            settings: &self.settings,
             choices: &self.choices,
             found: &self.found,
             wanted: self.wanted,
@@ -283,7 +287,7 @@ pub(super) fn execute<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn()
     };
     let searched = task.search(&interrupted, Bar::new(arguments.quiet))?;
     let advice = searched.advice();
-    let summary = advice.summary(&arguments.model, &arguments.settings);
+    let summary = advice.summary(&arguments.model);
     let table = ("advise.csv", advice.csv::<M>());
     let files = write(arguments, "advice", table, &summary, Ok(advice.page::<M>()))?;
     let text = format!("{}\n{files}", advice.text::<M>());

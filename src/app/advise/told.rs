@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::ladder::{Choices, Setting};
 use super::picture;
 use super::search::{Found, Outcome, Rung};
+use super::work::TIGHTEST;
 use crate::Model;
 use crate::app::clock::Seconds;
 use crate::app::parameters::digits;
@@ -17,6 +18,8 @@ use crate::mesh::Fidelity;
 
 /// The result of a search, ready to be told.
 pub(super) struct Advice<'a> {
+    /// With times and tolerance filled in.
+    pub settings: &'a RunSettings,
     pub choices: &'a Choices,
     pub found: &'a Found,
     pub wanted: f64,
@@ -240,9 +243,11 @@ impl Advice<'_> {
                 (new, old) => format!("`{new};` instead of `{old};` in `body {name}`"),
             });
         }
+        // The mesh of what does not deform does not matter.
         let counts = setting.counts.iter().zip(&declared.counts);
-        let counts: Vec<_> = counts.filter(|(new, old)| new != old).map(|(new, _)| *new).collect();
-        for &(param, value) in counts.iter().filter(|_| self.choices.deforms(setting)) {
+        let counts = counts.filter(|(new, old)| new != old && self.choices.deforms(setting));
+        let counts: Vec<_> = counts.map(|(new, _)| *new).collect();
+        for &(param, value) in &counts {
             parts.push(format!("`param {}: count = {value};`", M::params()[param].name));
         }
         if parts.is_empty() {
@@ -311,8 +316,13 @@ impl Advice<'_> {
     fn notes(&self) -> Vec<String> {
         let mut notes = self.choices.notes.clone();
         if self.time_error > 0.5 * self.wanted {
+            let help = if self.rtol > 2.0 * TIGHTEST {
+                "give a tighter `--rtol`"
+            } else {
+                "round-off is near, ask for less, or for outputs that change more"
+            };
             notes.push(format!(
-                "The integration in time makes an error of about {} at rtol {:e}: give a tighter `--rtol`.",
+                "The integration in time makes an error of about {} at rtol {:e}: {help}.",
                 size(self.time_error),
                 self.rtol
             ));
@@ -380,20 +390,11 @@ impl Advice<'_> {
     }
 
     /// The summary for the files.
-    pub fn summary<M: Model>(&self, model: &M, settings: &RunSettings) -> Summary {
+    pub fn summary<M: Model>(&self, model: &M) -> Summary {
         let mut summary = summary::head(model, "advise");
         let reason = self.found.is_interrupted.then(|| "interrupted by the user".to_owned());
         summary::outcome(&mut summary, reason);
-        summary::settings(
-            &mut summary,
-            &RunSettings {
-                options: crate::Options {
-                    rtol: self.rtol,
-                    ..settings.options
-                },
-                ..settings.clone()
-            },
-        );
+        summary::settings(&mut summary, self.settings);
         put(&mut summary, "wanted", json!(self.wanted));
         put(&mut summary, "time_error", json!(self.time_error));
         put(&mut summary, "remaining_error", json!(self.found.remaining));

@@ -15,9 +15,9 @@ const REPEATED: f64 = 0.3;
 /// So many times at most.
 const REPETITIONS: usize = 5;
 /// Part of the wanted accuracy that the integration in time may take.
-pub(super) const SHARE: f64 = 0.05;
+const SHARE: f64 = 0.05;
 /// Tolerances below this are not tried: round-off is near.
-const TIGHTEST: f64 = 1e-11;
+pub(super) const TIGHTEST: f64 = 1e-11;
 
 /// Why a run has no result.
 pub(super) enum Stop {

@@ -1,8 +1,10 @@
 use super::arm::{Arm, COUNT};
 use super::scene::{ModalScene, build};
-use super::tests::{close, numbers};
+use super::tests::{cantilever, close, numbers};
+use super::{ModalBody, Nodal};
 use crate::equilibrium::Uniform;
 use crate::linalg::{Cholesky, Pattern};
+use crate::mesh::frame::FrameAction;
 use crate::mesh::{Fidelity, MeshScene};
 use crate::model::{Formulation, Joints, Scene};
 use crate::system::{ConstraintLevel, State, System, Tangent};
@@ -253,4 +255,33 @@ fn the_reaction_of_a_turning_point_is_that_of_a_mass_at_the_middle() {
     scene.outputs(&state, &mut out);
     // 1 kg at 0.2 m + 0.5 m from the axis.
     close(&out[2..], &[-0.3 - 0.7 * 4.0, 9.81, 0.5 * 9.81 - 0.5], 1e-9);
+}
+
+#[test]
+fn a_point_has_the_mass_of_its_body_at_its_centre_and_no_inertia_about_it() {
+    let (nodal, cable) = cantilever(3, 3, 1e3, 0.0, 0.0);
+    let carried = |nodal: &Nodal, fidelity, spin_rate| {
+        let body = ModalBody::new(nodal.clone(), fidelity, &cable).unwrap();
+        let action = FrameAction {
+            acceleration: [0.5, -2.0, 0.0],
+            spin: [0.0, 0.0, 2.0],
+            spin_rate,
+        };
+        let mut carried = [0.0; 6];
+        body.carried(&action, [&[], &[], &[]], &mut carried);
+        carried
+    };
+    // 1 kg at x = 1/2: its acceleration is (0.5 - 4/2, -2 + 3/2, 0), the moment x times the second component.
+    let point = carried(&nodal, Fidelity::Point, [7.0, 0.0, 3.0]);
+    close(&point, &[-1.5, -0.5, 0.0, 0.0, 0.0, -0.25], 1e-14);
+    let rigid = carried(&nodal, Fidelity::Rigid, [7.0, 0.0, 3.0]);
+    close(&rigid[..3], &point[..3], 1e-14);
+    close(&rigid[3..], &[0.0, 0.0, -0.25 + 3.0 / 12.0], 1e-14);
+    // About the frame's origin nothing is left, not even round-off.
+    let mut centred = nodal;
+    for node in 0..4 {
+        centred.shape[6 * node] -= 0.5;
+    }
+    let point = carried(&centred, Fidelity::Point, [7.0, 4.0, 3.0]);
+    assert_eq!(point[3..], [0.0; 3]);
 }
