@@ -24,8 +24,10 @@ pub(super) const MOST: usize = 9;
 /// `sum_a weight_a q_a` of an element.
 pub(super) fn weighted(full: &[f64], components: &[usize], dimension: usize, weights: &[f64]) -> [f64; 3] {
     let mut sum = [0.0; 3];
-    for (place, &component) in components.iter().enumerate() {
-        sum[place % dimension] += weights[place / dimension] * full[component];
+    for (weight, components) in weights.iter().zip(components.chunks_exact(dimension)) {
+        for (sum, &component) in sum.iter_mut().zip(components) {
+            *sum += weight * full[component];
+        }
     }
     sum
 }

@@ -348,10 +348,10 @@ impl<'a> Reader<'a> {
     fn triad(&self, values: &[f64; MAX_SIZE], xi: f64) -> [Vector; 3] {
         let body = &self.scene.bodies[self.body];
         let (count, dimension) = (body.spec.nodal.len(), body.spec.dimension());
-        let mut shapes = vec![0.0; count];
-        let mut at = |of: Interpolant, order: usize| {
-            shapes.fill(0.0);
-            self.scene.parts.shapes(self.body, of, order, xi, &mut shapes);
+        let at = |of: Interpolant, order: usize| {
+            let mut shapes = [0.0; MAX_SIZE];
+            let shapes = &mut shapes[..count];
+            self.scene.parts.shapes(self.body, of, order, xi, shapes);
             let mut sum = [0.0; 3];
             for (weight, vector) in shapes.iter().zip(values.chunks_exact(dimension)) {
                 sum.iter_mut()
