@@ -43,4 +43,4 @@ chart motor motor T_s="0.1 s" --t-end "0.12 s" --every "0.5 ms" --outputs v_mid 
 chart slider_crank slider_crank elements=4,8 --limit "10 s" "${wanted[@]}"
 chart free_flight free_flight elements=3,6 --limit "10 s" "${short[@]}"
 chart esail esail tethers=20 elements=4,8 --formulations rncf --outputs z_tip_max,spin,tension_main --limit "10 s" --rtols 1e-3..1e-7 "${wanted[@]}"
-chart pinned_pipe pinned_pipe elements=8,16 --limit "10 s" "${wanted[@]}"
+chart pinned_pipe pinned_pipe elements=8,16 --outputs v --limit "10 s" "${wanted[@]}"
