@@ -39,8 +39,8 @@ chart spin_up_100 spin_up elements=48 omega_s="100 rad/s" --limit "10 s" "${shor
 for way in upwind downwind out_of_plane; do
     chart "curved_$way" curved_beam --model "$way" elements=4,8 --limit "10 s" "${short[@]}"
 done
-chart motor motor --t-end "0.1 s" --every "1 ms" --outputs v_mid --limit "10 s" "${short[@]}"
+chart motor motor T_s="0.1 s" --t-end "0.12 s" --every "0.5 ms" --outputs v_mid --limit "10 s" --rtols 1e-4..1e-10 "${wanted[@]}"
 chart slider_crank slider_crank elements=4,8 --limit "10 s" "${wanted[@]}"
 chart free_flight free_flight elements=3,6 --limit "10 s" "${short[@]}"
-chart esail esail tethers=20 elements=4,8 --formulations rncf --limit "10 s" --rtols 1e-3..1e-7 "${wanted[@]}"
-chart pinned_pipe pinned_pipe elements=8,16 --limit "10 s" "${wanted[@]}"
+chart esail esail tethers=20 elements=4,8 --formulations rncf --outputs z_tip_max,spin,tension_main --limit "10 s" --rtols 1e-3..1e-7 "${wanted[@]}"
+chart pinned_pipe pinned_pipe elements=8,16 --outputs v --limit "10 s" "${wanted[@]}"

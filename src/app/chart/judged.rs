@@ -204,7 +204,8 @@ impl Judged<'_> {
             point.counts.factorizations,
             self.error(point).unwrap_or(f64::NAN),
         );
-        if let Some(best) = point.cpu {
+        let own = |other: &Point| other.setting.formulation == point.setting.formulation;
+        if let Some(best) = self.time_to(wanted, own) {
             let others = self
                 .grid
                 .formulations
