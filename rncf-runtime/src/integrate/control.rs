@@ -132,9 +132,9 @@ mod tests {
     #[test]
     fn a_constant_error_means_a_constant_step() {
         let (steps, rejected) = steps(|_| 1e3);
-        // From 1e-4 to nearly 0.1 by doubling.
+        // From 1e-4 to nearly 0.1, by doubling and then more and more slowly.
         assert_eq!(rejected, 0);
-        assert!(changes(&steps) <= 20, "{}", changes(&steps));
+        assert!(changes(&steps) <= 30, "{}", changes(&steps));
         let error = 1e3 * steps.last().unwrap().powi(3);
         assert!(error > 0.3 && error < 0.75, "{error}");
     }
@@ -142,12 +142,21 @@ mod tests {
     #[test]
     fn the_step_rests_at_what_the_peaks_of_an_oscillating_error_allow() {
         let (steps, rejected) = steps(|t| 1e4 * (5.0 * t).sin().powi(2) + 1.0);
-        assert!(rejected * 50 < steps.len(), "{rejected} of {}", steps.len());
+        assert!(rejected * 20 < steps.len(), "{rejected} of {}", steps.len());
         assert!(
-            changes(&steps) * 4 < steps.len(),
+            changes(&steps) * 3 < steps.len(),
             "{} of {}",
             changes(&steps),
             steps.len()
+        );
+    }
+
+    #[test]
+    fn fast_ripples_are_not_followed() {
+        let (steps, rejected) = steps(|t| 1e4 * (20.0 * t).sin().powi(2) + 1.0);
+        assert!(
+            rejected * 100 < steps.len() && changes(&steps) * 20 < steps.len(),
+            "{rejected}"
         );
     }
 
