@@ -252,7 +252,13 @@ impl<'m> Frame<'m> {
             add(sum, self.start.place(id, &Location::At(Box::new(Expr::Number(x)))).0)
         });
         let centre = scale(1.0 / POINTS as f64, sum);
-        centre.map(|component| if component.abs() > 1e-9 * length { component } else { 0.0 })
+        centre.map(|component| {
+            if component.abs() > 1e-9 * length {
+                component
+            } else {
+                0.0
+            }
+        })
     }
 
     fn add_mass(&self, mass: &mut [Row; 6], own: f64, center: Vector, inertia: [[f64; 3]; 3]) {

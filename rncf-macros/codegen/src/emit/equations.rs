@@ -344,8 +344,7 @@ fn conservative(model: &Model, variants: &[VariantKernels], variant_of: &[usize]
         let exprs: Vec<&Expr> = force.components.iter().flatten().chain(&force.energy).collect();
         force.energy.is_some() && !motions::varies(model, exprs)
     });
-    let damps =
-        |(body, &variant): (&Body, &usize)| body.fidelity.deforms() && variants[variant].variant.damped;
+    let damps = |(body, &variant): (&Body, &usize)| body.fidelity.deforms() && variants[variant].variant.damped;
     loads
         && model.densities.is_empty()
         && forces
