@@ -112,6 +112,9 @@ fn shade(RGBColor(red, green, blue): RGBColor, depth: f64) -> RGBColor {
     RGBColor(mix(red), mix(green), mix(blue))
 }
 
+/// A field of the legend: its colour and text.
+type Field = (RGBColor, String);
+
 impl Cells {
     fn count(&self) -> usize {
         match self {
@@ -121,7 +124,7 @@ impl Cells {
     }
 
     /// Colours of all cells, and of the fields of the legend with their texts.
-    fn colors(&self) -> Result<(Vec<RGBColor>, Vec<(RGBColor, String)>), String> {
+    fn colors(&self) -> Result<(Vec<RGBColor>, Vec<Field>), String> {
         match self {
             Cells::Signed(values) => {
                 let finite = values.iter().filter(|value| value.is_finite());
