@@ -20,7 +20,7 @@ rncf::model! {
         const radius = 8 mm;
 
         // A thousand times softer than steel, so that deflections can be seen.
-        material soft { density = 7870 kg/m^3; young = 0.2 GPa; damping = damping; }
+        material soft { density = 7870 kg/m^3; young = 0.2 GPa; poisson = 0.29; damping = damping; }
         section round { area = pi * radius^2; second_moment = pi * radius^4 / 4; }
 
         /// Angle of the crank, Eqs. (23), (24).

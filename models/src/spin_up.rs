@@ -10,7 +10,7 @@ rncf::model! {
         /// Number of elements.
         param elements: count = 6;
 
-        material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
+        material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; poisson = 0.3; }
         section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
 
         /// Angle of the hub, Eq. (22).

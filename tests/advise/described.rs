@@ -1,5 +1,8 @@
 //! Bodies described otherwise than they are declared.
 
+// Bodies that cannot be described so need no outputs.
+#![allow(deprecated)]
+
 use rncf::app::{RunSettings, Wanted, advise, run};
 use rncf::mesh::Fidelity;
 use rncf::{Formulation, Joints, Model};

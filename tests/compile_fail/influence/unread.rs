@@ -2,7 +2,7 @@
 #![deny(deprecated)]
 
 rncf::model! {
-    /// A centre line knows no Poisson's ratio, and nothing twists in a plane.
+    /// Nothing twists in a plane; that a centre line needs no Poisson's ratio is no matter.
     pub model Rod {
         material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; yield = 250 MPa; }
         section wire { area = 1 mm^2; second_moment = 0.08 mm^4; torsion_constant = 0.16 mm^4; }

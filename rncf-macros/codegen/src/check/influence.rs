@@ -218,7 +218,8 @@ fn targets<'a>(tree: &'a Tree, item: &'a Item) -> Vec<&'a str> {
     found
 }
 
-/// Properties that no body reads of its material or section. Materials and sections without bodies are told already.
+/// Properties that no body reads of its section, and damping that nothing feels. The constants of a material are a data
+/// sheet: they may stand there unread. Materials and sections without bodies are told already.
 fn unread_properties(tree: &Tree, model: &Model, library: &Library) -> Vec<Mistake> {
     let mut warnings = Vec::new();
     for item in tree.items.iter().filter(|item| !is_meant(item)) {
@@ -240,6 +241,9 @@ fn unread_properties(tree: &Tree, model: &Model, library: &Library) -> Vec<Mista
         }
         for field in unread(fields, &bodies, library) {
             let words = &field.name.text;
+            if is_material && words != "damping" {
+                continue;
+            }
             let message = say::unread_property(
                 words,
                 item.keyword.word(),

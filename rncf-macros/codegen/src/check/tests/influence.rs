@@ -137,13 +137,16 @@ fn properties_that_no_element_reads_are_told() {
     let with = |from: &str, to: &str| rod("", &[(from, to)]);
     let [young, moment, space] = ["young = 210 GPa;", "second_moment = 0.08 mm^4;", "planar xy;"];
     let poisson = "young = 210 GPa; poisson = 0.3;";
-    let (word, message) = &with(young, poisson)[0];
-    assert_eq!(word, "poisson");
+    // A material is a data sheet.
+    assert_eq!(with(young, poisson), []);
+    let torsion = format!("{moment} torsion_constant = 0.1 mm^4;");
+    let (word, message) = &with(moment, &torsion)[0];
+    assert_eq!(word, "torsion_constant");
     assert_eq!(
         message,
-        "nothing reads the poisson of material `steel`, for `cable` has no shear: leave it out, or call the material `_steel`"
+        "nothing reads the torsion_constant of section `wire`, for `cable` has no torsion: leave it out, or call the section `_wire`"
     );
-    assert_eq!(rod("", &[(young, poisson), ("steel", "_steel")]), []);
+    assert_eq!(rod("", &[(moment, &torsion), ("wire", "_wire")]), []);
     for field in ["damping = 1 ms;", "yield = 250 MPa;"] {
         assert_eq!(with(young, &format!("{young} {field}")), [], "{field}");
     }
