@@ -1,5 +1,8 @@
 //! Rotors on elastic bearings against closed forms of a stiff shaft (Jeffcott).
 
+// Models from one template do not use all of its params.
+#![allow(deprecated)]
+
 use rncf::equilibrium::Uniform;
 use rncf::steady;
 

@@ -1,5 +1,8 @@
 //! The same models with their bodies described in several ways.
 
+// Models from one template do not use all of its params.
+#![allow(deprecated)]
+
 /// The beam of the spin-up (THEORY 9.1) in modes.
 macro_rules! spin_up {
     ($name:ident, { $($fidelity:tt)* }) => {
