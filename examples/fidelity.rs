@@ -1,6 +1,6 @@
 //! One rotating arm three times: with all nodal vectors, in modes, and in modes for small deformations. Spun up fast it bends
 //! far; spun up slowly it hardly bends, but turns faster than modes without stretch can bear (docs/language.md, "Ladder of
-//! deforms").
+//! fidelity").
 //!
 //! `cargo run --release --example fidelity`
 
