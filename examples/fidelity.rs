@@ -1,6 +1,6 @@
 //! One rotating arm three times: with all nodal vectors, in modes, and in modes for small deformations. Spun up fast it bends
-//! far; spun up slowly it hardly bends, but turns faster than modes without stretch can bear (docs/language.md, "How finely it
-//! deforms").
+//! far; spun up slowly it hardly bends, but turns faster than modes without stretch can bear (docs/language.md, "Ladder of
+//! fidelity").
 //!
 //! `cargo run --release --example fidelity`
 
@@ -12,7 +12,7 @@ use rncf::prelude::*;
 
 /// Declares the arm: beam and spin-up of Ren & Yang 2021, section 4.1.1.
 macro_rules! arm {
-    ($name:ident, $doc:tt, { $($fidelity:tt)* }) => {
+    ($name:ident, $doc:tt, { $($params:tt)* }, { $($fidelity:tt)* }) => {
         rncf::model! {
             #[doc = $doc]
             pub model $name {
@@ -20,8 +20,7 @@ macro_rules! arm {
                 param omega_s = 4 rad/s;
                 /// Time to reach it.
                 param T_s = 15 s;
-                /// Number of modes.
-                param modes: count = 4;
+                $($params)*
 
                 material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
                 section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
@@ -47,13 +46,29 @@ macro_rules! arm {
         }
     };
 }
-arm!(ArmFull, "The arm with all its nodal vectors.", {});
-arm!(ArmModal, "The arm in modes.", {
-    modal(modes);
-});
-arm!(ArmSmall, "The arm in modes, for small deformations.", {
-    small(modes);
-});
+arm!(ArmFull, "The arm with all its nodal vectors.", {}, {});
+arm!(
+    ArmModal,
+    "The arm in modes.",
+    {
+        /// Number of modes.
+        param modes: count = 4;
+    },
+    {
+        modal(modes);
+    }
+);
+arm!(
+    ArmSmall,
+    "The arm in modes, for small deformations.",
+    {
+        /// Number of modes.
+        param modes: count = 4;
+    },
+    {
+        small(modes);
+    }
+);
 
 fn main() {
     for spin_up in [15.0, 1500.0] {

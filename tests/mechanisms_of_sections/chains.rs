@@ -1,5 +1,8 @@
 //! A chain of beams on a hub: revolute joint, universal joint, a corner of two flexible ends, a rigid tool at the end.
 
+// Models from one template do not use all of its params.
+#![allow(deprecated)]
+
 use crate::running::{WAYS, apart, build, momenta, rows, run, violation};
 
 /// The chain; `$hub` declares the frame `hub` of its first beam and the velocities.

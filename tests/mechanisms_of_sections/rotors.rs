@@ -1,6 +1,6 @@
 //! Rotors on elastic bearings against closed forms of a stiff shaft (Jeffcott).
 
-// One declaration serves several models: not all of them need all of its params.
+// Models from one template do not use all of its params.
 #![allow(deprecated)]
 
 use rncf::equilibrium::Uniform;

@@ -1,6 +1,6 @@
 //! Loops and shared nodes: models with them against the same models written out.
 
-// One declaration serves several models: not all of them need all of its params.
+// Models from one template do not use all of its params.
 #![allow(deprecated)]
 
 use rncf::prelude::*;

@@ -1,6 +1,6 @@
 //! The same models with their bodies described in several ways.
 
-// One declaration serves several models: not all of them need all of its params.
+// Models from one template do not use all of its params.
 #![allow(deprecated)]
 
 /// The beam of the spin-up (THEORY 9.1) in modes.

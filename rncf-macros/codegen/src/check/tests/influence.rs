@@ -45,7 +45,7 @@ fn words(found: Vec<(String, String)>) -> Vec<String> {
 
 #[test]
 fn what_is_used_is_no_matter() {
-    assert_eq!(words(found(SPIN_UP)), ["poisson"]);
+    assert_eq!(words(found(SPIN_UP)), [""; 0]);
     assert_eq!(words(rod("", &[])), [""; 0]);
 }
 
