@@ -192,7 +192,11 @@ fn a_richer_rung_that_is_faster_is_told() {
         let found = found(&choices, 1e-3, &model);
         assert_eq!(named(&found), Some("rigid"));
         let text = sentences(&choices, &found, 1e-3);
-        assert_eq!(text.contains("the fastest is `modal(2)` with 400 ms"), is_told, "{text}");
+        assert_eq!(
+            text.contains("the fastest is `modal(2)` with 400 ms"),
+            is_told,
+            "{text}"
+        );
     }
 }
 
