@@ -113,7 +113,7 @@ pub struct AdvisedRung {
 pub struct Advised {
     /// From cheap to rich; at the end those with single bodies described otherwise.
     pub rungs: Vec<AdvisedRung>,
-    /// The cheapest one that suffices.
+    /// The simplest one that suffices.
     pub named: Option<usize>,
     /// The model as it is declared.
     pub declared: Option<usize>,
@@ -123,7 +123,7 @@ pub struct Advised {
     pub sentences: Vec<String>,
 }
 
-/// Searches the cheapest description of a model's bodies, and mesh, that gives its outputs to a wanted accuracy.
+/// Searches the simplest description of a model's bodies, and mesh, that gives its outputs to a wanted accuracy.
 ///
 /// # Errors
 /// Settings or parameters that make no sense, nothing to choose from, or a model that does not run as declared.

@@ -21,7 +21,7 @@ pub(super) struct Dot {
 /// What a rung is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Look {
-    /// The cheapest that suffices.
+    /// The simplest that suffices.
     Named,
     Suffices,
     Fails,

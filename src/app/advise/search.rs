@@ -1,4 +1,4 @@
-//! The search: runs the ladder, estimates errors, and finds the cheapest rung that suffices.
+//! The search: runs the ladder, estimates errors, and finds the simplest rung that suffices.
 
 use super::ladder::{Choices, Setting, descriptions};
 use crate::Model;
@@ -65,7 +65,7 @@ pub(super) struct Found {
     pub richest: Option<usize>,
     /// Estimated error of the richest rung by its mesh; `None` where there is one mesh only.
     pub remaining: Option<f64>,
-    /// The cheapest rung that suffices.
+    /// The simplest rung that suffices.
     pub named: Option<usize>,
     /// The model as it is declared.
     pub declared: Option<usize>,
@@ -86,8 +86,6 @@ impl Found {
     }
 }
 
-/// A richer rung is named instead of a cheaper description only where it takes less than this part of its time.
-const CLEARLY: f64 = 0.5;
 /// Descriptions of a body that may fail in succession before still cheaper ones are not tried.
 const FAILURES: usize = 2;
 /// What moves less than this, relative to what moves most in its unit or to its own size, is round-off.
@@ -117,7 +115,7 @@ impl Search<'_> {
             return found;
         }
         self.judge(&mut found);
-        found.named = cheapest(&found);
+        found.named = simplest(&found);
         if !found.is_interrupted {
             self.each_body::<M>(&mut found);
         }
@@ -341,14 +339,7 @@ pub(super) fn difference(found: &Found, a: &History, b: &History) -> f64 {
     worst(&errors(a, b), &found.scales, &found.chosen)
 }
 
-/// The first rung from below that suffices, or a later one that is much cheaper.
-fn cheapest(found: &Found) -> Option<usize> {
-    let cpu = |rung: usize| found.rungs[rung].trial().map_or(f64::INFINITY, |trial| trial.cpu);
-    let mut named: Option<usize> = None;
-    for rung in (0..found.rungs.len()).filter(|&rung| found.rungs[rung].suffices) {
-        if named.is_none_or(|named| cpu(rung) < CLEARLY * cpu(named)) {
-            named = Some(rung);
-        }
-    }
-    named
+/// The first rung from below that suffices. Times do not take part, so that the advice is the same in every run.
+fn simplest(found: &Found) -> Option<usize> {
+    (0..found.rungs.len()).find(|&rung| found.rungs[rung].suffices)
 }

@@ -181,15 +181,22 @@ fn an_accuracy_out_of_reach_is_said_with_what_to_do() {
 }
 
 #[test]
-fn a_richer_rung_is_named_where_it_is_much_cheaper() {
+fn a_richer_rung_that_is_faster_is_told() {
     let choices = choices(1, &[4.0]);
-    for (cost, expected) in [(0.6, "rigid"), (0.4, "modal(2)")] {
+    for (cost, is_told) in [(0.9, false), (0.4, true)] {
         let model = |setting: &Setting| match setting.fidelity[0].1 {
             Fidelity::Point => Ok((1.0, 1.0)),
             Fidelity::Modal(2) => Ok((0.0, cost)),
             _ => Ok((0.0, 1.0)),
         };
-        assert_eq!(named(&found(&choices, 1e-3, &model)), Some(expected));
+        let found = found(&choices, 1e-3, &model);
+        assert_eq!(named(&found), Some("rigid"));
+        let text = sentences(&choices, &found, 1e-3);
+        assert_eq!(
+            text.contains("the fastest is `modal(2)` with 400 ms"),
+            is_told,
+            "{text}"
+        );
     }
 }
 
