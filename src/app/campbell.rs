@@ -7,7 +7,7 @@ use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::history::Column;
 use super::modes::{SeenMode, is_round};
-use super::run::{Incomplete, RunError};
+use super::run_error::{Incomplete, RunError};
 use super::sweep::{Line, SweepProgress, SweepSettings};
 use crate::equilibrium::Kind;
 use crate::modes::{self, Critical, Mode, Wanted};

@@ -3,7 +3,7 @@
 
 use super::cautions;
 use super::clock::{Clock, Seconds};
-use super::run::RunError;
+use super::run_error::RunError;
 use super::sweep::{self, SweepSettings};
 use crate::equilibrium::{Kind, Uniform, follow};
 use crate::modes::{self, Mode, Wanted, Whirl};

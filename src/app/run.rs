@@ -1,19 +1,18 @@
 //! A run in time with its history in memory; nothing is printed or written here.
 
-use std::fmt;
 use std::ops::ControlFlow;
 
-use super::campbell::Campbell;
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::envelopes::Envelopes;
 use super::history::{Column, History};
 use super::pictures::Pictures;
-use super::steady::{self, Equilibria};
+use super::run_error::{Incomplete, RunError};
+use super::steady;
 use crate::mesh::Fidelity;
 use crate::{
-    Caution, Formulation, Integrator, Joints, Method, Model, ModelError, Options, Scene, SolveError, Start, State,
-    Statistics, StepSize,
+    Caution, Formulation, Integrator, Joints, Method, Model, Options, Scene, SolveError, Start, State, Statistics,
+    StepSize,
 };
 
 /// What to run and how.
@@ -110,76 +109,6 @@ pub struct RunResult {
     /// Why the run stopped before its end; `None` where it is complete.
     pub incomplete: Option<Incomplete>,
 }
-
-/// Why a run stopped before its end.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Incomplete {
-    /// The watcher asked for it (Ctrl-C on the command line).
-    Interrupted,
-    /// A step failed.
-    Solve(SolveError),
-    /// An output became infinite or not a number; the text names it.
-    Output(String),
-    /// There is no equilibrium, or no modes, beyond a value of what is continued; the text names it.
-    Equilibrium(String),
-}
-
-/// Why a run has no complete result.
-#[derive(Clone, Debug)]
-pub enum RunError {
-    /// A time is not a positive number, or asks for too many rows.
-    Settings(String),
-    /// The scene cannot be built from these parameters.
-    Model(ModelError),
-    /// The integration could not begin.
-    Start(SolveError),
-    /// The run stopped on its way; the result up to there.
-    Incomplete(Box<RunResult>),
-    /// There is no equilibrium, or no modes; the text says why and where.
-    Equilibrium(String),
-    /// The continuation of equilibria stopped on its way; the result up to there.
-    Equilibria(Box<Equilibria>),
-    /// The modes over a parameter or the spin stopped on their way; the result up to there.
-    Campbell(Box<Campbell>),
-}
-
-impl fmt::Display for Incomplete {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Incomplete::Interrupted => f.write_str("interrupted by the user"),
-            Incomplete::Solve(error) => error.fmt(f),
-            Incomplete::Output(text) | Incomplete::Equilibrium(text) => f.write_str(text),
-        }
-    }
-}
-
-impl fmt::Display for RunError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            RunError::Settings(text) => f.write_str(text),
-            RunError::Model(error) => error.fmt(f),
-            RunError::Start(error) => error.fmt(f),
-            RunError::Incomplete(result) => match &result.incomplete {
-                // The solver's error names the time itself.
-                Some(Incomplete::Solve(error)) => error.fmt(f),
-                Some(reason) => write!(f, "stopped at t = {} s: {reason}", result.state.t),
-                None => f.write_str("stopped before the end"),
-            },
-            RunError::Equilibrium(text) => f.write_str(text),
-            RunError::Equilibria(result) => stopped(f, result.incomplete.as_ref()),
-            RunError::Campbell(result) => stopped(f, result.incomplete.as_ref()),
-        }
-    }
-}
-
-fn stopped(f: &mut fmt::Formatter<'_>, reason: Option<&Incomplete>) -> fmt::Result {
-    match reason {
-        Some(reason) => write!(f, "{reason}"),
-        None => f.write_str("stopped before the end"),
-    }
-}
-
-impl std::error::Error for RunError {}
 
 /// Most rows of a history; 8 bytes for each of them and each column are kept in memory.
 const MOST_ROWS: f64 = 1e7;

@@ -7,7 +7,7 @@ use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::envelopes::Envelopes;
 use super::history::History;
-use super::run::{Incomplete, RunError};
+use super::run_error::{Incomplete, RunError};
 use super::sweep::{Line, SweepProgress, SweepSettings};
 use crate::equilibrium::{self, Kind};
 use crate::model::FrameState;

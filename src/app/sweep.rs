@@ -3,7 +3,7 @@
 
 use super::history::Column;
 use super::parameters::digits;
-use super::run::RunError;
+use super::run_error::RunError;
 use crate::equilibrium::{Continued, Kind, Spin, Uniform, continue_from, follow};
 use crate::error::SolveErrorKind;
 use crate::{Formulation, Joints, Model, ParamKind, Scene, SolveError, State};

@@ -7,7 +7,8 @@ use super::search::{Found, Outcome, Trial, difference, measure};
 use crate::app::clock::Clock;
 use crate::app::parameters::short;
 use crate::app::progress::Bar;
-use crate::app::run::{Incomplete, RunError, RunResult, RunSettings, run_watched};
+use crate::app::run::{RunResult, RunSettings, run_watched};
+use crate::app::run_error::{Incomplete, RunError};
 use crate::{Model, Options};
 
 /// Runs that take less than this altogether, s, are repeated, and the least time counts.

@@ -9,7 +9,8 @@ use std::time::{Duration, Instant};
 
 use crate::Model;
 use crate::app::clock::{Clock, thread_cpu_time};
-use crate::app::run::{Incomplete, RunError, RunResult, RunSettings, run_watched};
+use crate::app::run::{RunResult, RunSettings, run_watched};
+use crate::app::run_error::{Incomplete, RunError};
 
 /// How often Ctrl-C is looked for, and the clock of a run.
 const PAUSE: Duration = Duration::from_millis(20);

@@ -9,7 +9,8 @@ use super::parallel::{Ended, on_all_cores, solve};
 use super::reference::References;
 use super::table::{Counts, Outcome, Point, Table};
 use crate::Model;
-use crate::app::run::{Incomplete, RunError, RunSettings, run_watched};
+use crate::app::run::{RunSettings, run_watched};
+use crate::app::run_error::{Incomplete, RunError};
 
 /// A run is repeated until it has taken this processor time in all, s,
 const ENOUGH: f64 = 0.3;
