@@ -618,6 +618,9 @@ pub mod andrews_squeezer_equations {
         }
     }
     impl ::rncf::mesh::Parts for Equations {
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("force `motor` has no potential")
+        }
         fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([

@@ -2606,41 +2606,6 @@ pub mod bend45_equations {
                 _ => {}
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            None
-        }
-        fn conserving_force(
-            &self,
-            body: usize,
-            element: usize,
-            start: &[f64],
-            end: &[f64],
-            force: &mut [f64],
-        ) {
-            beam_spatial_curved_conserving_force(
-                &self.row_bend,
-                &self.reference_bend[element],
-                ::rncf::mesh::array(start),
-                ::rncf::mesh::array(end),
-                ::rncf::mesh::array_mut(force),
-            );
-        }
-        fn conserving_tangent(
-            &self,
-            body: usize,
-            element: usize,
-            start: &[f64],
-            end: &[f64],
-            stiffness: &mut [f64],
-        ) {
-            beam_spatial_curved_conserving_tangent(
-                &self.row_bend,
-                &self.reference_bend[element],
-                ::rncf::mesh::array(start),
-                ::rncf::mesh::array(end),
-                ::rncf::mesh::array_mut(stiffness),
-            );
-        }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
@@ -2676,6 +2641,41 @@ pub mod bend45_equations {
                 ::rncf::mesh::array(stress_free),
                 ::rncf::mesh::array(fields),
                 ::rncf::mesh::array_mut(forces),
+            );
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
+        }
+        fn conserving_force(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            force: &mut [f64],
+        ) {
+            beam_spatial_curved_conserving_force(
+                &self.row_bend,
+                &self.reference_bend[element],
+                ::rncf::mesh::array(start),
+                ::rncf::mesh::array(end),
+                ::rncf::mesh::array_mut(force),
+            );
+        }
+        fn conserving_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            stiffness: &mut [f64],
+        ) {
+            beam_spatial_curved_conserving_tangent(
+                &self.row_bend,
+                &self.reference_bend[element],
+                ::rncf::mesh::array(start),
+                ::rncf::mesh::array(end),
+                ::rncf::mesh::array_mut(stiffness),
             );
         }
         fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {

@@ -602,6 +602,9 @@ pub mod bricard_equations {
         }
     }
     impl ::rncf::mesh::Parts for Equations {
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
+        }
         fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([

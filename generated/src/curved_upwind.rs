@@ -1394,9 +1394,6 @@ pub mod curved_upwind_equations {
                 _ => {}
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("frame `hub` moves in a prescribed way")
-        }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
@@ -1431,6 +1428,9 @@ pub mod curved_upwind_equations {
                 ::rncf::mesh::array(fields),
                 ::rncf::mesh::array_mut(forces),
             );
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("frame `hub` moves in a prescribed way")
         }
         fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
             let model = &self.model;

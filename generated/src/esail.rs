@@ -2916,9 +2916,6 @@ pub mod esail_equations {
                 }
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("the load per length `thrust` has no potential")
-        }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let (body, instance) = self.kind(body);
             let model = &self.model;
@@ -2993,6 +2990,9 @@ pub mod esail_equations {
                     );
                 }
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("the load per length `thrust` has no potential")
         }
         fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
             let model = &self.model;

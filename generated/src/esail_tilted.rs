@@ -3834,9 +3834,6 @@ pub mod esail_tilted_equations {
                 }
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("the load per length `thrust` has no potential")
-        }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let (body, instance) = self.kind(body);
             let model = &self.model;
@@ -3911,6 +3908,9 @@ pub mod esail_tilted_equations {
                     );
                 }
             }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("the load per length `thrust` has no potential")
         }
         fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
             let model = &self.model;

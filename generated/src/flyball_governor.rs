@@ -1079,6 +1079,9 @@ pub mod flyball_governor_equations {
         }
     }
     impl ::rncf::mesh::Parts for Equations {
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("force `right_strut` has no potential")
+        }
         fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([

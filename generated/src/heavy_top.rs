@@ -258,6 +258,9 @@ pub mod heavy_top_equations {
         }
     }
     impl ::rncf::mesh::Parts for Equations {
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
+        }
         fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([

@@ -2289,39 +2289,6 @@ pub mod lateral_buckling_equations {
                 _ => {}
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            None
-        }
-        fn conserving_force(
-            &self,
-            body: usize,
-            element: usize,
-            start: &[f64],
-            end: &[f64],
-            force: &mut [f64],
-        ) {
-            beam_spatial_conserving_force(
-                &self.row_beam,
-                ::rncf::mesh::array(start),
-                ::rncf::mesh::array(end),
-                ::rncf::mesh::array_mut(force),
-            );
-        }
-        fn conserving_tangent(
-            &self,
-            body: usize,
-            element: usize,
-            start: &[f64],
-            end: &[f64],
-            stiffness: &mut [f64],
-        ) {
-            beam_spatial_conserving_tangent(
-                &self.row_beam,
-                ::rncf::mesh::array(start),
-                ::rncf::mesh::array(end),
-                ::rncf::mesh::array_mut(stiffness),
-            );
-        }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
@@ -2357,6 +2324,39 @@ pub mod lateral_buckling_equations {
                 ::rncf::mesh::array(stress_free),
                 ::rncf::mesh::array(fields),
                 ::rncf::mesh::array_mut(forces),
+            );
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
+        }
+        fn conserving_force(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            force: &mut [f64],
+        ) {
+            beam_spatial_conserving_force(
+                &self.row_beam,
+                ::rncf::mesh::array(start),
+                ::rncf::mesh::array(end),
+                ::rncf::mesh::array_mut(force),
+            );
+        }
+        fn conserving_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            stiffness: &mut [f64],
+        ) {
+            beam_spatial_conserving_tangent(
+                &self.row_beam,
+                ::rncf::mesh::array(start),
+                ::rncf::mesh::array(end),
+                ::rncf::mesh::array_mut(stiffness),
             );
         }
         fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {

@@ -3436,63 +3436,6 @@ pub mod right_angle_frame_equations {
                 }
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            None
-        }
-        fn conserving_force(
-            &self,
-            body: usize,
-            element: usize,
-            start: &[f64],
-            end: &[f64],
-            force: &mut [f64],
-        ) {
-            match body {
-                0 => {
-                    beam_spatial_conserving_force(
-                        &self.row_first,
-                        ::rncf::mesh::array(start),
-                        ::rncf::mesh::array(end),
-                        ::rncf::mesh::array_mut(force),
-                    );
-                }
-                _ => {
-                    beam_spatial_conserving_force(
-                        &self.row_second,
-                        ::rncf::mesh::array(start),
-                        ::rncf::mesh::array(end),
-                        ::rncf::mesh::array_mut(force),
-                    );
-                }
-            }
-        }
-        fn conserving_tangent(
-            &self,
-            body: usize,
-            element: usize,
-            start: &[f64],
-            end: &[f64],
-            stiffness: &mut [f64],
-        ) {
-            match body {
-                0 => {
-                    beam_spatial_conserving_tangent(
-                        &self.row_first,
-                        ::rncf::mesh::array(start),
-                        ::rncf::mesh::array(end),
-                        ::rncf::mesh::array_mut(stiffness),
-                    );
-                }
-                _ => {
-                    beam_spatial_conserving_tangent(
-                        &self.row_second,
-                        ::rncf::mesh::array(start),
-                        ::rncf::mesh::array(end),
-                        ::rncf::mesh::array_mut(stiffness),
-                    );
-                }
-            }
-        }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             match body {
@@ -3567,6 +3510,63 @@ pub mod right_angle_frame_equations {
                         ::rncf::mesh::array(stress_free),
                         ::rncf::mesh::array(fields),
                         ::rncf::mesh::array_mut(forces),
+                    );
+                }
+            }
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
+        }
+        fn conserving_force(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            force: &mut [f64],
+        ) {
+            match body {
+                0 => {
+                    beam_spatial_conserving_force(
+                        &self.row_first,
+                        ::rncf::mesh::array(start),
+                        ::rncf::mesh::array(end),
+                        ::rncf::mesh::array_mut(force),
+                    );
+                }
+                _ => {
+                    beam_spatial_conserving_force(
+                        &self.row_second,
+                        ::rncf::mesh::array(start),
+                        ::rncf::mesh::array(end),
+                        ::rncf::mesh::array_mut(force),
+                    );
+                }
+            }
+        }
+        fn conserving_tangent(
+            &self,
+            body: usize,
+            element: usize,
+            start: &[f64],
+            end: &[f64],
+            stiffness: &mut [f64],
+        ) {
+            match body {
+                0 => {
+                    beam_spatial_conserving_tangent(
+                        &self.row_first,
+                        ::rncf::mesh::array(start),
+                        ::rncf::mesh::array(end),
+                        ::rncf::mesh::array_mut(stiffness),
+                    );
+                }
+                _ => {
+                    beam_spatial_conserving_tangent(
+                        &self.row_second,
+                        ::rncf::mesh::array(start),
+                        ::rncf::mesh::array(end),
+                        ::rncf::mesh::array_mut(stiffness),
                     );
                 }
             }

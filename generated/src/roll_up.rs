@@ -999,9 +999,6 @@ pub mod roll_up_equations {
                 _ => {}
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("load `bend` is a moment, which has no potential")
-        }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
@@ -1039,6 +1036,9 @@ pub mod roll_up_equations {
                 ::rncf::mesh::array(fields),
                 ::rncf::mesh::array_mut(forces),
             );
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("load `bend` is a moment, which has no potential")
         }
         fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
             let model = &self.model;

@@ -1410,9 +1410,6 @@ pub mod rotating_cantilever_equations {
                 _ => {}
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("frame `hub` moves in a prescribed way")
-        }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
@@ -1446,6 +1443,9 @@ pub mod rotating_cantilever_equations {
                 ::rncf::mesh::array(fields),
                 ::rncf::mesh::array_mut(forces),
             );
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("frame `hub` moves in a prescribed way")
         }
         fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
             let model = &self.model;

@@ -1338,9 +1338,6 @@ pub mod spin_up_equations {
                 _ => {}
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("frame `hub` moves in a prescribed way")
-        }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
@@ -1374,6 +1371,9 @@ pub mod spin_up_equations {
                 ::rncf::mesh::array(fields),
                 ::rncf::mesh::array_mut(forces),
             );
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("frame `hub` moves in a prescribed way")
         }
         fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
             let model = &self.model;

@@ -1515,9 +1515,6 @@ pub mod spin_up_spatial_equations {
                 _ => {}
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("frame `hub` moves in a prescribed way")
-        }
         fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
@@ -1551,6 +1548,9 @@ pub mod spin_up_spatial_equations {
                 ::rncf::mesh::array(fields),
                 ::rncf::mesh::array_mut(forces),
             );
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("frame `hub` moves in a prescribed way")
         }
         fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
             let model = &self.model;

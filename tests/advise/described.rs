@@ -1,8 +1,5 @@
 //! Bodies described otherwise than they are declared.
 
-// Bodies that cannot be described so need no outputs.
-#![allow(deprecated)]
-
 use rncf::app::{RunSettings, Wanted, advise, run};
 use rncf::mesh::Fidelity;
 use rncf::{Formulation, Joints, Model};
@@ -64,6 +61,7 @@ rncf::model! {
             joint spoke_root[a] = clamp(spoke[a].start, hub);
         }
         output tip = right.end;
+        output others = loaded.end + blade.end + drifter.end + stiff.end + spoke[0].end;
         run { t_end = 1 s; every = 0.1 s; }
     }
 }

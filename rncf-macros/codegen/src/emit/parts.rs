@@ -62,9 +62,9 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
         text += &writer.bodies();
         text += &writer.prepare();
         text += &writer.element_functions();
-        text += &writer.conserving();
         text += &writer.sections();
     }
+    text += &writer.conserving();
     if !model.joints.is_empty() {
         text += &writer.joints();
         text += &writer.conditions();
