@@ -172,6 +172,6 @@ fn steps_that_an_error_test_chooses_are_no_excuse() {
             "{method:?}: {} steps, {changes} changes: ours {found:.1e}, carried {carried:.1e}, plain start {plain:.1e}",
             steps.len()
         );
-        assert!(changes > 2 && found < 1e-2 && plain > 30.0 * found);
+        assert!(changes > 2 && found < 1e-2 && plain > 10.0 * found);
     }
 }
