@@ -429,7 +429,7 @@ mod tests {
         assert_eq!(result.warnings, ["the spring is soft at 6 rad/s"]);
         let summary = crate::app::summary::of_run(&rotor, &result);
         assert_eq!(summary["notes"][1], "the spring is soft at 6 rad/s");
-        let steady = steady::steady(&rotor, &SweepSettings::default()).unwrap();
+        let steady = steady(&rotor, &SweepSettings::default()).unwrap();
         assert_eq!(steady.warnings, result.warnings);
     }
 

@@ -61,7 +61,7 @@ rncf::model! {
             joint spoke_root[a] = clamp(spoke[a].start, hub);
         }
         output tip = right.end;
-        output others = loaded.end + blade.end + drifter.end + stiff.end + spoke[0].end;
+        output others = loaded.end.x + blade.end.x + drifter.end.x + stiff.end.x + spoke[0].end.x;
         run { t_end = 1 s; every = 0.1 s; }
     }
 }
