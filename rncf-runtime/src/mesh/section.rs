@@ -379,15 +379,10 @@ impl<'a> Reader<'a> {
         };
         let [free, values, rates, forces] = &mut self.fields;
         for (fields, local) in [&mut *free, &mut *values, &mut *rates].into_iter().zip(local) {
-            let vectors = fields.chunks_exact_mut(dimension);
-            for (field, weights) in vectors.zip(weights.chunks_exact(count)) {
-                field.fill(0.0);
-                for (weight, vector) in weights.iter().zip(local.chunks_exact(dimension)) {
-                    field
-                        .iter_mut()
-                        .zip(vector)
-                        .for_each(|(sum, value)| *sum += weight * value);
-                }
+            if dimension == 2 {
+                interpolate::<2>(weights, &local[..2 * count], fields);
+            } else {
+                interpolate::<3>(weights, &local[..3 * count], fields);
             }
         }
         forces.fill(0.0);
@@ -398,6 +393,21 @@ impl<'a> Reader<'a> {
             values: &self.fields[1],
             forces: &self.fields[3],
         }
+    }
+}
+
+/// Fields of D components from the nodal vectors, with one weight for each vector and field.
+fn interpolate<const D: usize>(weights: &[f64], local: &[f64], fields: &mut [f64]) {
+    let (vectors, _) = local.as_chunks::<D>();
+    let (fields, _) = fields.as_chunks_mut::<D>();
+    for (field, weights) in fields.iter_mut().zip(weights.chunks_exact(vectors.len())) {
+        let mut sum = [0.0; D];
+        for (weight, vector) in weights.iter().zip(vectors) {
+            for k in 0..D {
+                sum[k] += weight * vector[k];
+            }
+        }
+        *field = sum;
     }
 }
 
