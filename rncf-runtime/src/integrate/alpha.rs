@@ -21,7 +21,7 @@ use super::Statistics;
 use super::bordered::{Bordered, Measure};
 use super::charts::Charts;
 use super::compensated::{self, Low};
-use super::control::Controller;
+use super::control::{Controller, RETRY};
 use super::history::History;
 use super::newton::{self, Factors, Failure, Iterate, Newton, norm};
 use super::options::{Options, StepSize};
@@ -33,14 +33,6 @@ use crate::system::{State, System};
 /// Tolerance of Newton's increments relative to the sizes of the unknowns with a fixed step, where
 /// no error test needs it but orders of convergence should be visible.
 const FIXED_STEP_RTOL: f64 = 1e-10;
-/// Order of the local error in the step.
-const LOCAL_ORDER: f64 = 3.0;
-/// Largest growth from one step to the next.
-const GROWTH: f64 = 2.0;
-/// Part of the way that a proposed step rises: errors of stiff motions oscillate over many steps.
-const RELEASE: f64 = 0.1;
-/// Ratio of the next attempt to one whose iteration failed (THEORY 7.1).
-const RETRY: f64 = 0.25;
 /// Difference step of the first jerk relative to the first step.
 const DIFFERENCE: f64 = 1e-3;
 
@@ -153,7 +145,7 @@ impl Alpha {
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (options.rtol * size)).collect(),
             newton: Newton::new(system, coefficients.factors(), rtol, options.stabilised),
             bordered: Bordered::new(system),
-            controller: Controller::new(LOCAL_ORDER, GROWTH, RELEASE),
+            controller: Controller::of_second_order(),
             history: History::new(n, m),
             now: zeros.clone(),
             before: zeros.clone(),
@@ -442,7 +434,6 @@ impl Scheme for Alpha {
 
     fn worst_error(&self) -> Option<usize> {
         // `work` holds the local error since the attempt failed its test.
-        let weighted = |i: usize| (self.work[i] * self.inverse_weights[i]).abs();
-        (0..self.work.len()).max_by(|&i, &j| weighted(i).total_cmp(&weighted(j)))
+        newton::largest(&self.work, &self.inverse_weights)
     }
 }

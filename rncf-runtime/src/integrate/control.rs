@@ -21,6 +21,9 @@ const BELOW_FAILURE: f64 = 0.6;
 /// Growth of that limit from step to step.
 const RECOVERY: f64 = 1.05;
 
+/// Ratio of the next attempt of a method of second order to one whose iteration failed (THEORY 7.1).
+pub(super) const RETRY: f64 = 0.25;
+
 /// Controller of a method whose local error is of a given order in the step.
 #[derive(Clone, Debug)]
 pub(super) struct Controller {
@@ -49,6 +52,12 @@ impl Controller {
             rejected: false,
             trusted: f64::INFINITY,
         }
+    }
+
+    /// The controller of methods of second order, whose local errors of positions are of the third: a step grows by two at
+    /// most, and proposals rise slowly, since errors of stiff motions oscillate over many steps.
+    pub(super) fn of_second_order() -> Self {
+        Self::new(3.0, 2.0, 0.1)
     }
 
     /// Forgets the history: a start or a restart.
@@ -109,7 +118,7 @@ mod tests {
 
     /// Steps of a method of third order under a local error of `of(t) h^3`, rejected ones counted.
     fn steps(of: impl Fn(f64) -> f64) -> (Vec<f64>, usize) {
-        let mut controller = Controller::new(3.0, 2.0, 0.1);
+        let mut controller = Controller::of_second_order();
         let (mut t, mut h, mut taken, mut rejected) = (0.0, 1e-4, Vec::new(), 0);
         while t < 100.0 {
             let error = of(t + 0.5 * h) * h * h * h;
@@ -162,7 +171,7 @@ mod tests {
 
     #[test]
     fn a_failed_iteration_keeps_the_step_short_for_a_while() {
-        let mut controller = Controller::new(3.0, 2.0, 0.1);
+        let mut controller = Controller::of_second_order();
         let mut h = controller.failed(1.0, 0.25);
         assert_eq!(h, 0.25);
         for _ in 0..5 {

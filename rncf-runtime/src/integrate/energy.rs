@@ -21,8 +21,8 @@ use super::Statistics;
 use super::bordered::Bordered;
 use super::charts::Charts;
 use super::compensated::{self, Low};
-use super::control::Controller;
-use super::newton::{norm, row};
+use super::control::{Controller, RETRY};
+use super::newton::{largest, norm, row};
 use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
 use crate::error::SolveErrorKind;
@@ -30,14 +30,6 @@ use crate::linalg::Singular;
 use crate::system::{State, System};
 use newton::{Newton, Trial};
 
-/// Order of the local error of positions.
-const LOCAL_ORDER: f64 = 3.0;
-/// Largest growth from one step to the next.
-const GROWTH: f64 = 2.0;
-/// Part of the way that a proposed step rises towards what the last step allowed.
-const RELEASE: f64 = 0.1;
-/// Ratio of the next attempt to one whose iteration failed (THEORY 7.1).
-const RETRY: f64 = 0.25;
 /// Most iterations of a step, and of one that starts from uniform motion.
 const ITERATIONS: u32 = 16;
 const PATIENT_ITERATIONS: u32 = 60;
@@ -76,7 +68,7 @@ impl EnergyMomentum {
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (options.rtol * size)).collect(),
             newton: Newton::new(system),
             bordered: Bordered::new(system),
-            controller: Controller::new(LOCAL_ORDER, GROWTH, RELEASE),
+            controller: Controller::of_second_order(),
             carried: n - system.border(),
             now: zeros.clone(),
             before: zeros.clone(),
@@ -238,7 +230,6 @@ impl Scheme for EnergyMomentum {
 
     fn worst_error(&self) -> Option<usize> {
         // `work` holds the local error since the attempt failed its test.
-        let weighted = |i: usize| (self.work[i] * self.inverse_weights[i]).abs();
-        (0..self.work.len()).max_by(|&i, &j| weighted(i).total_cmp(&weighted(j)))
+        largest(&self.work, &self.inverse_weights)
     }
 }

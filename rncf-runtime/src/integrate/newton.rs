@@ -363,8 +363,7 @@ impl Newton {
     }
 
     fn diverged(&self) -> Failure {
-        let weighted = |i: usize| (self.dx[i] * self.inverse_weights[i]).abs();
-        let worst = (0..self.dx.len()).max_by(|&i, &j| weighted(i).total_cmp(&weighted(j)));
+        let worst = largest(&self.dx, &self.inverse_weights);
         Failure::Failed(Cause::Newton { worst })
     }
 
@@ -511,6 +510,12 @@ pub(super) fn row(singular: Singular, unknowns: usize) -> Option<usize> {
         Singular::Constraint(index) => Some(unknowns + index),
         Singular::Somewhere => None,
     }
+}
+
+/// Index of the largest `|y_i * factor_i|`, the last of equal ones; `None` without unknowns.
+pub(super) fn largest(y: &[f64], factors: &[f64]) -> Option<usize> {
+    let size = |i: usize| (y[i] * factors[i]).abs();
+    (0..y.len()).max_by(|&i, &j| size(i).total_cmp(&size(j)))
 }
 
 /// Root of the mean square of `y_i * factor_i`; 0 without unknowns.

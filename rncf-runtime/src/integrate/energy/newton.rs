@@ -7,7 +7,7 @@
 use super::super::Statistics;
 use super::super::charts::Charts;
 use super::super::compensated::{self, Low};
-use super::super::newton::{norm, row};
+use super::super::newton::{largest, norm, row};
 use super::super::scheme::Cause;
 use crate::linalg::{Pattern, Saddle};
 use crate::system::{Conserving, ConstraintLevel, State, System};
@@ -137,8 +137,7 @@ impl Newton {
     }
 
     fn worst(&self) -> Option<usize> {
-        let sized = |i: usize| (self.dx[i] * self.inverse_sizes[i]).abs();
-        (0..self.dx.len()).max_by(|&i, &j| sized(i).total_cmp(&sized(j)))
+        largest(&self.dx, &self.inverse_sizes)
     }
 
     fn is_made_for(&self, h: f64) -> bool {

@@ -18,6 +18,7 @@ use super::coefficients::Coefficients;
 use super::matrices::Matrices;
 use super::stages::Stages;
 use crate::integrate::Statistics;
+use crate::integrate::newton::largest;
 use crate::system::{State, System};
 
 /// Memory and weights of the estimate.
@@ -131,7 +132,6 @@ impl Estimate {
 
     /// The unknown with the largest part in the last estimate.
     pub(super) fn worst(&self) -> Option<usize> {
-        let size = |i: usize| (self.x[i] * self.inverse_weights[i]).abs();
-        (0..self.x.len()).max_by(|&i, &j| size(i).total_cmp(&size(j)))
+        largest(&self.x, &self.inverse_weights)
     }
 }
