@@ -29,6 +29,8 @@ pub(super) struct Arguments<M> {
     pub lists: Vec<List>,
     pub frequency: Frequency,
     pub out: PathBuf,
+    /// The words behind the program's name, quoted where a shell needs it.
+    pub line: String,
     pub quiet: bool,
     /// Whether an animation is written.
     pub animate: bool,
@@ -65,17 +67,31 @@ pub(super) fn parse<M: Model>(
     program: &Program<'_>,
     words: impl IntoIterator<Item = OsString>,
 ) -> Result<Arguments<M>, Refusal> {
+    let words: Vec<OsString> = words.into_iter().collect();
+    let told = words.iter().map(|word| quoted(&word.to_string_lossy()));
+    let told = told.collect::<Vec<_>>().join(" ");
     let line = std::iter::once(program.name.into()).chain(words);
     let matches = command_line::<M>(program)
         .try_get_matches_from(line)
         .map_err(|error| match error.kind() {
-            clap::error::ErrorKind::DisplayHelp => Refusal::Help(error.to_string()),
+            clap::error::ErrorKind::DisplayHelp | clap::error::ErrorKind::DisplayVersion => {
+                Refusal::Help(error.to_string())
+            }
             _ => Refusal::Mistake(error.to_string().trim_start_matches("error: ").trim_end().into()),
         })?;
-    read(program, &matches).map_err(Refusal::Mistake)
+    read(program, told, &matches).map_err(Refusal::Mistake)
 }
 
-fn read<M: Model>(program: &Program<'_>, matches: &ArgMatches) -> Result<Arguments<M>, String> {
+/// A word as a shell reads it back.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_=./:,+%@".contains(c);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        return word.into();
+    }
+    format!("'{}'", word.replace('\'', "'\\''"))
+}
+
+fn read<M: Model>(program: &Program<'_>, line: String, matches: &ArgMatches) -> Result<Arguments<M>, String> {
     let mut words: Vec<String> = matches.get_many("words").into_iter().flatten().cloned().collect();
     let command = words.first().and_then(|word| Command::named(word));
     if command.is_some() {
@@ -111,6 +127,7 @@ fn read<M: Model>(program: &Program<'_>, matches: &ArgMatches) -> Result<Argumen
         lists: assigned.lists,
         frequency: text(matches, "frequency").map_or_else(Frequency::default, Frequency::named),
         out: out.unwrap_or_else(|| program.out.clone()),
+        line,
         quiet: matches.get_flag("quiet"),
         animate: matches.get_flag("animate"),
         vtu: matches.get_flag("vtu"),
@@ -316,6 +333,7 @@ fn command_line<M: Model>(program: &Program<'_>) -> clap::Command {
     let names = Command::ALL.map(Command::name).join("|");
     let usage = format!("{} [{names}] [name=value ...] [name=from..to] [flags]", program.name);
     clap::Command::new(M::NAME)
+        .version(concat!("of rncf ", env!("CARGO_PKG_VERSION")))
         .about(about::<M>())
         .override_usage(usage)
         .after_help(after_help::<M>(program.default, program.more))
@@ -453,7 +471,22 @@ mod tests {
         assert_eq!(arguments.command, Command::Run);
         assert_eq!(arguments.settings, RunSettings::default());
         assert_eq!(arguments.out, PathBuf::from("out/rotor"));
-        assert!(!arguments.quiet);
+        assert!(!arguments.quiet && arguments.line.is_empty());
+    }
+
+    #[test]
+    fn the_line_is_told_as_a_shell_reads_it() {
+        let arguments = read(&["run", "omega=4 rad/s", "--rtol", "1e-7"]).unwrap();
+        assert_eq!(arguments.line, "run 'omega=4 rad/s' --rtol 1e-7");
+        assert_eq!(quoted("it's"), r"'it'\''s'");
+    }
+
+    #[test]
+    fn the_version_is_told() {
+        let Err(Refusal::Help(text)) = read(&["--version"]) else {
+            panic!("no version")
+        };
+        assert_eq!(text.trim(), concat!("Rotor of rncf ", env!("CARGO_PKG_VERSION")));
     }
 
     #[test]

@@ -12,7 +12,8 @@ use super::modes::modes;
 use super::parameters::{digits, short};
 use super::pictures::{Pictures, animation, paraview};
 use super::progress::Bar;
-use super::run::run_watched;
+use super::recorder::{HISTORY, OnDisk};
+use super::run::run_recorded;
 use super::run_error::{Incomplete, RunError};
 use super::steady::equilibria;
 use super::summary::{self, Summary};
@@ -43,7 +44,7 @@ impl From<&RunError> for Failure {
     fn from(error: &RunError) -> Self {
         let reason = match error {
             RunError::Settings(_) | RunError::Model(_) => return Failure::new(MISTAKE, error),
-            RunError::Start(_) | RunError::Equilibrium(_) => None,
+            RunError::Start(_) | RunError::Files(_) | RunError::Equilibrium(_) => None,
             RunError::Incomplete(result) => result.incomplete.as_ref(),
             RunError::Equilibria(result) => result.incomplete.as_ref(),
             RunError::Campbell(result) => result.incomplete.as_ref(),
@@ -55,7 +56,8 @@ impl From<&RunError> for Failure {
 
 /// Does what the arguments say and writes; the text for standard output.
 pub(super) fn execute<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
-    files::create_folder(&arguments.out).map_err(|text| Failure::new(FAILURE, text))?;
+    let claimed = files::create_folder(&arguments.out).and_then(|()| files::claim(&arguments.out));
+    let _claim = claimed.map_err(|text| Failure::new(FAILURE, text))?;
     match arguments.command {
         Command::Run => execute_run(arguments, interrupted),
         Command::Steady => execute_equilibria(arguments, Kind::Steady, interrupted),
@@ -77,7 +79,8 @@ fn flow(is_interrupted: bool) -> ControlFlow<()> {
 
 fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
     let mut bar = Bar::new(arguments.quiet);
-    let outcome = run_watched(&arguments.model, &arguments.settings, |progress| {
+    let mut recorder = OnDisk::new(arguments);
+    let outcome = run_recorded(&arguments.model, &arguments.settings, &mut recorder, |progress| {
         bar.show(progress);
         flow(interrupted())
     });
@@ -89,9 +92,9 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
         Err(error) => return Err(Failure::from(&error)),
     };
     let summary = summary::of_run(&arguments.model, &result);
-    let table = ("history.csv", result.history.to_csv());
     let part = report::run_part::<M>(&result.history, &result.steps, &result.cautions);
-    let mut files = write(arguments, "run", table, &summary, part)?;
+    let mut files = format!("  {}\n", arguments.out.join(HISTORY).display());
+    files += &write_told(arguments, "run", &summary, part)?;
     match &result.pictures {
         Some(pictures) => files += &write_pictures(arguments, pictures)?,
         None if result.settings.pictures => files += "\n  (no pictures: this scene has nothing to draw)",
@@ -157,7 +160,7 @@ fn way(history: &History, seconds: Seconds) -> String {
     };
     format!(
         "{} steps up to {} = {}{unit}, {} s",
-        history.keys.len(),
+        history.rows(),
         key.name,
         short(last),
         digits(seconds.cpu, 3)
@@ -230,21 +233,31 @@ fn finish(head: String, warnings: &[String], files: String, failure: Option<Fail
     }
 }
 
-/// Writes the three files; their paths, one a line.
+/// Writes the table, the summary and the report; their paths, one a line.
 pub(super) fn write<M: Model>(
     arguments: &Arguments<M>,
     what: &str,
-    table: (&str, String),
+    (name, table): (&str, String),
+    summary: &Summary,
+    part: Result<String, String>,
+) -> Result<String, Failure> {
+    files::write(&arguments.out, name, &table).map_err(|text| Failure::new(FAILURE, text))?;
+    let told = write_told(arguments, what, summary, part)?;
+    Ok(format!("  {}\n{told}", arguments.out.join(name).display()))
+}
+
+/// Writes the summary and the report.
+fn write_told<M: Model>(
+    arguments: &Arguments<M>,
+    what: &str,
     summary: &Summary,
     part: Result<String, String>,
 ) -> Result<String, Failure> {
     let written = || {
-        let page = report::page(&arguments.model, what, summary, &part?);
-        let contents = [
-            table,
-            ("summary.json", summary::to_text(summary)),
-            ("report.html", page),
-        ];
+        let mut summary = summary.clone();
+        summary::command_line(&mut summary, &arguments.line);
+        let page = report::page(&arguments.model, what, &summary, &part?);
+        let contents = [("summary.json", summary::to_text(&summary)), ("report.html", page)];
         let mut paths = Vec::new();
         for (name, text) in contents {
             files::write(&arguments.out, name, &text)?;
@@ -350,6 +363,15 @@ mod tests {
         }
         assert_eq!(summary["parameters"]["coils"], 4);
         assert_eq!(summary["parameters"]["omega"], 3.0);
+        assert_eq!(summary["parameters_in_units"]["omega"], "3 rad/s");
+        let line = summary["command_line"].as_str().unwrap();
+        assert!(
+            line.starts_with("coils=4 loss=0 --integrator hht --max-step '1 ms' --out "),
+            "{line}"
+        );
+        assert_eq!(summary["model_text"], <Rotor as Model>::SOURCE);
+        assert_eq!(summary["model_hash"].as_str().unwrap().len(), 16);
+        assert!(summary["date"].as_str().unwrap().ends_with('Z'));
         for key in [
             "steps",
             "steps_at_ceiling",
@@ -396,6 +418,46 @@ mod tests {
                 .unwrap()
                 .contains("interrupted by the user")
         );
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn while_it_runs_the_rows_are_on_disk_and_the_summary_says_so() {
+        let folder = temporary_folder("running");
+        fs::create_dir_all(&folder).unwrap();
+        fs::write(folder.join("report.html"), "of an earlier run").unwrap();
+        let program = Program {
+            name: "rotor",
+            default: Command::Run,
+            more: "",
+            out: folder.clone(),
+        };
+        let words = ["--every", "1 ms", "--integrator", "hht", "--t-end", "2 s"].map(OsString::from);
+        let Ok(arguments) = parse::<Rotor>(&program, words) else {
+            panic!("a mistake on the command line")
+        };
+        let seen = std::cell::Cell::new(0);
+        let begun = std::time::Instant::now();
+        let outcome = execute(&arguments, || {
+            // What another process would find, or anybody after a kill.
+            if seen.get() == 0 && begun.elapsed() > std::time::Duration::from_millis(600) {
+                let text = fs::read_to_string(folder.join("history.csv")).unwrap();
+                assert!(text.ends_with('\n') && text.lines().all(|line| line.split(',').count() == 4));
+                seen.set(text.lines().count());
+                let summary = summary(&folder);
+                assert_eq!(summary["completed"], false);
+                assert!(summary["reason"].as_str().unwrap().starts_with("still running"));
+                assert!(!folder.join("report.html").exists());
+                let error = files::claim(&folder).unwrap_err();
+                assert!(error.contains("another run writes to"), "{error}");
+            }
+            std::thread::sleep(std::time::Duration::from_millis(2));
+            false
+        });
+        outcome.map_err(|failure| failure.message).unwrap();
+        assert!(seen.get() > 10, "{} lines", seen.get());
+        assert_eq!(rows(&folder, "history.csv").len(), 2001);
+        assert_eq!(summary(&folder)["rows"], 2001);
         fs::remove_dir_all(folder).unwrap();
     }
 

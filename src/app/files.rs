@@ -1,6 +1,7 @@
-//! Files that are complete or absent, never half-written.
+//! Files that are complete or absent, never half-written, and the folder that they are written to.
 
-use std::fs;
+use std::fs::{self, File, TryLockError};
+use std::io::ErrorKind;
 use std::path::Path;
 
 /// Writes `text` to `folder/name`: first to a temporary name, then renamed.
@@ -16,6 +17,48 @@ pub(super) fn write(folder: &Path, name: &str, text: &str) -> Result<(), String>
         let _ = fs::remove_file(&partial);
         format!("cannot write {}: {error}", path.display())
     })
+}
+
+/// Takes away files of an earlier result, which would contradict a new one.
+///
+/// # Errors
+/// The path and the system's reason; a file that is not there is none.
+pub(super) fn remove(folder: &Path, names: &[&str]) -> Result<(), String> {
+    for name in names {
+        let path = folder.join(name);
+        match fs::remove_file(&path) {
+            Err(error) if error.kind() != ErrorKind::NotFound => {
+                return Err(format!("cannot remove {}: {error}", path.display()));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// Keeps other programs of this kind out of a folder for as long as it lives.
+#[derive(Debug)]
+pub(super) struct Claim {
+    _folder: Option<File>,
+}
+
+/// Claims the folder.
+///
+/// # Errors
+/// Another program writes to it. A system that cannot say so lets everybody in.
+pub(super) fn claim(folder: &Path) -> Result<Claim, String> {
+    let Ok(handle) = File::open(folder) else {
+        return Ok(Claim { _folder: None });
+    };
+    match handle.try_lock() {
+        Err(TryLockError::WouldBlock) => Err(format!(
+            "another run writes to {}: wait for its end, or name another folder with `--out`",
+            folder.display()
+        )),
+        // The system gives the folder free with the end of the program, whatever ends it.
+        Ok(()) => Ok(Claim { _folder: Some(handle) }),
+        Err(TryLockError::Error(_)) => Ok(Claim { _folder: None }),
+    }
 }
 
 /// Makes the folder with all its parents.
@@ -43,6 +86,29 @@ mod tests {
             .map(|entry| entry.unwrap().file_name())
             .collect();
         assert_eq!(names, ["a.csv"]);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_folder_has_one_writer_at_a_time() {
+        let folder = temporary_folder("files-claimed");
+        create_folder(&folder).unwrap();
+        let first = claim(&folder).unwrap();
+        let error = claim(&folder).unwrap_err();
+        assert!(error.starts_with("another run writes to "), "{error}");
+        drop(first);
+        claim(&folder).unwrap();
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn files_of_an_earlier_result_are_taken_away() {
+        let folder = temporary_folder("files-removed");
+        create_folder(&folder).unwrap();
+        write(&folder, "a.csv", "old").unwrap();
+        remove(&folder, &["a.csv", "b.csv"]).unwrap();
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
         fs::remove_dir_all(&folder).unwrap();
     }
 

@@ -2,7 +2,11 @@
 
 use std::fmt::Write;
 
+use super::sketch::Sketch;
 use crate::{Model, Output};
+
+/// Most rows of a table that is written to disk as it grows: those that pictures need.
+pub(super) const SKETCHED: usize = 1 << 13;
 
 /// Values of all outputs, row by row.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +20,12 @@ pub struct History {
     pub keys: Vec<f64>,
     /// Values row by row, SI; `columns.len()` for each of [`History::keys`].
     pub values: Vec<f64>,
+    /// Number of rows met.
+    rows: u64,
+    /// Smallest and largest value of every column, once there are rows.
+    extremes: Vec<(Extreme, Extreme)>,
+    /// Thins the rows where the whole table is on disk.
+    sketch: Option<Sketch>,
 }
 
 /// Head of a column.
@@ -59,7 +69,21 @@ impl History {
             columns: M::outputs().iter().flat_map(columns).collect(),
             keys: Vec::new(),
             values: Vec::new(),
+            rows: 0,
+            extremes: Vec::new(),
+            sketch: None,
         }
+    }
+
+    /// Keeps from now on what pictures need: a bounded number of rows, of which each pair has the least and greatest values
+    /// of several.
+    pub(super) fn thin(&mut self) {
+        self.sketch = Some(Sketch::new(SKETCHED));
+    }
+
+    /// Number of rows of the whole table.
+    pub fn rows(&self) -> u64 {
+        self.rows
     }
 
     /// Adds a row.
@@ -73,8 +97,26 @@ impl History {
                 self.columns[index].name, self.key.name, self.key.unit
             ));
         }
-        self.keys.push(key);
-        self.values.extend_from_slice(row);
+        self.rows += 1;
+        let extreme = |&value: &f64| Extreme { value, at: key };
+        if self.extremes.is_empty() {
+            self.extremes = row.iter().map(|value| (extreme(value), extreme(value))).collect();
+        }
+        for ((low, high), value) in self.extremes.iter_mut().zip(row) {
+            if *value < low.value {
+                *low = extreme(value);
+            }
+            if *value > high.value {
+                *high = extreme(value);
+            }
+        }
+        match &mut self.sketch {
+            Some(sketch) => sketch.add(&mut self.keys, &mut self.values, key, row),
+            None => {
+                self.keys.push(key);
+                self.values.extend_from_slice(row);
+            }
+        }
         Ok(())
     }
 
@@ -94,36 +136,36 @@ impl History {
 
     /// Smallest and largest value of a column with the rows where they stand; `None` without rows.
     pub fn extremes(&self, index: usize) -> Option<(Extreme, Extreme)> {
-        let mut found: Option<(Extreme, Extreme)> = None;
-        for (&at, value) in self.keys.iter().zip(self.column(index)) {
-            let here = Extreme { value, at };
-            let (low, high) = found.get_or_insert((here, here));
-            if value < low.value {
-                *low = here;
-            }
-            if value > high.value {
-                *high = here;
-            }
-        }
-        found
+        self.extremes.get(index).copied()
     }
 
     /// The table as comma-separated text, 17 significant digits.
     pub fn to_csv(&self) -> String {
-        let mut text = self.key.head();
-        for column in &self.columns {
-            let _ = write!(text, ",{}", column.head());
-        }
+        let mut text = self.csv_head();
         text.push('\n');
-        for (row, key) in self.keys.iter().enumerate() {
-            let _ = write!(text, "{key:.16e}");
-            let width = self.columns.len();
-            for value in &self.values[row * width..(row + 1) * width] {
-                let _ = write!(text, ",{value:.16e}");
-            }
+        let width = self.columns.len();
+        for (row, &key) in self.keys.iter().enumerate() {
+            push_csv(&mut text, key, &self.values[row * width..(row + 1) * width]);
             text.push('\n');
         }
         text
+    }
+
+    /// The head line of that text.
+    pub(super) fn csv_head(&self) -> String {
+        let heads = self.columns.iter().map(Column::head);
+        std::iter::once(self.key.head())
+            .chain(heads)
+            .collect::<Vec<_>>()
+            .join(",")
+    }
+}
+
+/// Adds a row of comma-separated text.
+pub(super) fn push_csv(text: &mut String, key: f64, row: &[f64]) {
+    let _ = write!(text, "{key:.16e}");
+    for value in row {
+        let _ = write!(text, ",{value:.16e}");
     }
 }
 

@@ -12,8 +12,10 @@ use super::execute::{Failure, INTERRUPTION, MISTAKE, execute};
 use super::nearest::nearest;
 use crate::Model;
 
-/// Set by Ctrl-C; the work ends after its step, and its files are written.
+/// Set by Ctrl-C, or another signal that asks for the end; the work ends after its step, and its files are written.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// Set while the files of an ended work are written: nothing interrupts that.
+static IS_WRITING: AtomicBool = AtomicBool::new(false);
 
 /// The words of a program and what it says of itself.
 #[derive(Clone, Debug)]
@@ -137,7 +139,13 @@ pub fn enter<M: Model>(line: Line) -> ExitCode {
         Err(Refusal::Mistake(text)) => return fail(Failure::new(MISTAKE, text)),
     };
     watch_for_interruption();
-    match execute(&arguments, || INTERRUPTED.load(Ordering::Relaxed)) {
+    let interrupted = || {
+        let is_interrupted = INTERRUPTED.load(Ordering::SeqCst);
+        // What is interrupted goes on to its files.
+        IS_WRITING.store(is_interrupted, Ordering::SeqCst);
+        is_interrupted
+    };
+    match execute(&arguments, interrupted) {
         Ok(text) => {
             if !arguments.quiet {
                 say(&text);
@@ -158,11 +166,12 @@ fn fail(failure: Failure) -> ExitCode {
     ExitCode::from(failure.code)
 }
 
-/// The first Ctrl-C ends the work in good order, a second one ends the program at once.
+/// The first Ctrl-C (SIGTERM, SIGHUP) ends the work in good order, a second one ends the program at once, unless it already
+/// writes its files. Rows of a history are on disk before that.
 fn watch_for_interruption() {
     // Without a handler Ctrl-C ends the program as usual, which is the best that is left.
     let _ = ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+        if INTERRUPTED.swap(true, Ordering::SeqCst) && !IS_WRITING.load(Ordering::SeqCst) {
             std::process::exit(i32::from(INTERRUPTION));
         }
     });

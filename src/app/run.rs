@@ -1,18 +1,19 @@
-//! A run in time with its history in memory; nothing is printed or written here.
+//! A run in time; what it leaves on disk while it goes on is the recorder's.
 
 use std::ops::ControlFlow;
 
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::envelopes::Envelopes;
-use super::history::{Column, History};
+use super::history::{Column, History, SKETCHED};
 use super::pictures::Pictures;
+use super::recorder::{InMemory, Recorder};
 use super::run_error::{Incomplete, RunError};
+use super::sketch::Sketch;
 use super::steady;
 use crate::mesh::Fidelity;
 use crate::{
-    Caution, Formulation, Integrator, Joints, Method, Model, Options, Scene, SolveError, Start, State, Statistics,
-    StepSize,
+    Caution, Formulation, Integrator, Joints, Method, Model, Options, Scene, Start, State, Statistics, StepSize,
 };
 
 /// What to run and how.
@@ -80,13 +81,14 @@ pub struct StepTaken {
 pub struct RunResult {
     /// The settings, with both times filled in.
     pub settings: RunSettings,
-    /// Outputs at whole multiples of `every`, by the method's dense output.
+    /// Outputs at whole multiples of `every`, by the method's dense output. On the command line, where the table is on disk,
+    /// what pictures of it need.
     pub history: History,
     /// Largest section forces and stresses of the bodies, over the rows of the history.
     pub envelopes: Envelopes,
     /// Where the bodies are in some rows of the history, where that was asked for.
     pub pictures: Option<Pictures>,
-    /// All accepted steps.
+    /// All accepted steps; on the command line what pictures of them need.
     pub steps: Vec<StepTaken>,
     /// Counts of the integration.
     pub statistics: Statistics,
@@ -110,8 +112,8 @@ pub struct RunResult {
     pub incomplete: Option<Incomplete>,
 }
 
-/// Most rows of a history; 8 bytes for each of them and each column are kept in memory.
-const MOST_ROWS: f64 = 1e7;
+/// Most rows of a history in memory, 8 bytes for each of them and each column, and on disk.
+const MOST_ROWS: [f64; 2] = [1e7, 1e9];
 
 /// Runs a model.
 ///
@@ -130,8 +132,18 @@ pub fn run_watched<M: Model>(
     settings: &RunSettings,
     watch: impl FnMut(&Progress) -> ControlFlow<()>,
 ) -> Result<RunResult, RunError> {
+    run_recorded(model, settings, &mut InMemory, watch)
+}
+
+/// As [`run_watched`] with a recorder.
+pub(super) fn run_recorded<M: Model>(
+    model: &M,
+    settings: &RunSettings,
+    recorder: &mut dyn Recorder,
+    watch: impl FnMut(&Progress) -> ControlFlow<()>,
+) -> Result<RunResult, RunError> {
     let clock = Clock::start();
-    let settings = complete(settings, model.run())?;
+    let settings = complete_for(settings, model.run(), MOST_ROWS[usize::from(recorder.is_on_disk())])?;
     let mut scene = model
         .build_as(settings.formulation, settings.joints, &settings.fidelity)
         .map_err(RunError::Model)?;
@@ -159,7 +171,7 @@ pub fn run_watched<M: Model>(
         seconds: Seconds::default(),
         incomplete: None,
     };
-    integrate(scene.as_mut(), start, &mut result, watch).map_err(RunError::Start)?;
+    integrate(scene.as_mut(), start, &mut result, recorder, watch)?;
     result.warnings.splice(0..0, cautions::sentences::<M>(&result.cautions));
     result.seconds = clock.seconds();
     match result.incomplete {
@@ -173,6 +185,10 @@ pub fn run_watched<M: Model>(
 /// # Errors
 /// A time that makes no sense.
 pub(super) fn complete(settings: &RunSettings, defaults: crate::RunDefaults) -> Result<RunSettings, RunError> {
+    complete_for(settings, defaults, MOST_ROWS[0])
+}
+
+fn complete_for(settings: &RunSettings, defaults: crate::RunDefaults, most_rows: f64) -> Result<RunSettings, RunError> {
     let t_end = settings.t_end.unwrap_or(defaults.t_end);
     let every = settings.every.unwrap_or(defaults.every.min(t_end));
     for (name, value) in [("end time", t_end), ("time between rows", every)] {
@@ -187,9 +203,9 @@ pub(super) fn complete(settings: &RunSettings, defaults: crate::RunDefaults) -> 
             "the time between rows, {every} s, is longer than the run of {t_end} s"
         )));
     }
-    if t_end / every > MOST_ROWS {
+    if t_end / every > most_rows {
         return Err(RunError::Settings(format!(
-            "a row every {every} s up to {t_end} s makes more than {MOST_ROWS:e} rows; take a longer time between rows"
+            "a row every {every} s up to {t_end} s makes more than {most_rows:e} rows; take a longer time between rows"
         )));
     }
     // A fixed step that never ends the run is a mistake of the same kind.
@@ -212,21 +228,28 @@ fn integrate(
     scene: &mut dyn Scene,
     start: State,
     result: &mut RunResult,
+    recorder: &mut dyn Recorder,
     mut watch: impl FnMut(&Progress) -> ControlFlow<()>,
-) -> Result<(), SolveError> {
+) -> Result<(), RunError> {
     let RunSettings { method, options, .. } = result.settings;
     let (t_end, every) = times(&result.settings);
     let columns = scene.output_columns();
-    let mut integrator = Integrator::new(scene, start, t_end, method, options)?;
+    let mut integrator = Integrator::new(scene, start, t_end, method, options).map_err(RunError::Start)?;
     let moved = corrections(integrator.statistics());
     let mut rows = Rows::new(every, t_end, integrator.state(), columns);
     if result.settings.pictures {
         result.pictures = Pictures::new(integrator.system(), rows.count);
     }
     let mut energy = EnergyDrift::default();
+    let mut steps = Steps::default();
+    if recorder.is_on_disk() {
+        result.history.thin();
+        steps.thin();
+    }
+    recorder.begin(result).map_err(RunError::Files)?;
     rows.state.clone_from(integrator.state());
     energy.meet(integrator.system().energy(&rows.state));
-    let mut incomplete = rows.record(&mut integrator, result).err();
+    let mut incomplete = rows.record(&mut integrator, result, recorder).err();
     while incomplete.is_none() {
         let stop = match integrator.step() {
             Ok(stop) => stop,
@@ -238,11 +261,11 @@ fn integrate(
         let t = integrator.state().t;
         let h = t - integrator.previous_time();
         if h > 0.0 {
-            result.steps.push(StepTaken { t, h });
+            steps.push(t, h);
             rows.state.clone_from(integrator.state());
             energy.meet(integrator.system().energy(&rows.state));
         }
-        incomplete = rows.record(&mut integrator, result).err();
+        incomplete = rows.record(&mut integrator, result, recorder).err();
         if stop == crate::Stop::End {
             break;
         }
@@ -250,6 +273,10 @@ fn integrate(
             incomplete = incomplete.or(Some(Incomplete::Interrupted));
         }
     }
+    if let Err(error) = recorder.end() {
+        incomplete = incomplete.or(Some(Incomplete::Files(error)));
+    }
+    result.steps = steps.taken();
     result.energy_error = energy.relative();
     let yielding = result.envelopes.warning();
     result.warnings = moved.into_iter().chain(rows.warnings).chain(yielding).collect();
@@ -315,6 +342,7 @@ impl Rows {
         &mut self,
         integrator: &mut Integrator<'_, dyn Scene + '_>,
         result: &mut RunResult,
+        recorder: &mut dyn Recorder,
     ) -> Result<(), Incomplete> {
         let reached = integrator.state().t;
         while self.next < self.count {
@@ -338,13 +366,44 @@ impl Rows {
                 }
             }
             result.history.push(time, &self.values).map_err(Incomplete::Output)?;
+            recorder.row(time, &self.values);
             result.envelopes.meet(integrator.system(), time, &self.state);
             if let Some(pictures) = &mut result.pictures {
                 pictures.take(self.next, integrator.system(), time, &self.state);
             }
             self.next += 1;
         }
-        Ok(())
+        recorder.keep_up().map_err(Incomplete::Files)
+    }
+}
+
+/// The accepted steps.
+#[derive(Default)]
+struct Steps {
+    ends: Vec<f64>,
+    sizes: Vec<f64>,
+    sketch: Option<Sketch>,
+}
+
+impl Steps {
+    /// Keeps from now on what pictures need.
+    fn thin(&mut self) {
+        self.sketch = Some(Sketch::new(SKETCHED));
+    }
+
+    fn push(&mut self, t: f64, h: f64) {
+        match &mut self.sketch {
+            Some(sketch) => sketch.add(&mut self.ends, &mut self.sizes, t, &[h]),
+            None => {
+                self.ends.push(t);
+                self.sizes.push(h);
+            }
+        }
+    }
+
+    fn taken(self) -> Vec<StepTaken> {
+        let steps = self.ends.into_iter().zip(self.sizes);
+        steps.map(|(t, h)| StepTaken { t, h }).collect()
     }
 }
 

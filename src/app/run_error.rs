@@ -16,6 +16,8 @@ pub enum Incomplete {
     Solve(SolveError),
     /// An output became infinite or not a number; the text names it.
     Output(String),
+    /// A file cannot be written, such as on a full disk; the text names it.
+    Files(String),
     /// There is no equilibrium, or no modes, beyond a value of what is continued; the text names it.
     Equilibrium(String),
 }
@@ -29,6 +31,8 @@ pub enum RunError {
     Model(ModelError),
     /// The integration could not begin.
     Start(SolveError),
+    /// A file cannot be written before the first step; the text names it.
+    Files(String),
     /// The run stopped on its way; the result up to there.
     Incomplete(Box<RunResult>),
     /// There is no equilibrium, or no modes; the text says why and where.
@@ -44,7 +48,7 @@ impl fmt::Display for Incomplete {
         match self {
             Incomplete::Interrupted => f.write_str("interrupted by the user"),
             Incomplete::Solve(error) => error.fmt(f),
-            Incomplete::Output(text) | Incomplete::Equilibrium(text) => f.write_str(text),
+            Incomplete::Output(text) | Incomplete::Files(text) | Incomplete::Equilibrium(text) => f.write_str(text),
         }
     }
 }
@@ -52,7 +56,7 @@ impl fmt::Display for Incomplete {
 impl fmt::Display for RunError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            RunError::Settings(text) => f.write_str(text),
+            RunError::Settings(text) | RunError::Files(text) => f.write_str(text),
             RunError::Model(error) => error.fmt(f),
             RunError::Start(error) => error.fmt(f),
             RunError::Incomplete(result) => match &result.incomplete {

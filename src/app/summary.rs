@@ -4,6 +4,8 @@ use serde_json::{Map, Value, json};
 
 use super::campbell::Campbell;
 use super::clock::Seconds;
+use super::date;
+use super::hash::hash;
 use super::history::{Column, History};
 use super::modes::{Modes, SeenMode, growth};
 use super::parameters::in_unit;
@@ -262,6 +264,7 @@ pub(super) fn head<M: Model>(model: &M, command: &str) -> Summary {
     put(&mut summary, "model", json!(M::NAME));
     put(&mut summary, "command", json!(command));
     put(&mut summary, "rncf_version", json!(env!("CARGO_PKG_VERSION")));
+    put(&mut summary, "date", json!(date::now()));
     let parameters = M::params().iter().enumerate().map(|(index, param)| {
         let value = model.get(index);
         let value = match param.kind {
@@ -271,7 +274,19 @@ pub(super) fn head<M: Model>(model: &M, command: &str) -> Summary {
         (param.name.to_owned(), value)
     });
     put(&mut summary, "parameters", Value::Object(parameters.collect()));
+    let given = M::params().iter().enumerate().map(|(index, param)| {
+        let value = json!(in_unit(param, model.get(index)));
+        (param.name.to_owned(), value)
+    });
+    put(&mut summary, "parameters_in_units", Value::Object(given.collect()));
+    put(&mut summary, "model_hash", json!(format!("{:016x}", hash(M::SOURCE))));
+    put(&mut summary, "model_text", json!(M::SOURCE));
     summary
+}
+
+/// The line that makes the result again, behind the command.
+pub(super) fn command_line(summary: &mut Summary, line: &str) {
+    summary.shift_insert(2, "command_line".into(), json!(line));
 }
 
 pub(super) fn outcome(summary: &mut Summary, reason: Option<String>) {
@@ -364,7 +379,7 @@ pub(super) fn seconds(summary: &mut Summary, seconds: Seconds) {
 }
 
 fn tail<M: Model>(summary: &mut Summary, history: &History, notes_of_run: &[String]) {
-    put(summary, "rows", json!(history.keys.len()));
+    put(summary, "rows", json!(history.rows()));
     // `t_min` reads as in the first column: a time, or a spin in a steady run.
     let (low_at, high_at) = (format!("{}_min", history.key.name), format!("{}_max", history.key.name));
     let outputs = history.columns.iter().enumerate().map(|(index, column)| {

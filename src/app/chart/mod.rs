@@ -222,7 +222,8 @@ fn write<M: Model>(
 ) -> Result<String, String> {
     let notes = outcome::notes(judged, refused);
     let reason = is_interrupted.then(|| AGAIN.to_owned());
-    let summary = outcome::summary(&arguments.model, judged, reason, &notes);
+    let mut summary = outcome::summary(&arguments.model, judged, reason, &notes);
+    summary::command_line(&mut summary, &arguments.line);
     let page = report::page(&arguments.model, "chart", &summary, &outcome::part(judged));
     let contents = [
         ("chart_time.svg", time_chart(judged).to_svg(true)),

@@ -21,7 +21,10 @@ pub(super) fn summary<M: Model>(model: &M, judged: &Judged<'_>, reason: Option<S
     summary::outcome(&mut summary, reason);
     let grid = judged.grid;
     // The parameters of which several values are tried have no single one.
-    if let Some(Value::Object(parameters)) = summary.get_mut("parameters") {
+    for key in ["parameters", "parameters_in_units"] {
+        let Some(Value::Object(parameters)) = summary.get_mut(key) else {
+            continue;
+        };
         for &(param, _) in &grid.meshes[0].counts {
             let mut values: Vec<f64> = (grid.meshes.iter().flat_map(|mesh| &mesh.counts))
                 .filter(|count| count.0 == param)
