@@ -100,20 +100,34 @@ fn readings(result: &Modes) -> Vec<String> {
             "The equilibrium is not axisymmetric: in the inertial frame each mode appears at nu + spin and at |nu - spin|.".to_owned()
         });
     }
-    let margin = result.margin.map_or("-".into(), |margin| digits(margin, 5));
+    let Some(margin) = result.margin else {
+        lines.push("No motion is free: there are no modes, and nothing is said of the stability.".into());
+        return lines;
+    };
+    let still = result.modes.iter().filter(|mode| mode.is_still()).count();
+    let count = result.modes.len();
+    let told = digits(margin, 5);
     lines.push(match growth(&result.modes) {
         Some(growth) => format!(
-            "The equilibrium is UNSTABLE: a disturbance grows by the factor e in {} s (largest re {margin} 1/s).",
+            "The equilibrium is UNSTABLE: a disturbance grows by the factor e in {} s (largest re {told} 1/s).",
             digits(1.0 / growth, 4)
         ),
-        None if result
-            .margin
-            .is_some_and(|margin| margin.abs() <= neutral(&result.modes)) =>
-        {
-            "No mode grows: neutrally stable, largest re 0 to round-off.".into()
+        None if still == count => {
+            let more = if count < result.settings.count { "" } else { "; ask for more modes" };
+            format!(
+                "None of the {count} modes says whether the equilibrium is stable: they are motions without stiffness (s = 0), along which what is pushed drifts on{more}."
+            )
         }
-        None => format!("No mode grows: stability margin (largest re) {margin} 1/s."),
+        None if margin.abs() <= neutral(&result.modes) => {
+            format!("No mode grows of these {count}: neutrally stable, largest re 0 to round-off.")
+        }
+        None => format!("No mode grows of these {count}: stability margin (largest re) {told} 1/s."),
     });
+    if (1..count).contains(&still) {
+        lines.push(format!(
+            "{still} of the modes are motions without stiffness (s = 0), along which what is pushed drifts on."
+        ));
+    }
     lines
 }
 
@@ -212,6 +226,9 @@ pub(super) fn campbell_lines(result: &Campbell, frequency: Frequency) -> Vec<Str
             key_value(&result.key, first),
             key_value(&result.key, last),
         ),
+        _ if rows.iter().any(Vec::is_empty) => {
+            "At some of the values there are no modes: nothing is said of the stability.".into()
+        }
         _ => "No mode grows at any of the values.".into(),
     });
     lines

@@ -70,6 +70,11 @@ impl SeenMode {
         }
     }
 
+    /// Whether the motion meets no stiffness: its eigenvalue is zero, and what is pushed along it drifts on.
+    pub fn is_still(&self) -> bool {
+        self.re == 0.0 && self.im == 0.0
+    }
+
     /// Damping ratio -re/|s|: 0 undamped, 1 creeping back, negative where the motion grows; `None` for s = 0.
     pub fn damping_ratio(&self) -> Option<f64> {
         let size = self.re.hypot(self.im);

@@ -143,7 +143,10 @@ pub(super) fn of_modes<M: Model>(model: &M, result: &Modes) -> Summary {
     put(&mut summary, "frame_of_observation", json!(REFERENCE));
     put(&mut summary, "circular_whirl", json!(result.is_round));
     put(&mut summary, "stability_margin", json!(result.margin));
-    put(&mut summary, "is_unstable", json!(growth(&result.modes).is_some()));
+    // Nothing is known where nothing moves, or only without stiffness.
+    let is_known = result.modes.iter().any(|mode| !mode.is_still());
+    let is_unstable = is_known.then(|| growth(&result.modes).is_some());
+    put(&mut summary, "is_unstable", json!(is_unstable));
     let modes = result.modes.iter().enumerate().map(|(index, mode)| {
         let Value::Object(mut entry) = mode_entry(mode) else {
             return Value::Null;

@@ -23,3 +23,4 @@ mod spin_up;
 mod steady;
 mod step_control;
 mod tilted_sail;
+mod tumbling;

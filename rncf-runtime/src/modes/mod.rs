@@ -52,7 +52,7 @@ pub struct Wanted {
 ///
 /// # Errors
 /// [`SolveErrorKind::NoModes`]: the matrices are singular (naming the unknown or constraint), a value is
-/// not finite, or a mode was not found to the accuracy of the matrices.
+/// not finite, a mode was not found to the accuracy of the matrices, or none was found though motions are free.
 pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted) -> Result<Vec<Mode>, SolveError> {
     let pencil = pencil(scene, at, state);
     let sizes = scene.sizes().to_vec();
@@ -138,6 +138,12 @@ fn error(scene: &dyn Scene, at: &Uniform, failure: &Failure) -> SolveError {
         Failure::Slow(found) => (
             format!(
                 "the search did not converge beyond {found} modes: ask for fewer, or for other numbers of elements"
+            ),
+            None,
+        ),
+        Failure::Nothing(free) => (
+            format!(
+                "no mode was found though {free} motions are free, so that nothing is known of the stability: look for masses or stiffnesses that lie too many orders apart"
             ),
             None,
         ),

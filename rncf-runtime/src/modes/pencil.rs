@@ -6,6 +6,9 @@ use crate::system::Tangent;
 
 /// Round-off of the energy of a motion without stiffness, in units of that of its terms.
 const ROUNDED: f64 = 8.0;
+/// Round-off of a diagonal entry of the stiffness over one of the mass, relative to the largest such quotient: what
+/// has cancelled in the row of a frame that turns with its bodies tells no frequency.
+const CANCELLED: f64 = 64.0 * f64::EPSILON;
 
 /// Matrices of small motions with constraints, in unknowns and multipliers relative to their sizes.
 ///
@@ -186,7 +189,8 @@ impl Pencil {
     }
 
     /// Lowest quotient of diagonal entries of stiffness and mass, as a frequency: not below the lowest
-    /// one of a stiff system by orders, to begin with.
+    /// one of a stiff system by orders, to begin with. Quotients that are round-off beside the largest one do not
+    /// count: at a shift that low the inverse sees nothing but what does not move at all.
     pub(super) fn guess(&self) -> f64 {
         let diagonal =
             |values: &[f64], index: usize| self.pattern.find(index, index).map_or(0.0, |entry| values[entry]);
@@ -195,7 +199,10 @@ impl Pencil {
             let frequency = if k > 0.0 { (k / m).sqrt() } else { c / m };
             (frequency > 0.0 && frequency.is_finite()).then_some(frequency)
         };
-        let lowest = (0..self.unknowns()).filter_map(quotient).fold(f64::INFINITY, f64::min);
+        let quotients: Vec<f64> = (0..self.unknowns()).filter_map(quotient).collect();
+        let least = CANCELLED.sqrt() * quotients.iter().copied().fold(0.0, f64::max);
+        let told = quotients.into_iter().filter(|&frequency| frequency > least);
+        let lowest = told.fold(f64::INFINITY, f64::min);
         if lowest.is_finite() { lowest } else { 1.0 }
     }
 

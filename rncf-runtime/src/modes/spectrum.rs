@@ -40,10 +40,12 @@ pub(super) enum Failure {
     Slow(usize),
     /// The mode of this number does not satisfy its equation.
     Inexact(usize),
+    /// No mode was found though this number of motions is free.
+    Nothing(usize),
 }
 
 /// The `count` modes of lowest |s|, one of two conjugates, sorted by frequency, then by growth; all, if
-/// there are fewer.
+/// there are fewer; none only where constraints leave no motion free.
 pub(super) fn lowest(pencil: &Pencil, count: usize) -> Result<Vec<Pair>, Failure> {
     if !pencil.is_finite() {
         return Err(Failure::NotFinite);
@@ -69,6 +71,10 @@ pub(super) fn lowest(pencil: &Pencil, count: usize) -> Result<Vec<Pair>, Failure
             }
             asked *= 2;
             continue;
+        }
+        let free = n.saturating_sub(pencil.constraints());
+        if modes.is_empty() && free > 0 {
+            return Err(Failure::Nothing(free));
         }
         modes.truncate(count);
         modes.sort_by(|a, b| a.s.im.total_cmp(&b.s.im).then(a.s.re.total_cmp(&b.s.re)));
