@@ -7,4 +7,6 @@ mod materials;
 
 mod rotors;
 mod running;
+mod shafts;
 mod tangents;
+mod turned;

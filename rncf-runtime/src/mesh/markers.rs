@@ -45,8 +45,8 @@ pub enum MarkerSpec {
         /// 1 or 2.
         axis: usize,
     },
-    /// Constants: components at t = 0 of another direction, normalised, in the triad (r_y x r_z, r_y, r_z) of a
-    /// section, each normalised; its rates are zero and it depends on no unknown.
+    /// A unit vector that turns with a section, equal to another direction marker at t = 0. The section's rotation is
+    /// the polar one of its axes r_y and r_z (in a plane that of r_y): both have the same part in it, the slope none.
     InSection {
         /// Body.
         body: usize,
@@ -54,6 +54,13 @@ pub enum MarkerSpec {
         at: Place,
         /// Index of the other marker.
         marker: usize,
+    },
+    /// The turning of a section, as that of a frame.
+    SectionTurn {
+        /// Body.
+        body: usize,
+        /// Where.
+        at: Place,
     },
     /// The turning of a frame: its value is zero, its rate the angular velocity in inertial axes
     /// (rad/s); the force on it is a moment (N m).

@@ -169,7 +169,8 @@ pub(super) fn check_instances(parts: &dyn Parts, bodies: &[BodySpec]) -> Result<
         if let MarkerSpec::BodyPoint { body, .. }
         | MarkerSpec::BodySlope { body, .. }
         | MarkerSpec::BodySection { body, .. }
-        | MarkerSpec::InSection { body, .. } = marker
+        | MarkerSpec::InSection { body, .. }
+        | MarkerSpec::SectionTurn { body, .. } = marker
         {
             check(&|| "a joint, force or output".to_string(), body)?;
         }

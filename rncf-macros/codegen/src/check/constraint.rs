@@ -100,7 +100,8 @@ impl<'a> Check<'a> {
             Marker::BodyPoint { body, .. }
             | Marker::BodySlope { body, .. }
             | Marker::BodySection { body, .. }
-            | Marker::InSection { body, .. } => Owner::Body(*body),
+            | Marker::InSection { body, .. }
+            | Marker::SectionTurn { body, .. } => Owner::Body(*body),
         }
     }
 

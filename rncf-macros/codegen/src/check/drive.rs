@@ -255,7 +255,14 @@ impl<'a> Check<'a> {
             self.errors.at(field.span, say::no_moment(&name.text, &built.word));
             return None;
         }
-        Some(self.exerted(&built, is_moment))
+        let exerted = self.exerted(&built, is_moment);
+        match (exerted, known.frame) {
+            // What holds a coordinate of a frame is seen in that frame.
+            (Thing::Shown { vector, plane, .. }, Some(shown)) if built.word == "hold" => {
+                Some(Thing::Shown { vector, plane, shown })
+            }
+            (exerted, _) => Some(exerted),
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Conditions of flexible ends that are linear in their nodal vectors, and eliminated (THEORY 6).
 
-use super::joint::Known;
+use super::joint::{Built, Known};
 use super::place::{Hold, Place, Spot};
 use super::plane::{AXES, normal, plane};
 use super::repeat::has_index;
@@ -16,7 +16,8 @@ pub struct Held {
     body: BodyId,
     at: Location,
     line: usize,
-    kind: JointKind,
+    /// `None`: the twist of the section.
+    kind: Option<JointKind>,
     has_section: bool,
 }
 
@@ -24,7 +25,10 @@ impl Held {
     /// The nodal vectors that it is about.
     fn vectors(&self) -> &'static [model::Held] {
         use model::Held::{Position, SectionY, SectionZ, Slope};
-        match self.kind {
+        let Some(kind) = self.kind else {
+            return &[SectionY, SectionZ];
+        };
+        match kind {
             JointKind::Pin => &[Position],
             JointKind::Clamp | JointKind::ClampFull if self.has_section => &[Position, SectionY, SectionZ],
             JointKind::Clamp | JointKind::ClampFull => &[Position, Slope],
@@ -42,9 +46,10 @@ impl Held {
 
     /// Whether both hold the same vector of the same end; two components of one are two things.
     fn overlaps(&self, other: &Self) -> bool {
-        let is_same = match (self.kind, other.kind) {
-            (JointKind::Hold { .. }, JointKind::Hold { .. }) => self.kind == other.kind,
-            _ => self.vectors().iter().any(|vector| other.vectors().contains(vector)),
+        let is_hold = |held: &Self| matches!(held.kind, None | Some(JointKind::Hold { .. }));
+        let is_same = match is_hold(self) && is_hold(other) {
+            true => self.kind == other.kind,
+            false => self.vectors().iter().any(|vector| other.vectors().contains(vector)),
         };
         self.body == other.body && self.at == other.at && is_same
     }
@@ -96,9 +101,7 @@ impl<'a> Check<'a> {
         known: &mut Known,
         held: &mut Vec<Held>,
     ) -> Option<()> {
-        let Place {
-            body, at, has_section, ..
-        } = place.clone();
+        let Place { body, at, .. } = place.clone();
         (known.kind, known.body, known.frame) = (Some(kind), Some(body), Some(frame));
         if let Location::At(_) = at.place() {
             self.errors.at(area[0], say::JOINT_INSIDE);
@@ -108,18 +111,7 @@ impl<'a> Check<'a> {
             self.errors.at(area[0], say::SAME_END_REPEATED);
             return None;
         }
-        let own = Held {
-            body: body.id,
-            at: at.clone(),
-            line: Area::from(item.name.span).line(),
-            kind,
-            has_section,
-        };
-        if let Some(first) = held.iter().find(|other| other.overlaps(&own)) {
-            self.errors.at(area[0], say::end_twice(&first.line.to_string()));
-        } else {
-            held.push(own);
-        }
+        self.note_end(item, &place, Some(kind), area[0], held);
         if let Some(normal) = body.space.and_then(normal) {
             self.keeps_plane(frame, normal, area[1]);
         }
@@ -137,6 +129,67 @@ impl<'a> Check<'a> {
             at,
             frame,
             point,
+        });
+        Some(())
+    }
+
+    /// Notes what holds an end; reports what is held twice.
+    fn note_end(&mut self, item: &Item, place: &Place, kind: Option<JointKind>, area: Area, held: &mut Vec<Held>) {
+        let own = Held {
+            body: place.body.id,
+            at: place.at.clone(),
+            line: Area::from(item.name.span).line(),
+            kind,
+            has_section: place.has_section,
+        };
+        if let Some(first) = held.iter().find(|other| other.overlaps(&own)) {
+            self.errors.at(area, say::end_twice(&first.line.to_string()));
+        } else {
+            held.push(own);
+        }
+    }
+
+    /// A coordinate that is held with a multiplier: of an axis that turns with a section, or in between; `None`: the twist.
+    fn hold_section(
+        &mut self,
+        item: &Item,
+        kind: Option<JointKind>,
+        place: &Place,
+        area: Area,
+        known: &mut Known,
+        held: &mut Vec<Held>,
+    ) -> Option<()> {
+        let frame = place.body.frame?;
+        if item.repeat.is_some() {
+            self.errors.at(area, say::HOLD_NOT_REPEATED);
+            return None;
+        }
+        self.note_end(item, place, kind, area, held);
+        let parties = [place.party(), Party::Frame { frame, point: None }];
+        let normal = normal(place.body.space?);
+        let mut builder = Builder::new(&mut self.model.markers, parties.clone(), normal);
+        match kind {
+            Some(JointKind::Hold { of, axis }) => joints::hold(&mut builder, of, axis),
+            _ => joints::hold_twist(&mut builder),
+        }
+        let rows = builder.finish();
+        let constraint = self.push_constraint(item, "hold", rows, None);
+        known.frame = Some(frame);
+        known.built = Some(Built {
+            constraint,
+            word: "hold".into(),
+            kind: None,
+            parties,
+            normal,
+            axis: [0.0; 3],
+            has_moment: !matches!(
+                kind,
+                Some(JointKind::Hold {
+                    of: model::Held::Position,
+                    ..
+                })
+            ),
+            is_reversed: false,
         });
         Some(())
     }
@@ -173,7 +226,7 @@ impl<'a> Check<'a> {
         Some(())
     }
 
-    /// `hold(beam.end.z)`, `hold(beam.end.slope.y)` or `hold(beam.end.ey.z)`.
+    /// `hold(beam.end.z)`, `hold(beam.end.slope.y)`, `hold(beam.end.ey.z)` or `hold(beam.end.twist)`.
     pub(super) fn hold(&mut self, item: &Item, call: &'a Call, known: &mut Known, held: &mut Vec<Held>) -> Option<()> {
         let shape = Shape {
             positional: 1,
@@ -188,6 +241,16 @@ impl<'a> Check<'a> {
             self.errors.at(expr.area, usage());
             return None;
         };
+        if field.text == "twist" {
+            let place = self.place(base)?;
+            known.body = Some(place.body);
+            self.section_axis(&place, field)?;
+            if let Some(normal) = place.body.space.and_then(normal) {
+                self.errors.at(field.span, say::no_twist(plane(normal)));
+                return None;
+            }
+            return self.hold_section(item, None, &place, expr.area, known, held);
+        }
         let (of, vector, place) = match &base.kind {
             ExprKind::Member { base: place, field, .. } => match VECTORS.iter().find(|(word, _)| *word == field.text) {
                 Some((_, of)) => (*of, Some(field), place.as_ref()),
@@ -208,6 +271,10 @@ impl<'a> Check<'a> {
         if let Some(word) = vector.filter(|_| of != model::Held::Slope) {
             self.section_axis(&place, word)?;
         }
+        if of == model::Held::Slope && place.has_section {
+            self.errors.at(expr.area, say::SLOPE_SHEARS);
+            return None;
+        }
         known.body = Some(place.body);
         let Some(axis) = AXES.iter().position(|axis| *axis == field.text) else {
             let message = match VECTORS.iter().find(|(word, _)| *word == field.text) {
@@ -224,6 +291,14 @@ impl<'a> Check<'a> {
         let frame = place.body.frame?;
         let area = [expr.area; 2];
         let kind = JointKind::Hold { of, axis };
+        let is_section = matches!(of, model::Held::SectionY | model::Held::SectionZ);
+        let is_spatial = place.body.space.and_then(normal).is_none();
+        if is_section && is_spatial || matches!(place.at.place(), Location::At(_)) {
+            if let Some(normal) = place.body.space.and_then(normal) {
+                self.keeps_plane(frame, normal, expr.area);
+            }
+            return self.hold_section(item, Some(kind), &place, expr.area, known, held);
+        }
         self.tie_end(item, kind, place, frame, None, area, known, held)
     }
 }

@@ -282,8 +282,8 @@ impl<'a> Check<'a> {
         let parties = [holds[0].party(), holds[1].party()];
         let ends = holds.iter().filter(|hold| hold.frame().is_none()).count();
         let is_clamp = matches!(word, "clamp" | "clamp_full")
-            // Of a centre line there is a tangent, and no more; of a section all is fixed in a frame.
-            || word == "weld" && ends > 0 && !holds.iter().all(Hold::is_section);
+            // Of a centre line there is a tangent, and no more.
+            || word == "weld" && holds.iter().any(Hold::is_line);
         let orients =
             is_clamp || kind.is_some_and(|kind| kind.orients && !(kind.name == "revolute" && plane.is_some()));
         if matches!(word, "clamp" | "clamp_full") && ends == 0 {

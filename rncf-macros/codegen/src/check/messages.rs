@@ -43,6 +43,9 @@ pub const GAUSS_POINTS: &str = "`gauss` takes a literal number of points, from 1
 pub const POISSON: &str = "poisson must lie between -1 and 0.5";
 pub const JOINT_INSIDE: &str =
     "this joint holds an end of a body: use `start` or `end`, and in between `weld` or `spherical`";
+pub const HOLD_NOT_REPEATED: &str =
+    "in a loop `hold` is for positions of ends: hold axes of sections, and places in between, outside of the loop";
+pub const SLOPE_SHEARS: &str = "the slope of a body with cross-sections shears against the section, and without limit where it is held: use the section's axes, `ey` and `ez`";
 pub const PLACE_EXPECTED: &str = "a place on a body is expected here: `beam.start`, `beam.end` or `beam.at(4 m)`";
 pub const TORSION: &str = "a moment along the axis would twist the body, and a centre line carries no torsion: use components across the axis";
 pub const OBSERVED_OUTSIDE_OUTPUT: &str = "only an `output` can observe bodies and joints";
@@ -268,6 +271,7 @@ messages! {
     two_ends(word) = "a `{word}` needs a frame or rigid body on one side: between two centre lines use `spherical`, and a `constraint` on their slopes";
     two_sections(word) = "a `{word}` needs a frame or rigid body on one side: between two sections use `weld`";
     no_section(word) = "`{word}` is an axis of a cross-section, and a centre line has none: use `slope`, or mesh the body with `beam`";
+    no_twist(plane) = "the section of a body in the {plane} plane does not twist: leave the joint out";
     one_section_axis(plane) = "the section of a body in the {plane} plane has one axis in it: use `ey`";
     not_carried(word, kind, words) = "{kind} carries no `{word}`: use {words}";
     section_axes_only(word) = "`{word}` has the axes of the section itself: leave out `.in(..)`";

@@ -7,7 +7,7 @@ use super::plane::{AXES, normal, plane};
 use super::quantity::{Vector, Wanted};
 use super::vector::{Quantity, Vectorial};
 use super::{Arguments, Check, Shape, fold, say};
-use crate::joints::algebra::{self, cross, divide, dot, multiply, negate, norm, number, observed};
+use crate::joints::algebra::{self, cross, divide, dot, norm, observed};
 use crate::joints::{Builder, unit};
 use crate::model::{Expr as Value, FrameId, INERTIAL, Marker, MarkerId, Space};
 use crate::parse::tree::{Call, Expr, ExprKind, Item};
@@ -150,7 +150,7 @@ impl<'a> Check<'a> {
         Some(vec![(self.point_marker(&hold.spot), force)])
     }
 
-    /// On a frame its turning, on a section its axes, on a centre line the slope: `f = m x d / (d . d)`.
+    /// On a frame or section its turning, on a centre line the slope: `f = m x d / (d . d)`.
     fn moment_on(&mut self, hold: &Hold, moment: algebra::Vector) -> Option<Vec<(MarkerId, algebra::Vector)>> {
         self.is_pushed(hold)?;
         match hold.spot.clone() {
@@ -166,11 +166,10 @@ impl<'a> Check<'a> {
                 let plane = place.body.space.and_then(normal);
                 let parties = [place.party(), place.party()];
                 let mut builder = Builder::new(&mut self.model.markers, parties, plane);
-                let direction = match builder.section(0) {
-                    Some((y, Some(z))) => return Some(on_section(&moment, [y, z])),
-                    Some((y, None)) => y,
-                    None => builder.slope(0)?,
-                };
+                if let Some(turn) = builder.turn(0) {
+                    return Some(vec![(turn, moment)]);
+                }
+                let direction = builder.slope(0)?;
                 let d = observed(direction, 0, plane);
                 let square = dot(&d, &d);
                 let force = cross(&moment, &d).map(|component| divide(component, square.clone()));
@@ -219,23 +218,6 @@ impl<'a> Check<'a> {
         self.push_force(item, vec![(point, force)], None);
         Some(())
     }
-}
-
-/// Forces on the axes b = r_y, c = r_z of a section that do the work of a moment when it turns: with
-/// n = b x c and D = n . n `-(m.c) n/D + (m.n) c/(2D)` on b, `(m.b) n/D - (m.n) b/(2D)` on c.
-fn on_section(moment: &algebra::Vector, axes: [MarkerId; 2]) -> Vec<(MarkerId, algebra::Vector)> {
-    let [b, c] = axes.map(|axis| observed(axis, 0, None));
-    let n = cross(&b, &c);
-    let square = dot(&n, &n);
-    let share = |component| divide(component, square.clone());
-    let about = multiply(number(0.5), share(dot(moment, &n)));
-    let force = |bending: Value, other: &algebra::Vector, turning: Value| {
-        let across = algebra::scale(&share(bending), &n);
-        algebra::both(&across, &algebra::scale(&turning, other), algebra::add)
-    };
-    let on_b = force(negate(dot(moment, &c)), &c, about.clone());
-    let on_c = force(dot(moment, &b), &b, negate(about));
-    vec![(axes[0], on_b), (axes[1], on_c)]
 }
 
 /// The name that an expression of members begins with.

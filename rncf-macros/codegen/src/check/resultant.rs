@@ -86,16 +86,29 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// `PLACE.ey` or `PLACE.ez` in the axes of a frame.
+    /// `PLACE.ey` or `PLACE.ez` in the axes of a frame; in constraints the unit axis that turns with the section.
     pub(super) fn section_direction(
         &mut self,
         place: &Place,
         frame: Option<FrameId>,
         word: &Name,
+        scope: Scope,
     ) -> Option<Vectorial> {
         let axis = self.section_axis(place, word)?;
         let (body, at) = (place.body.id, place.at.clone());
-        self.direction_on(place, frame, Marker::BodySection { body, at, axis })
+        let deforming = Marker::BodySection {
+            body,
+            at: at.clone(),
+            axis,
+        };
+        // What ties the axes acts on the rotation of the section.
+        let axis = if scope == Scope::Constraint {
+            let marker = self.marker(deforming);
+            Marker::InSection { body, at, marker }
+        } else {
+            deforming
+        };
+        self.direction_on(place, frame, axis)
     }
 
     /// A direction at a place of a flexible body in the axes of a frame, by default its own one.

@@ -313,14 +313,11 @@ impl<'m> Start<'m> {
                 self.pose(self.model.bodies[body.0].frame)
                     .direction(axes[usize::from(*axis == 2)])
             }
-            Marker::InSection { body, at, marker } => {
-                let pose = self.pose(self.model.bodies[body.0].frame);
-                let [y, z] = self.initial_section(*body, at).map(|axis| pose.direction(axis));
+            Marker::InSection { marker, .. } => {
                 let value = self.marker(*marker);
-                let along = unit(value).unwrap_or(value);
-                [cross(y, z), y, z].map(|axis| dot(axis, along))
+                unit(value).unwrap_or(value)
             }
-            Marker::Turn { .. } => [0.0; 3],
+            Marker::Turn { .. } | Marker::SectionTurn { .. } => [0.0; 3],
             Marker::Angle { frame } => {
                 let rotation = self.model.frames[frame.0].rotation.as_ref();
                 [rotation.map_or(0.0, |rotation| self.value(&rotation.angle)), 0.0, 0.0]

@@ -256,7 +256,7 @@ impl<'a> Check<'a> {
             return self.carried(place, frame, field, scope).map(Thing::Value);
         }
         let vector = match (field.text.as_str(), &spot) {
-            ("ey" | "ez", Spot::Flexible(place)) => self.section_direction(place, frame, field)?,
+            ("ey" | "ez", Spot::Flexible(place)) => self.section_direction(place, frame, field, scope)?,
             ("position", _) => self.position(&spot, frame)?,
             ("velocity", _) => {
                 self.allows_rates(field, scope)?;
@@ -273,6 +273,10 @@ impl<'a> Check<'a> {
                     return None;
                 }
                 self.motion_of(&spot, Some(INERTIAL), 2, [1, 0, -2, 0, 0, 0])?
+            }
+            ("slope", Spot::Flexible(place)) if scope == Scope::Constraint && place.has_section => {
+                self.errors.at(field.span, say::SLOPE_SHEARS);
+                return None;
             }
             ("slope", _) => self.slope(&spot, frame, field)?,
             (word, _) if AXES.contains(&word) => {

@@ -193,6 +193,11 @@ impl Parts<'_> {
                     marker.0
                 )
             }
+            Marker::SectionTurn { body, at } => format!(
+                "SectionTurn {{ body: {}, at: {} }}",
+                self.body_at(*body, at),
+                self.place(at)
+            ),
             Marker::Turn { frame } => format!("Turn {{ frame: {} }}", frame.0),
             Marker::Angle { frame } => format!("Angle {{ frame: {} }}", frame.0),
             Marker::Matching { frame, marker } => {

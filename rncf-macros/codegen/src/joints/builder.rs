@@ -1,7 +1,6 @@
 //! Parties of a joint, their markers, and rows made of the primitives.
 
 use super::algebra::{self, Vector, cross, dot, intern, observed, subtract};
-use super::fixed::Fixed;
 use crate::model::{BodyId, Expr, FrameId, Location, Marker, MarkerId, Space};
 
 /// What a joint, spring or constraint holds on to.
@@ -122,51 +121,40 @@ impl<'m> Builder<'m> {
     }
 
     /// The direction fixed in a party that is another one at t = 0.
-    pub fn fixed(&mut self, party: usize, start: MarkerId) -> Fixed {
-        if self.is_fixed_in(party, start) {
-            return Fixed::Marker(start);
+    pub fn fixed(&mut self, party: usize, start: MarkerId) -> MarkerId {
+        if let (Marker::Direction { frame: own, .. }, Some(frame)) = (&self.markers[start.0], self.frame(party))
+            && *own == frame
+        {
+            return start;
         }
-        match self.section(party) {
-            None => Fixed::Marker(self.matching(party, start)),
-            Some((y, z)) => self.in_section(party, (y, z), start),
+        match self.in_section(party, start) {
+            Some(direction) => direction,
+            None => self.matching(party, start),
         }
     }
 
-    fn in_section(&mut self, party: usize, (y, z): (MarkerId, Option<MarkerId>), start: MarkerId) -> Fixed {
-        let Party::Place { body, at, .. } = self.parties[party].clone() else {
-            return Fixed::Marker(start);
-        };
-        let constants = Marker::InSection {
-            body,
-            at,
-            marker: start,
-        };
-        let along = observed(self.marker(party, constants), 0, None);
-        Fixed::Section { y, z, along }
+    /// The direction that turns with a party's section and is another one at t = 0; none of a frame or centre line.
+    fn in_section(&mut self, party: usize, start: MarkerId) -> Option<MarkerId> {
+        let (body, at) = self.section_place(party)?;
+        let marker = start;
+        Some(self.marker(party, Marker::InSection { body, at, marker }))
     }
 
-    /// Whether a marker is a direction that stays with the party.
-    fn is_fixed_in(&self, party: usize, marker: MarkerId) -> bool {
-        match (&self.markers[marker.0], &self.parties[party]) {
-            (Marker::Direction { frame: own, .. }, Party::Frame { frame, .. }) => own == frame,
-            (
-                Marker::BodySection {
-                    body: own, at: place, ..
-                },
-                Party::Place { body, at, .. },
-            ) => own == body && place == at,
-            _ => false,
-        }
+    /// The turning of a party; none of a centre line.
+    pub fn turn(&mut self, party: usize) -> Option<MarkerId> {
+        let marker = match (self.frame(party), self.section_place(party)) {
+            (Some(frame), _) => Marker::Turn { frame },
+            (None, Some((body, at))) => Marker::SectionTurn { body, at },
+            (None, None) => return None,
+        };
+        Some(self.marker(party, marker))
     }
 
     /// Fixed in a party, normal to a direction at t = 0.
-    pub fn normal_to(&mut self, party: usize, marker: MarkerId, which: usize) -> Fixed {
+    pub fn normal_to(&mut self, party: usize, marker: MarkerId, which: usize) -> MarkerId {
         let frame = self.axes_of(party);
         let normal = self.marker(party, Marker::Normal { frame, marker, which });
-        match self.section(party) {
-            None => Fixed::Marker(normal),
-            Some(axes) => self.in_section(party, axes, normal),
-        }
+        self.in_section(party, normal).unwrap_or(normal)
     }
 
     /// The frame in whose axes directions of a party are given.
@@ -177,16 +165,21 @@ impl<'m> Builder<'m> {
         }
     }
 
+    /// Body and place of a party's section; none of a frame or centre line.
+    fn section_place(&self, party: usize) -> Option<(BodyId, Location)> {
+        match &self.parties[party] {
+            Party::Place {
+                body,
+                at,
+                section: Some(_),
+            } => Some((*body, at.clone())),
+            _ => None,
+        }
+    }
+
     /// The axes of a party's section, in a plane the one in it; none of a frame or centre line.
     pub fn section(&mut self, party: usize) -> Option<(MarkerId, Option<MarkerId>)> {
-        let Party::Place {
-            body,
-            at,
-            section: Some(_),
-        } = self.parties[party].clone()
-        else {
-            return None;
-        };
+        let (body, at) = self.section_place(party)?;
         let is_spatial = self.normal.is_none();
         let mut axis = |axis| {
             let at = at.clone();
@@ -207,11 +200,6 @@ impl<'m> Builder<'m> {
     /// A marker's components, without the one along the plane's normal.
     pub fn value(&self, marker: MarkerId) -> Vector {
         observed(marker, 0, self.normal)
-    }
-
-    /// Components of a direction, in the same way.
-    pub fn along(&self, direction: &Fixed) -> Vector {
-        direction.value(self.normal)
     }
 
     /// From the first party's point to the second one's.
@@ -245,15 +233,15 @@ impl<'m> Builder<'m> {
     }
 
     /// **d1**: two directions stay normal to each other.
-    pub fn d1(&mut self, a: &Fixed, b: &Fixed) {
-        let row = dot(&self.along(a), &self.along(b));
+    pub fn d1(&mut self, a: MarkerId, b: MarkerId) {
+        let row = dot(&self.value(a), &self.value(b));
         self.numbered("direction", row);
     }
 
     /// In the plane: two directions stay parallel.
-    pub fn parallel(&mut self, a: &Fixed, b: &Fixed) {
+    pub fn parallel(&mut self, a: MarkerId, b: MarkerId) {
         let normal = self.normal.unwrap_or(2);
-        let [x, y, z] = cross(&self.along(a), &self.along(b));
+        let [x, y, z] = cross(&self.value(a), &self.value(b));
         self.numbered("direction", [x, y, z][normal].clone());
     }
 
@@ -264,8 +252,8 @@ impl<'m> Builder<'m> {
     }
 
     /// **d2**: the way between the points stays normal to a direction.
-    pub fn d2(&mut self, direction: &Fixed, points: [MarkerId; 2]) {
-        let row = dot(&self.along(direction), &self.between(points));
+    pub fn d2(&mut self, direction: MarkerId, points: [MarkerId; 2]) {
+        let row = dot(&self.value(direction), &self.between(points));
         self.numbered("offset", row);
     }
 

@@ -1,8 +1,7 @@
 //! Relative coordinates of joints: angles and slides, of the second party in the first.
 
-use super::algebra::{self, Vector, add, angle, both, dot, multiply, observed, scale, subtract};
+use super::algebra::{self, Vector, angle, both, dot, multiply, observed, scale, subtract};
 use super::builder::{Builder, Party};
-use super::fixed::Fixed;
 use super::kinds::{behind, unit};
 use crate::model::{Expr, Marker, MarkerId};
 
@@ -22,10 +21,10 @@ pub enum Angle {
         /// The axis, fixed in the first party; in a plane along its normal.
         axis: Box<Vector>,
         /// Directions fixed in the first party that are a right-handed triad with the axis.
-        first: Box<[Fixed; 2]>,
+        first: [MarkerId; 2],
         /// Fixed in the second party, the first of them at t = 0.
-        second: Box<Fixed>,
-        /// Turning of both; none of a section.
+        second: MarkerId,
+        /// Turning of both.
         turns: [Option<MarkerId>; 2],
         /// Normal of the plane that both are in.
         normal: Option<usize>,
@@ -84,7 +83,7 @@ impl Turned {
 /// The way of the second party's point from the first one's along an axis of the first party.
 #[derive(Clone, Debug)]
 pub struct Slide {
-    axis: Fixed,
+    axis: MarkerId,
     points: [MarkerId; 2],
     normal: Option<usize>,
 }
@@ -99,15 +98,13 @@ impl Angle {
             (algebra::numbers(unit(normal)), first, joint.fixed(1, x))
         } else {
             let start = joint.direction(0, axis);
-            let axis = joint.fixed(0, start).value(None);
+            let axis = joint.fixed(0, start);
+            let axis = joint.value(axis);
             let first = [0, 1].map(|which| joint.normal_to(0, start, which));
             (axis, first, joint.normal_to(1, start, 0))
         };
-        let turns = [0, 1].map(|party| {
-            let frame = joint.frame(party)?;
-            Some(joint.marker(party, Marker::Turn { frame }))
-        });
-        let (axis, first, second) = (Box::new(axis), Box::new(first), Box::new(second));
+        let turns = [0, 1].map(|party| joint.turn(party));
+        let axis = Box::new(axis);
         Angle::Between {
             axis,
             first,
@@ -117,9 +114,9 @@ impl Angle {
         }
     }
 
-    fn sine_and_cosine([x, y]: &[Fixed; 2], second: &Fixed, normal: Option<usize>) -> [Expr; 2] {
-        let other = second.value(normal);
-        [y, x].map(|own| dot(&other, &own.value(normal)))
+    fn sine_and_cosine([x, y]: [MarkerId; 2], second: MarkerId, normal: Option<usize>) -> [Expr; 2] {
+        let other = observed(second, 0, normal);
+        [y, x].map(|own| dot(&other, &observed(own, 0, normal)))
     }
 
     /// Its value, rad.
@@ -129,36 +126,22 @@ impl Angle {
             Angle::Between {
                 first, second, normal, ..
             } => {
-                let [sine, cosine] = Self::sine_and_cosine(first, second, *normal);
+                let [sine, cosine] = Self::sine_and_cosine(*first, *second, *normal);
                 angle(sine, cosine)
             }
         }
     }
 
-    /// Its rate, rad/s: between frames in space that of the turning about the axis, else the derivative
-    /// `(c s' - s c') / (s^2 + c^2)`.
+    /// Its rate, rad/s: that of the turning about the axis.
     pub fn rate(&self) -> Expr {
         match self {
             Angle::Counted { first, second } => subtract(second.rate(), first.rate()),
-            Angle::Between {
-                axis,
-                turns: [Some(first), Some(second)],
-                ..
-            } => {
-                let [first, second] = [first, second].map(|turn| observed(*turn, 1, None));
-                dot(axis, &both(&second, &first, subtract))
-            }
-            Angle::Between {
-                first, second, normal, ..
-            } => {
-                let [sine, cosine] = Self::sine_and_cosine(first, second, *normal);
-                let (other, other_rate) = (second.value(*normal), second.rate(*normal));
-                let [sine_rate, cosine_rate] = [&first[1], &first[0]].map(|own| {
-                    let turning = dot(&other_rate, &own.value(*normal));
-                    add(turning, dot(&other, &own.rate(*normal)))
+            Angle::Between { axis, turns, .. } => {
+                let [first, second] = turns.map(|turn| match turn {
+                    Some(turn) => observed(turn, 1, None),
+                    None => algebra::numbers([0.0; 3]),
                 });
-                let change = subtract(multiply(cosine.clone(), sine_rate), multiply(sine.clone(), cosine_rate));
-                algebra::divide(change, square_sum(sine, cosine))
+                dot(axis, &both(&second, &first, subtract))
             }
         }
     }
@@ -172,7 +155,7 @@ impl Angle {
             Angle::Between {
                 first, second, normal, ..
             } => {
-                let [sine, cosine] = Self::sine_and_cosine(first, second, *normal);
+                let [sine, cosine] = Self::sine_and_cosine(*first, *second, *normal);
                 behind(sine, cosine, f)
             }
         }
@@ -184,15 +167,7 @@ impl Angle {
             Angle::Counted { first, second } => {
                 [first, second].map(|party| party.marker().into_iter().map(|(marker, _)| marker).collect())
             }
-            Angle::Between {
-                first, second, normal, ..
-            } => {
-                let [x, y] = &**first;
-                let mut own = x.markers(*normal);
-                let others = y.markers(*normal);
-                own.extend(others.into_iter().filter(|marker| !x.markers(*normal).contains(marker)));
-                [own, second.markers(*normal)]
-            }
+            Angle::Between { first, second, .. } => [first.to_vec(), vec![*second]],
         }
     }
 
@@ -210,47 +185,13 @@ impl Angle {
                 of(first, moment).into_iter().chain(of(second, &against)).collect()
             }
             Angle::Between { axis, turns, .. } => {
-                let turning = |turn: &MarkerId, moment: &Expr| vec![(*turn, scale(moment, axis))];
-                let mut forces = match &turns[0] {
-                    Some(turn) => turning(turn, moment),
-                    None => self.on_sections(&against, 0),
-                };
-                forces.extend(match &turns[1] {
-                    Some(turn) => turning(turn, &against),
-                    None => self.on_sections(&against, 1),
-                });
-                forces
+                let sides = turns.iter().zip([moment, &against]);
+                sides
+                    .filter_map(|(turn, moment)| Some((turn.as_ref().copied()?, scale(moment, axis))))
+                    .collect()
             }
         }
     }
-
-    /// `M d(angle)` on the directions of one party, with `d(angle) = (c ds - s dc) / (s^2 + c^2)`.
-    fn on_sections(&self, moment: &Expr, party: usize) -> Vec<(MarkerId, Vector)> {
-        let Angle::Between {
-            first, second, normal, ..
-        } = self
-        else {
-            return Vec::new();
-        };
-        let [sine, cosine] = Self::sine_and_cosine(first, second, *normal);
-        let share = algebra::divide(moment.clone(), square_sum(sine.clone(), cosine.clone()));
-        let by_sine = multiply(share.clone(), cosine);
-        let by_cosine = algebra::negate(multiply(share, sine));
-        let [x, y] = &**first;
-        if party == 1 {
-            let along = [(by_sine, y), (by_cosine, x)].map(|(part, own)| scale(&part, &own.value(*normal)));
-            return second.forces(&both(&along[0], &along[1], add), *normal);
-        }
-        let other = second.value(*normal);
-        let mut forces = y.forces(&scale(&by_sine, &other), *normal);
-        forces.extend(x.forces(&scale(&by_cosine, &other), *normal));
-        forces
-    }
-}
-
-/// `s^2 + c^2`
-fn square_sum(sine: Expr, cosine: Expr) -> Expr {
-    add(multiply(sine.clone(), sine), multiply(cosine.clone(), cosine))
 }
 
 fn signed(sign: f64, value: Expr) -> Expr {
@@ -269,13 +210,12 @@ impl Slide {
     /// Its value, m: `a . (P_2 - P_1)`.
     pub fn value(&self) -> Expr {
         let [first, second] = self.points.map(|point| observed(point, 0, self.normal));
-        dot(&self.axis.value(self.normal), &both(&second, &first, subtract))
+        dot(&observed(self.axis, 0, self.normal), &both(&second, &first, subtract))
     }
 
     /// Markers of the first and of the second party.
     pub fn parties(&self) -> [Vec<MarkerId>; 2] {
-        let mut first = self.axis.markers(self.normal);
-        first.push(self.points[0]);
+        let first = vec![self.axis, self.points[0]];
         [first, vec![self.points[1]]]
     }
 }

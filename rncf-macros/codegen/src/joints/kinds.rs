@@ -2,7 +2,6 @@
 
 use super::algebra::{self, call, cross, divide, dot, multiply, norm, number, subtract};
 use super::builder::{Builder, Party};
-use super::fixed::Fixed;
 use crate::model::{Expr, Function, Held, INERTIAL, Marker, MarkerId};
 
 /// Whether a kind has an axis.
@@ -145,37 +144,20 @@ pub const KINDS: &[Kind] = &[
 fn weld(joint: &mut Builder, _: &Arguments) {
     let points = joint.points();
     joint.s(points);
-    if let Some((y, Some(z))) = joint.section(0) {
-        return weld_to_section(joint, [y, z]);
-    }
     for axis in 0..3 {
         let next = joint.direction(0, unit((axis + 1) % 3));
         let own = joint.direction(0, unit(axis));
         let (own, other) = (joint.fixed(0, own), joint.fixed(1, next));
-        joint.d1(&own, &other);
+        joint.d1(own, other);
     }
-}
-
-/// The second party's directions that start as the axes r_y, r_z of the first one's section stay normal
-/// to n = r_y x r_z, and the second of them to r_y.
-fn weld_to_section(joint: &mut Builder, axes: [MarkerId; 2]) {
-    let [other_y, other_z] = axes.map(|axis| joint.fixed(1, axis));
-    let [y, z] = axes.map(Fixed::Marker);
-    let n = Fixed::Cross(Box::new(y.clone()), Box::new(z));
-    joint.d1(&n, &other_y);
-    joint.d1(&n, &other_z);
-    joint.d1(&y, &other_z);
 }
 
 fn weld_in_plane(joint: &mut Builder, _: &Arguments) {
     let points = joint.points();
     joint.s(points);
-    let start = match joint.section(0) {
-        Some((y, _)) => y,
-        None => joint.direction(0, unit(joint.axes()[0])),
-    };
+    let start = joint.direction(0, unit(joint.axes()[0]));
     let (own, other) = (joint.fixed(0, start), joint.fixed(1, start));
-    joint.parallel(&own, &other);
+    joint.parallel(own, other);
 }
 
 fn spherical(joint: &mut Builder, _: &Arguments) {
@@ -190,7 +172,7 @@ fn universal(joint: &mut Builder, arguments: &Arguments) {
     // Fixed in the second party; the first one's direction only says where it starts.
     let start = joint.direction(0, arguments.cross);
     let (axis, cross) = (joint.fixed(0, axis), joint.fixed(1, start));
-    joint.d1(&axis, &cross);
+    joint.d1(axis, cross);
 }
 
 fn revolute(joint: &mut Builder, arguments: &Arguments) {
@@ -205,7 +187,7 @@ fn about(joint: &mut Builder, arguments: &Arguments) {
     let axis = joint.fixed(0, start);
     for which in 0..2 {
         let normal = joint.normal_to(1, start, which);
-        joint.d1(&axis, &normal);
+        joint.d1(axis, normal);
     }
 }
 
@@ -215,7 +197,7 @@ fn along(joint: &mut Builder, arguments: &Arguments) {
     let axis = joint.direction(0, arguments.axis);
     for which in 0..2 {
         let normal = joint.normal_to(1, axis, which);
-        joint.d2(&normal, points);
+        joint.d2(normal, points);
     }
 }
 
@@ -228,7 +210,7 @@ fn prismatic(joint: &mut Builder, arguments: &Arguments) {
     about(joint, arguments);
     let axis = joint.direction(0, arguments.axis);
     let (first, second) = (joint.normal_to(0, axis, 0), joint.normal_to(1, axis, 1));
-    joint.d1(&first, &second);
+    joint.d1(first, second);
     along(joint, arguments);
 }
 
@@ -236,9 +218,9 @@ fn prismatic_in_plane(joint: &mut Builder, arguments: &Arguments) {
     let points = joint.points();
     let start = joint.direction(0, arguments.axis);
     let (axis, other) = (joint.fixed(0, start), joint.fixed(1, start));
-    joint.parallel(&axis, &other);
+    joint.parallel(axis, other);
     let normal = joint.normal.unwrap_or(2);
-    let offset = cross(&joint.along(&axis), &joint.between(points));
+    let offset = cross(&joint.value(axis), &joint.between(points));
     joint.numbered("offset", offset[normal].clone());
 }
 
@@ -247,7 +229,7 @@ fn planar(joint: &mut Builder, arguments: &Arguments) {
     let points = joint.points();
     let start = joint.direction(0, arguments.axis);
     let axis = joint.fixed(0, start);
-    joint.d2(&axis, points);
+    joint.d2(axis, points);
 }
 
 /// `(|d|^2 - L^2) / (2 L)`: a length, and smooth where the points meet.
@@ -274,18 +256,17 @@ pub fn clamp(joint: &mut Builder, is_full: bool) {
     for party in 0..2 {
         for (what, direction) in clamped(joint, party) {
             let other = 1 - party;
-            let moving = Fixed::Marker(direction);
             if is_full {
                 let start = joint.fixed(other, direction);
-                let apart = algebra::both(&joint.along(&moving), &joint.along(&start), subtract);
+                let apart = algebra::both(&joint.value(direction), &joint.value(start), subtract);
                 joint.vector(what, &apart);
             } else if joint.normal.is_some() {
                 let start = joint.fixed(other, direction);
-                joint.parallel(&start, &moving);
+                joint.parallel(start, direction);
             } else {
                 for which in 0..2 {
                     let normal = joint.normal_to(other, direction, which);
-                    joint.d1(&moving, &normal);
+                    joint.d1(direction, normal);
                 }
             }
         }
@@ -303,11 +284,17 @@ fn clamped(joint: &mut Builder, party: usize) -> Vec<(&'static str, MarkerId)> {
     }
 }
 
-/// One coordinate of a flexible end (first party) stays where it starts in the second party's frame.
+/// One coordinate of a flexible place (first party) stays where it starts in the second party's frame: in space that of
+/// an axis that turns with the section, not of r_y or r_z alone, which would shear the section in its plane.
 pub fn hold(joint: &mut Builder, of: Held, axis: usize) {
     let section = |joint: &mut Builder, z: bool| {
         let (y, other) = joint.section(0)?;
-        if z { other } else { Some(y) }
+        let axis = if z { other? } else { y };
+        Some(if joint.normal.is_none() {
+            joint.fixed(0, axis)
+        } else {
+            axis
+        })
     };
     let (what, moving) = match of {
         Held::Position => ("position", Some(joint.points()[0])),
@@ -320,6 +307,17 @@ pub fn hold(joint: &mut Builder, of: Held, axis: usize) {
     let apart = algebra::both(&joint.value(moving), &joint.value(start), subtract);
     let row = dot(&joint.value(along), &apart);
     joint.row(format!("{what} {}", ["x", "y", "z"][axis]), row);
+}
+
+/// The section of the first party does not twist in the second party's frame: with the axes D that turn with it and where
+/// they start, E, `(D_y . E_z - D_z . E_y) / 2 = 0`.
+pub fn hold_twist(joint: &mut Builder) {
+    let Some((y, Some(z))) = joint.section(0) else { return };
+    let [own_y, own_z] = [y, z].map(|axis| joint.fixed(0, axis));
+    let [start_y, start_z] = [y, z].map(|axis| joint.matching(1, axis));
+    let turned = |own: MarkerId, start: MarkerId| dot(&joint.value(own), &joint.value(start));
+    let row = subtract(turned(own_y, start_z), turned(own_z, start_y));
+    joint.row("twist", multiply(number(0.5), row));
 }
 
 /// A unit vector along an axis.

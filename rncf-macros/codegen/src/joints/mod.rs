@@ -8,10 +8,8 @@
 pub mod algebra;
 mod builder;
 mod coordinate;
-mod fixed;
 mod kinds;
 
 pub use builder::{Builder, Party, Rows};
 pub use coordinate::{Angle, Slide, Turned};
-pub use fixed::Fixed;
-pub use kinds::{Arguments, Axis, KINDS, Kind, clamp, hold, unit};
+pub use kinds::{Arguments, Axis, KINDS, Kind, clamp, hold, hold_twist, unit};

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use super::joints::LEVELS;
 use super::kernel::{Kernel, derivatives, values};
 use super::markers::{Marked, describe, function_name, localise};
-use crate::model::{Expr, Marker, MarkerId, Model};
+use crate::model::{Expr, Model};
 use crate::symbolic::Id;
 
 /// The functions of one or more constraints.
@@ -27,8 +27,8 @@ pub struct ConstraintKernels {
 /// Rows with their markers counted in the constraint's own list.
 struct Rows<'m> {
     model: &'m Model,
-    /// Of each marker, whether it never changes.
-    constant: Vec<bool>,
+    /// Number of markers.
+    count: usize,
     rows: Vec<Expr>,
     /// Last word of the functions' names, and what they belong to.
     name: String,
@@ -39,7 +39,7 @@ struct Rows<'m> {
 
 /// The functions of all constraints of a model, each once.
 pub fn constraint_kernels(model: &Model) -> Vec<ConstraintKernels> {
-    let local: Vec<(Vec<bool>, Vec<Expr>)> = model
+    let local: Vec<(usize, Vec<Expr>)> = model
         .constraints
         .iter()
         .map(|constraint| {
@@ -47,8 +47,7 @@ pub fn constraint_kernels(model: &Model) -> Vec<ConstraintKernels> {
                 .rows
                 .iter()
                 .map(|(_, row)| localise(row, &constraint.markers));
-            let constant = constraint.markers.iter().map(|marker| is_constant(model, *marker));
-            (constant.collect(), rows.collect())
+            (constraint.markers.len(), rows.collect())
         })
         .collect();
     let mut names = Vec::new();
@@ -63,7 +62,7 @@ pub fn constraint_kernels(model: &Model) -> Vec<ConstraintKernels> {
         names.push(name.clone());
         let rows = Rows {
             model,
-            constant: rows.0.clone(),
+            count: rows.0,
             rows: rows.1.clone(),
             name,
             title: format!("Constraint {}", members(model, &of)),
@@ -88,11 +87,6 @@ pub fn members(model: &Model, of: &[usize]) -> String {
     names.collect::<Vec<_>>().join(", ")
 }
 
-/// Whether a marker never changes.
-fn is_constant(model: &Model, marker: MarkerId) -> bool {
-    matches!(model.markers[marker.0], Marker::InSection { .. })
-}
-
 impl Rows<'_> {
     fn kernels(&self, of: Vec<usize>) -> ConstraintKernels {
         ConstraintKernels {
@@ -109,16 +103,6 @@ impl Rows<'_> {
         self.rows.iter().map(|row| marked.time.expression(row)).collect()
     }
 
-    /// Symbols of the markers' derivatives, with one that occurs nowhere for those that never change: by it
-    /// every derivative is zero.
-    fn changing(&self, marked: &mut Marked, derivative: usize) -> Vec<Id> {
-        let nothing = marked.time.graph.symbol("nothing");
-        let symbols = marked.symbols[derivative].iter().enumerate();
-        symbols
-            .map(|(place, &symbol)| if self.constant[place / 3] { nothing } else { symbol })
-            .collect()
-    }
-
     fn kernel(
         &self,
         marked: Marked,
@@ -129,7 +113,7 @@ impl Rows<'_> {
     ) -> Kernel {
         let title = format!("{}: {title}", self.title);
         let mut kernel = marked.kernel(format!("constraint_{what}_{}", self.name), title, outputs, arguments);
-        kernel.bindings.push(format!("let z = &z[..{}];", self.constant.len()));
+        kernel.bindings.push(format!("let z = &z[..{}];", self.count));
         kernel
     }
 
@@ -139,13 +123,13 @@ impl Rows<'_> {
             move |marker: usize, component: usize| format!("z[{marker}][{derivative}][{component}]")
         };
         let (value, rate, acceleration, jerk) = (text(0), text(1), text(2), text(3));
-        let mut marked = Marked::new(self.model, self.constant.len(), &[&value, &rate, &acceleration, &jerk]);
+        let mut marked = Marked::new(self.model, self.count, &[&value, &rate, &acceleration, &jerk]);
         let mut rows = self.in_graph(&mut marked);
         let one = marked.time.graph.one();
         let mut rates = HashMap::from([(marked.time.t, one)]);
         for derivative in 0..3 {
-            let symbols = self.changing(&mut marked, derivative);
-            rates.extend(symbols.into_iter().zip(marked.symbols[derivative + 1].iter().copied()));
+            let symbols = marked.symbols[derivative].iter().copied();
+            rates.extend(symbols.zip(marked.symbols[derivative + 1].iter().copied()));
         }
         for _ in 0..level {
             rows = rows
@@ -168,9 +152,9 @@ impl Rows<'_> {
     }
 
     fn gradient(&self) -> Kernel {
-        let mut marked = Marked::values_and_rates(self.model, self.constant.len());
+        let mut marked = Marked::values_and_rates(self.model, self.count);
         let rows = self.in_graph(&mut marked);
-        let z = self.changing(&mut marked, 0);
+        let z = marked.symbols[0].clone();
         let outputs = derivatives(&mut marked.time.graph, &rows, &z, "gradient");
         let title = "writes dC/dz, rows first; entries that are always zero are left alone.";
         self.kernel(
@@ -183,9 +167,9 @@ impl Rows<'_> {
     }
 
     fn rate_gradient(&self) -> Option<Kernel> {
-        let mut marked = Marked::values_and_rates(self.model, self.constant.len());
+        let mut marked = Marked::values_and_rates(self.model, self.count);
         let rows = self.in_graph(&mut marked);
-        let (z, velocity) = (self.changing(&mut marked, 0), marked.symbols[1].clone());
+        let (z, velocity) = (marked.symbols[0].clone(), marked.symbols[1].clone());
         let one = marked.time.graph.one();
         let mut rates = HashMap::from([(marked.time.t, one)]);
         rates.extend(z.iter().copied().zip(velocity));
@@ -199,15 +183,15 @@ impl Rows<'_> {
         let mut kernel = self.kernel(marked, "rate_gradient", title, outputs, &arguments);
         kernel
             .bindings
-            .push(format!("let velocity = &velocity[..{}];", self.constant.len()));
+            .push(format!("let velocity = &velocity[..{}];", self.count));
         (!kernel.outputs.is_empty()).then_some(kernel)
     }
 
     /// Symmetric: the lower triangle is derived, the upper one is its mirror image.
     fn hessian(&self) -> Option<Kernel> {
-        let mut marked = Marked::values_and_rates(self.model, self.constant.len());
+        let mut marked = Marked::values_and_rates(self.model, self.count);
         let rows = self.in_graph(&mut marked);
-        let z = self.changing(&mut marked, 0);
+        let z = marked.symbols[0].clone();
         let graph = &mut marked.time.graph;
         let multipliers: Vec<Id> = (0..rows.len())
             .map(|row| graph.symbol(format!("lambda[{row}]")))

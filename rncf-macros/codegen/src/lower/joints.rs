@@ -85,9 +85,13 @@ impl<'m> Conditions<'m> {
                     Held::Slope | Held::SectionY => 1,
                     Held::SectionZ => 2,
                 };
-                let held = axes.iter().position(|&other| other == axis).unwrap_or(0);
-                let target = targets[vector][held];
-                rows = vec![time.graph.subtract(q[0][vector * dimension + held], target)];
+                let unit: Vec<Id> = (0..3)
+                    .map(|i| time.graph.number(f64::from(u8::from(i == axis))))
+                    .collect();
+                let along = place(&mut time.graph, &unit);
+                let now = &q[0][vector * dimension..(vector + 1) * dimension];
+                let apart = time.graph.subtract_vectors(now, &targets[vector]);
+                rows = vec![time.graph.dot(&along, &apart)];
             }
             JointKind::ClampFull => {
                 let targets = targets[1..].concat();

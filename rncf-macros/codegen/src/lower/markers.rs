@@ -128,8 +128,9 @@ pub fn describe(model: &Model, name: &str, markers: &[MarkerId]) -> String {
                 format!("the {} axis of a section of {}", ["x", "y", "z"][*axis], body(of))
             }
             Marker::InSection { body: of, .. } => {
-                format!("components of a direction in a section of {} at the start", body(of))
+                format!("fixed in a section of {}, where another direction starts", body(of))
             }
+            Marker::SectionTurn { body: of, .. } => format!("the turning of a section of {}", body(of)),
             Marker::Turn { frame: of } => format!("the turning of {}", frame(of)),
             Marker::Angle { frame: of } => format!("the angle of {}", frame(of)),
             Marker::Matching { frame: of, .. } => format!("fixed in {}, where another vector starts", frame(of)),

@@ -97,8 +97,8 @@ pub enum Marker {
         /// 1 or 2.
         axis: usize,
     },
-    /// Constants: components at t = 0 of another direction in the triad (r_y x r_z, r_y, r_z, normalised)
-    /// of a section, so that a direction fixed in it is a combination of markers.
+    /// A unit vector that turns with a section, equal to another direction at t = 0. The section's rotation is the polar
+    /// one of its axes r_y and r_z (in a plane that of r_y): both have the same part in it, the slope none.
     InSection {
         /// Body.
         body: BodyId,
@@ -106,6 +106,13 @@ pub enum Marker {
         at: Location,
         /// The other marker.
         marker: MarkerId,
+    },
+    /// The turning of a section, as that of a frame.
+    SectionTurn {
+        /// Body.
+        body: BodyId,
+        /// Where.
+        at: Location,
     },
     /// The turning of a frame: no value, its rate is the angular velocity (rad/s, inertial axes).
     Turn {
@@ -204,7 +211,8 @@ impl Marker {
             Marker::BodyPoint { .. }
             | Marker::BodySlope { .. }
             | Marker::BodySection { .. }
-            | Marker::InSection { .. } => None,
+            | Marker::InSection { .. }
+            | Marker::SectionTurn { .. } => None,
         }
     }
 }

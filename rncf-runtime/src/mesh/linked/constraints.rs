@@ -157,12 +157,13 @@ impl MeshScene {
             for m in 0..count {
                 let frame = self.marker_frame(self.constraint_marker(linked, m));
                 let pull = self.buffers.frames[frame].direction_to_frame(part(&pulls, m));
+                let curvature = self.curvature(self.constraint_marker(linked, m), pull);
                 for i in &columns[m] {
                     for (n, others) in columns.iter().enumerate() {
                         for j in others {
                             let mut value = block_product(&hessian, count, m, n, i.value, j.value);
                             if m == n {
-                                value += i.second(j, pull);
+                                value += i.second(j, pull, curvature.as_ref());
                             }
                             if let Some((entry, factor)) = self.entry(i.component, j.component) {
                                 out.stiffness(entry, factor * value);
@@ -225,8 +226,7 @@ impl MeshScene {
                     force = add(force, pull);
                     cross(crate::vector::subtract(z[place], about), pull)
                 }
-                Marker::Turn { .. } => pull,
-                Marker::Constant(_) => [0.0; 3],
+                Marker::Turn { .. } | Marker::SectionTurn { .. } => pull,
                 Marker::Angle { free } => {
                     let frame = &self.free[*free];
                     let turn = frame.directions[frame.angle().unwrap_or(0)].turn;

@@ -77,6 +77,7 @@ impl MeshScene {
             for m in 0..count {
                 let frame = self.marker_frame(&self.markers[spec.markers[m]]);
                 let force = self.buffers.frames[frame].direction_to_frame(part(&forces, m));
+                let curvature = self.curvature(&self.markers[spec.markers[m]], force);
                 for i in &columns[m] {
                     for (n, others) in columns.iter().enumerate() {
                         for j in others {
@@ -84,7 +85,7 @@ impl MeshScene {
                             let mut value = block_product(&by_value, count, m, n, i.value, j.value)
                                 + block_product(&by_velocity, count, m, n, i.value, j.rate);
                             if m == n {
-                                value += i.second(j, force);
+                                value += i.second(j, force, curvature.as_ref());
                             }
                             if let Some((entry, factor)) = self.entry(i.component, j.component) {
                                 out.stiffness(entry, -factor * value);
@@ -191,7 +192,7 @@ impl MeshScene {
                         let change = frame.direction_to_frame(j.value);
                         let mut value = dot(row, apply(&blocks[m][n], change));
                         if m == n {
-                            value += i.second(j, forces[m]);
+                            value += i.second(j, forces[m], None);
                         }
                         if let Some((entry, factor)) = self.entry(i.component, j.component) {
                             out.stiffness(entry, -factor * value);

@@ -4,6 +4,7 @@ mod constraints;
 mod forces;
 mod jets;
 mod resolve;
+mod triad;
 mod undefined;
 
 pub(super) use forces::MarkedLoad;

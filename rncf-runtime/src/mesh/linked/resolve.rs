@@ -2,11 +2,11 @@
 
 use super::super::frames::normal_of;
 use super::super::markers::MarkerSpec;
-use super::super::parts::{BodySpec, Parts, Place};
-use super::super::scene::{MeshScene, PlaceVector, mesh_point};
+use super::super::parts::{BodySpec, Parts};
+use super::super::scene::{MeshPoint, MeshScene, PlaceVector, mesh_point};
 use super::Marker;
 use crate::error::ModelError;
-use crate::vector::{Vector, cross, dot, norm, perpendicular, scale};
+use crate::vector::{Vector, cross, norm, perpendicular, scale};
 
 /// Deepest chain of markers that refer to each other.
 const DEEPEST: usize = 8;
@@ -31,8 +31,14 @@ pub(in super::super) fn markers(
         MarkerSpec::BodyPoint { body: index, at } => body(index, at, PlaceVector::Position),
         MarkerSpec::BodySlope { body: index, at } => body(index, at, PlaceVector::Slope),
         MarkerSpec::BodySection { body: index, at, axis } => body(index, at, PlaceVector::section(3)[axis - 1]),
-        MarkerSpec::InSection { .. } => Ok(Marker::Constant([0.0; 3])),
+        MarkerSpec::InSection { body: index, at, .. } => {
+            let along = [0.0; 3];
+            mesh_point(parts, bodies, index, at, USER).map(|point| Marker::Section { point, along })
+        }
         MarkerSpec::Turn { frame } => Ok(Marker::Turn { frame }),
+        MarkerSpec::SectionTurn { body: index, at } => {
+            mesh_point(parts, bodies, index, at, USER).map(|point| Marker::SectionTurn { point })
+        }
         MarkerSpec::Angle { frame } => match free_of[frame] {
             Some(free) => Ok(Marker::Angle { free }),
             None => Err(ModelError::new(format!(
@@ -78,8 +84,11 @@ impl MeshScene {
                     motion.direction_to_frame(value)
                 };
                 self.markers[index] = Marker::Fixed { frame, at, is_point };
-            } else if let MarkerSpec::InSection { .. } = specs[index] {
-                self.markers[index] = Marker::Constant(self.initial(&specs, index, 0)?);
+            } else if let MarkerSpec::InSection { body, at, .. } = specs[index] {
+                let direction = self.initial(&specs, index, 0)?;
+                let point = self.point(body, at, USER)?;
+                let along = self.in_section(&point, direction)?;
+                self.markers[index] = Marker::Section { point, along };
             }
         }
         Ok(())
@@ -118,42 +127,27 @@ impl MeshScene {
                 };
                 Ok(if which == 0 { first } else { cross(along, first) })
             }
-            MarkerSpec::InSection { body, at, marker } => {
-                let value = self.initial(specs, marker, depth + 1)?;
-                let direction = unit(value, self.bodies[body].spec.frame)?;
-                Ok(components_in(&self.section_triad(body, at)?, direction))
+            MarkerSpec::InSection { body, marker, .. } => {
+                unit(self.initial(specs, marker, depth + 1)?, self.bodies[body].spec.frame)
             }
             _ => Ok(self.jet(&self.markers[index])[0]),
         }
     }
 
-    /// Axes of a section at the loaded state, inertial axes: `r_y x r_z`, r_y, r_z, each normalised; in a
-    /// plane r_y turned by -90 degrees about the normal, r_y, and the normal.
+    /// Components of a direction (inertial axes) in the triad of a section at the loaded state.
     ///
     /// # Errors
-    /// A place beyond the body's end, or axes without length.
-    fn section_triad(&self, body: usize, at: Place) -> Result<[Vector; 3], ModelError> {
-        let point = self.point(body, at, USER)?;
-        let mesh_body = &self.bodies[body];
-        let frame = &self.buffers.frames[mesh_body.frame];
-        let vector = |of| frame.direction_to_inertial(self.at_point(&point, of, &self.buffers.q));
-        let y = vector(PlaceVector::SectionY);
-        let (z, along) = match mesh_body.spec.plane_normal() {
-            Some(normal) => {
-                let normal = frame.direction_to_inertial(normal);
-                (normal, cross(y, normal))
-            }
-            None => {
-                let z = vector(PlaceVector::SectionZ);
-                (z, cross(y, z))
-            }
-        };
-        if norm(along) > 0.0 {
-            return Ok([along, y, z].map(|axis| scale(1.0 / norm(axis), axis)));
+    /// Axes without length, or with the same direction.
+    fn in_section(&self, point: &MeshPoint, direction: Vector) -> Result<Vector, ModelError> {
+        let body = &self.bodies[point.body];
+        let along = self.buffers.frames[body.frame].direction_to_frame(direction);
+        let components = self.triad(point).components(along);
+        if components.iter().all(|component| component.is_finite()) {
+            return Ok(components);
         }
         Err(ModelError::new(format!(
             "the section's axes of body `{}` have no length or the same direction at t = 0: check its initial shape",
-            mesh_body.spec.label()
+            body.spec.label()
         )))
     }
 
@@ -169,7 +163,8 @@ impl MeshScene {
             MarkerSpec::BodySlope { body, .. }
             | MarkerSpec::BodyPoint { body, .. }
             | MarkerSpec::BodySection { body, .. }
-            | MarkerSpec::InSection { body, .. } => {
+            | MarkerSpec::InSection { body, .. }
+            | MarkerSpec::SectionTurn { body, .. } => {
                 let spec = &self.bodies[body].spec;
                 if let [first, second] = *spec.axes {
                     let motion = &self.buffers.frames[spec.frame];
@@ -186,15 +181,4 @@ impl MeshScene {
         };
         of_frame(frame).or_else(|| of_frame(other))
     }
-}
-
-/// The numbers c with `u = c_1 t_1 + c_2 t_2 + c_3 t_3`: t_1 is a unit vector normal to both others, which are
-/// unit vectors and need not be normal to each other.
-fn components_in([along, y, z]: &[Vector; 3], u: Vector) -> Vector {
-    let (by_y, by_z) = (cross(*z, *along), cross(*along, *y));
-    [
-        dot(u, *along),
-        dot(u, by_y) / dot(*y, by_y),
-        dot(u, by_z) / dot(*z, by_z),
-    ]
 }

@@ -107,7 +107,9 @@ impl MeshScene {
         }
         let bodies_of = |markers: &[usize]| {
             let mut bodies = markers.iter().filter_map(|&marker| match &self.markers[marker] {
-                Marker::Body { point, .. } => Some(point.body),
+                Marker::Body { point, .. } | Marker::Section { point, .. } | Marker::SectionTurn { point } => {
+                    Some(point.body)
+                }
                 _ => None,
             });
             bodies.find(|&body| lives(body))

@@ -270,7 +270,7 @@ fn sections_turn_along_arcs() {
     let start = Start::new(&model);
     vector_near(start.marker(MarkerId(first)), y);
     vector_near(start.marker(MarkerId(first + 1)), z);
-    vector_near(start.marker(MarkerId(first + 3)), [0.0, -0.6, 0.8]);
+    vector_near(start.marker(MarkerId(first + 3)), [0.0, 0.6, 0.8]);
 }
 
 /// An initial shape turns the section by the smallest rotation of the tangent.

@@ -113,9 +113,9 @@ impl World<'_> {
             Marker::BodySlope { body, at } => self.place(*body, at, t)[1],
             Marker::BodySection { body, at, axis } => self.place(*body, at, t)[1 + axis],
             Marker::InSection { body, at, marker } => {
-                let [_, _, y, z] = self.place(*body, at, 0.0);
                 let other = unit(self.marker(*marker, 0.0));
-                [cross(y, z), y, z].map(|axis| dot(unit(axis), other))
+                let start = self.triad(*body, at, 0.0);
+                times(self.triad(*body, at, t), times(transposed(start), other))
             }
             Marker::Matching { frame, marker } => {
                 let (start, now) = (self.at(*frame, 0.0), self.at(*frame, t));
@@ -140,13 +140,25 @@ impl World<'_> {
                 let a = self.at(*frame, t).a;
                 [a[1][0].atan2(a[0][0]), 0.0, 0.0]
             }
-            Marker::Turn { .. } => [0.0; 3],
+            Marker::Turn { .. } | Marker::SectionTurn { .. } => [0.0; 3],
         }
     }
 
+    /// The polar rotation of a section's axes; columns are the normal, y and z.
+    fn triad(&self, body: BodyId, at: &Location, t: f64) -> Mat3 {
+        let [_, _, y, z] = self.place(body, at, t);
+        let n = unit(cross(y, z));
+        let y = unit(add(y, cross(z, n)));
+        transposed([n, y, cross(n, y)])
+    }
+
     pub fn rate(&self, marker: MarkerId) -> Vec3 {
-        if let Marker::Turn { frame } = self.model.markers[marker.0] {
-            let (later, before) = (self.at(frame, self.t + STEP).a, self.at(frame, self.t - STEP).a);
+        let rotation = |t: f64| match &self.model.markers[marker.0] {
+            Marker::Turn { frame } => Some(self.at(*frame, t).a),
+            Marker::SectionTurn { body, at } => Some(self.triad(*body, at, t)),
+            _ => None,
+        };
+        if let (Some(later), Some(before)) = (rotation(self.t + STEP), rotation(self.t - STEP)) {
             let w = product(later, transposed(before));
             return scale(0.25 / STEP, [w[2][1] - w[1][2], w[0][2] - w[2][0], w[1][0] - w[0][1]]);
         }
