@@ -132,6 +132,40 @@ rncf::model! {
         output way = ring.y;
     }
 }
+rncf::model! {
+    /// A body with a long arm on a ring around a far origin.
+    pub model Ring {
+        param r = 1e9 m;
+        rigid arm { mass = 3 kg; inertia = [1, 1, 1] kg*m^2; origin = [r, 0 m, 0 m]; velocity = [0, 100, 0] m/s; }
+        rigid tip { mass = 1 kg; origin = [r, 10 m, 0 m]; velocity = [0, 100, 0] m/s; }
+        constraint held = norm(arm.position) - r;
+        joint boom = spherical(arm.at([0, 10, 0] m), tip);
+        output way = arm.y;
+    }
+}
+rncf::model! {
+    /// A mass on a spring without length.
+    pub model Coincident {
+        param place = 0.3 m;
+        rigid bob { mass = 1 kg; origin = [place, 0 m, 0 m]; }
+        spring cord = linear(bob, inertial.at([0.3, 0, 0] m), stiffness = 10 N/m, length = 0.1 m);
+        output x = bob.x;
+    }
+}
+rncf::model! {
+    /// Two satellites that a tether joins, circling each other in the orbit of their centre.
+    pub model Tethered {
+        param r = 6.8e6 m;
+        const v = 7600 m/s;
+        rigid a { mass = 3 kg; inertia = [1, 1, 1] kg*m^2; origin = [r, -6 m, 0 m]; velocity = [0.6 [m/s], v, 0]; angular_velocity = [0, 0, 0.1] rad/s; }
+        rigid b { mass = 3 kg; inertia = [1, 1, 1] kg*m^2; origin = [r, 6 m, 0 m]; velocity = [-0.6 [m/s], v, 0]; angular_velocity = [0, 0, 0.1] rad/s; }
+        joint tether = distance(a.at([0, 1, 0] m), b.at([0, -1, 0] m));
+        output apart = norm(a.position - b.position);
+        output across = b.x - a.x;
+        output pull = norm(tether.force);
+    }
+}
+
 /// Kepler's orbit from its nearest point at (r, 0) with the speed v across, at time t: x and y.
 fn kepler(mu: f64, r: f64, v: f64, t: f64) -> [f64; 2] {
     let long = 1.0 / (2.0 / r - v * v / mu);
@@ -167,6 +201,54 @@ fn an_orbit_and_a_ring_far_from_the_origin_keep_their_tolerance() {
                     (found - wanted).abs() < error * r,
                     "{method:?} {rtol}: {found} instead of {wanted}"
                 );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_tolerance_below_round_off_is_named() {
+    // Coordinates of 1e9 m have a last bit of 1e-7 m.
+    let mut scene = built(&Ring::default());
+    let error = run(scene.as_mut(), Method::Radau, 1e-10, 50.0).unwrap_err().to_string();
+    for part in ["the tolerance is below round-off", "constraint `held`, value", "origin"] {
+        assert!(error.contains(part), "`{part}` is missing in: {error}");
+    }
+    let (state, _) = run(scene.as_mut(), Method::Radau, 1e-5, 50.0).unwrap();
+    let found = outputs(scene.as_mut(), &state);
+    assert!((found[0] - 5000.0).abs() < 1e-2, "{found:?}");
+}
+
+#[test]
+fn a_spring_whose_ends_are_a_round_off_apart_is_refused() {
+    let place = 0.05 + 0.25;
+    let mut scene = built(&Coincident { place });
+    let error = run(scene.as_mut(), Method::Radau, 1e-6, 1.0).unwrap_err().to_string();
+    assert!(error.contains("the force of `cord` is not finite"), "{error}");
+}
+
+#[test]
+fn a_tether_in_orbit_is_as_exact_as_at_the_origin() {
+    for method in ALL {
+        for rtol in [1e-6, 1e-9] {
+            let [near, far] = [0.0, 6.8e6].map(|r| {
+                let mut scene = built(&Tethered { r });
+                let (state, steps) = run(scene.as_mut(), method, rtol, 20.0).unwrap();
+                (outputs(scene.as_mut(), &state), steps)
+            });
+            // Far away positions count from points that move on with the start: there they change more slowly.
+            assert!(
+                far.1 <= near.1 + near.1 / 10,
+                "{method:?} {rtol}: {} and {}",
+                near.1,
+                far.1
+            );
+            // Turned by 2 rad; each end 6 m from the middle.
+            let turned = -12.0 * 2f64.sin();
+            for (found, exact) in [(&near.0, 1e-9), (&far.0, 2e-8)] {
+                assert!((found[0] - 12.0).abs() < exact + 10.0 * rtol, "{found:?}");
+                assert!((found[1] - turned).abs() < 120.0 * rtol.powf(2.0 / 3.0), "{found:?}");
+                assert!((found[2] - 0.18).abs() < 1e-3, "{found:?}");
             }
         }
     }

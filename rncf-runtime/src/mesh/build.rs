@@ -12,8 +12,8 @@ use super::frame::FrameMotion;
 use super::frames::{Frames, FreeFrame, declared_free};
 use super::inertia::NodalMass;
 use super::layout::Layout;
-use super::linked::{Linked, MarkedLoad, Marker, markers};
-use super::markers::When;
+use super::linked::{Linked, MarkedLoad, Marker, markers, of_constraint};
+use super::markers::{ConstraintSpec, When};
 use super::mean_axes::MeanAxes;
 use super::moments::turned_by_moments;
 use super::parts::{BodySpec, Fidelity, JointSpec, LoadKind, Parts};
@@ -101,6 +101,7 @@ impl MeshScene {
         let first_turn = layout.unknowns() - border;
         let turns = free.iter().filter(|frame| frame.turn.is_some());
         let turns = turns.map(|frame| first_turn + frame.first + frame.shifts()).collect();
+        let markers = markers(&*parts, &specs, &free_of)?;
         let mut scene = Self {
             formulation,
             joints: joint_specs,
@@ -115,14 +116,15 @@ impl MeshScene {
             in_modes: false,
             buffers: Buffers::new(layout.components(), motions),
             bodies,
-            markers: markers(&*parts, &specs, &free_of)?,
+            constraints: linked(&*parts, &specs, &markers, absolute),
+            markers,
             free,
             free_of,
             fixed,
             turns,
             turned: Arc::new([]),
-            constraints: linked(&*parts, &specs, absolute),
             forces: parts.forces(),
+            force_anchors: Vec::new(),
             marked_loads: Vec::new(),
             densities: Vec::new(),
             density_batches: Vec::new(),
@@ -145,6 +147,7 @@ impl MeshScene {
         scene.resolve_markers()?;
         scene.sizes = scene.unknown_sizes();
         scene.follow_far_starts();
+        scene.find_anchors();
         Ok(scene)
     }
 
@@ -256,7 +259,7 @@ impl MeshScene {
         let mut groups: Vec<Vec<usize>> = self
             .constraints
             .iter()
-            .map(|linked| of_markers(linked.spec.markers))
+            .map(|linked| self.unknowns_of(self.constraint_components(linked)))
             .collect();
         groups.extend(self.forces.iter().map(|force| of_markers(force.markers)));
         for marked in &self.marked_loads {
@@ -286,6 +289,12 @@ impl MeshScene {
         }
         entries.extend(self.density_entries());
         entries
+    }
+
+    /// Components that a constraint on markers depends on.
+    fn constraint_components<'s>(&'s self, linked: &'s Linked) -> impl Iterator<Item = usize> + 's {
+        let markers = linked.spec.markers.iter();
+        markers.flat_map(move |&marker| self.components_of(linked, &self.markers[marker]))
     }
 
     /// Unknowns of components, ascending, each once.
@@ -341,9 +350,7 @@ impl MeshScene {
             }
         }
         for (index, linked) in self.constraints.iter().enumerate() {
-            let markers = linked.spec.markers.iter();
-            let components = markers.flat_map(|&marker| self.marker_components(&self.markers[marker]));
-            let unknowns = self.unknowns_of(components);
+            let unknowns = self.unknowns_of(self.constraint_components(linked));
             for row in 0..linked.spec.rows.len() {
                 let column = self.constraint_rows.len();
                 entries.extend(unknowns.iter().map(|&unknown| (unknown, column)));
@@ -398,13 +405,39 @@ fn plane_offset(spec: &BodySpec, absolute: bool, frame: &FrameMotion) -> Vector 
 }
 
 /// The constraints on markers that are there.
-fn linked(parts: &dyn Parts, specs: &[BodySpec], absolute: impl Fn(&BodySpec) -> bool) -> Vec<Linked> {
+fn linked(
+    parts: &dyn Parts,
+    specs: &[BodySpec],
+    markers: &[Marker],
+    absolute: impl Fn(&BodySpec) -> bool,
+) -> Vec<Linked> {
+    let length = specs.iter().map(|spec| spec.line.length()).fold(0.0, f64::max);
+    let length = if length > 0.0 { length } else { 1.0 };
+    let frame_of = |marker: &Marker| match marker {
+        Marker::Fixed { frame, .. } => Some(*frame),
+        Marker::Body { point, .. } if absolute(&specs[point.body]) => Some(0),
+        Marker::Body { point, .. } => Some(specs[point.body].frame),
+        _ => None,
+    };
     let constraints = parts.constraints().into_iter().enumerate();
     let there = constraints.filter(|(_, spec)| match spec.when {
         When::Always => true,
         When::Absolute(body) => absolute(&specs[body]),
     });
-    there.map(|(index, spec)| Linked { index, spec }).collect()
+    let linked = |(index, spec): (usize, ConstraintSpec)| {
+        let markers: Vec<&Marker> = spec.markers.iter().map(|&marker| &markers[marker]).collect();
+        let mut frames = markers.iter().map(|&marker| frame_of(marker));
+        let first = frames.next().flatten().filter(|&frame| frame != 0);
+        let own = first.filter(|_| frames.all(|frame| frame == first));
+        let reach = of_constraint(parts, (index, spec.rows.len()), &markers, own, length);
+        Linked {
+            index,
+            spec,
+            reach,
+            anchor: None,
+        }
+    };
+    there.map(linked).collect()
 }
 
 /// Mass of an element's components from that of its vectors.

@@ -119,6 +119,8 @@ impl MeshPoint {
 
 /// Buffers of the full (not reduced) state.
 pub(super) struct Buffers {
+    /// Time of the loaded state, s.
+    pub t: f64,
     pub q: Vec<f64>,
     pub v: Vec<f64>,
     pub a: Vec<f64>,
@@ -147,6 +149,7 @@ impl Buffers {
     pub fn new(components: usize, frames: Vec<FrameMotion>) -> Self {
         let zeros = || vec![0.0; components];
         Self {
+            t: 0.0,
             q: zeros(),
             v: zeros(),
             a: zeros(),
@@ -200,6 +203,8 @@ pub struct MeshScene {
     pub(super) markers: Vec<Marker>,
     pub(super) constraints: Vec<Linked>,
     pub(super) forces: Vec<ForceSpec>,
+    /// For every force the free frame near which differences of its points are taken.
+    pub(super) force_anchors: Vec<Option<usize>>,
     pub(super) marked_loads: Vec<MarkedLoad>,
     pub(super) densities: Vec<Density>,
     pub(super) density_batches: Vec<Batches>,

@@ -1,8 +1,8 @@
 //! Constraints on markers: values, Jacobians, and what their forces add to the stiffness.
 
 use super::super::scene::MeshScene;
-use super::Linked;
 use super::jets::{Column, Marker};
+use super::{Linked, Reach};
 use crate::system::{ConstraintLevel, Sums};
 use crate::vector::{Vector, add, cross, dot, scale};
 
@@ -22,6 +22,12 @@ pub(super) fn block_product(matrix: &[f64], markers: usize, m: usize, n: usize, 
         .sum()
 }
 
+/// Whether the block (`m`, `n`) of a matrix of `3 k` columns is zero.
+fn is_zero_block(matrix: &[f64], markers: usize, m: usize, n: usize) -> bool {
+    let row = |i: usize| &matrix[(3 * m + i) * 3 * markers + 3 * n..][..3];
+    (0..3).all(|i| row(i).iter().all(|&entry| entry == 0.0))
+}
+
 impl MeshScene {
     fn constraint_marker(&self, linked: &Linked, place: usize) -> &Marker {
         &self.markers[linked.spec.markers[place]]
@@ -33,14 +39,16 @@ impl MeshScene {
             .spec
             .markers
             .iter()
-            .map(|&marker| self.jet(&self.markers[marker]));
+            .map(|&marker| self.jet_of(linked, &self.markers[marker]));
         let (values, velocities) = jets.map(|jet| (jet[0], jet[1])).unzip();
         [values, velocities]
     }
 
     fn all_columns(&self, linked: &Linked) -> Vec<Vec<Column>> {
         let markers = linked.spec.markers.iter();
-        markers.map(|&marker| self.columns(&self.markers[marker])).collect()
+        markers
+            .map(|&marker| self.columns_of(linked, &self.markers[marker]))
+            .collect()
     }
 
     /// dC/dz at the loaded state: rows x 3 k.
@@ -65,7 +73,7 @@ impl MeshScene {
                 .spec
                 .markers
                 .iter()
-                .map(|&marker| self.jet(&self.markers[marker]))
+                .map(|&marker| self.jet_of(linked, &self.markers[marker]))
                 .collect();
             let count = linked.spec.rows.len();
             let rows = &mut out[first..first + count];
@@ -157,9 +165,17 @@ impl MeshScene {
             for m in 0..count {
                 let frame = self.marker_frame(self.constraint_marker(linked, m));
                 let pull = self.buffers.frames[frame].direction_to_frame(part(&pulls, m));
-                for i in &columns[m] {
-                    for (n, others) in columns.iter().enumerate() {
+                for (n, others) in columns.iter().enumerate() {
+                    let is_flat = is_zero_block(&hessian, count, m, n);
+                    if is_flat && m != n {
+                        continue;
+                    }
+                    for i in &columns[m] {
                         for j in others {
+                            // Without curvature of the condition only turns of the frame add something.
+                            if is_flat && !i.turns() && !j.turns() {
+                                continue;
+                            }
                             let mut value = block_product(&hessian, count, m, n, i.value, j.value);
                             if m == n {
                                 value += i.second(j, pull);
@@ -237,6 +253,12 @@ impl MeshScene {
             };
             moment = add(moment, turning);
         }
-        [force, moment]
+        match linked.reach {
+            Reach::Within(frame) => {
+                let frame = &self.buffers.frames[frame];
+                [force, moment].map(|vector| frame.direction_to_inertial(vector))
+            }
+            Reach::Space | Reach::Differences => [force, moment],
+        }
     }
 }

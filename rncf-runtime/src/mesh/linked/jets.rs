@@ -2,6 +2,7 @@
 
 use super::super::frame::FrameMotion;
 use super::super::scene::{MeshPoint, MeshScene, PlaceVector};
+use super::{Linked, Reach};
 use crate::vector::{Vector, add, apply, cross, dot};
 
 /// A marker with what it needs at run time.
@@ -64,6 +65,11 @@ impl Column {
     pub fn turn(&self) -> Vector {
         self.turn
     }
+
+    /// Whether it turns its frame.
+    pub fn turns(&self) -> bool {
+        self.turn != [0.0; 3]
+    }
 }
 
 /// Time derivatives, in inertial axes, of a vector given in a frame with its derivatives there.
@@ -100,7 +106,7 @@ impl MeshScene {
     }
 
     /// Vector of a marker in its frame, with derivatives there.
-    fn within(&self, marker: &Marker) -> [Vector; 4] {
+    pub(super) fn within(&self, marker: &Marker) -> [Vector; 4] {
         match marker {
             Marker::Fixed { at, .. } | Marker::Constant(at) => [*at, [0.0; 3], [0.0; 3], [0.0; 3]],
             Marker::Body { point, of } => {
@@ -119,6 +125,63 @@ impl MeshScene {
     /// Value, velocity, acceleration and jerk of a marker at the loaded state, inertial axes; the
     /// jerk is that without the jerk of the unknowns.
     pub(in super::super) fn jet(&self, marker: &Marker) -> [Vector; 4] {
+        self.jet_from(marker, None)
+    }
+
+    /// The same of a marker of a constraint: in the axes of its frame where it depends on nothing else, and points
+    /// from its anchor.
+    pub(in super::super) fn jet_of(&self, linked: &Linked, marker: &Marker) -> [Vector; 4] {
+        match linked.reach {
+            Reach::Within(_) => self.within(marker),
+            Reach::Space | Reach::Differences => self.jet_from(marker, linked.anchor),
+        }
+    }
+
+    /// How a marker of a constraint depends on the unknowns at the loaded state, in the axes of [`MeshScene::jet_of`].
+    pub(in super::super) fn columns_of(&self, linked: &Linked, marker: &Marker) -> Vec<Column> {
+        match (linked.reach, marker) {
+            (Reach::Within(_), Marker::Body { point, of }) => {
+                let mut columns = Vec::new();
+                self.add_body_columns(point, *of, &FrameMotion::INERTIAL, &mut columns);
+                columns
+            }
+            (Reach::Within(_), _) => Vec::new(),
+            _ => self.columns(marker),
+        }
+    }
+
+    /// Components that a marker of a constraint depends on, at any state.
+    pub(in super::super) fn components_of(&self, linked: &Linked, marker: &Marker) -> Vec<usize> {
+        match (linked.reach, marker) {
+            (Reach::Within(_), Marker::Body { point, .. }) => {
+                self.bodies[point.body].connectivity.element(point.element).to_vec()
+            }
+            (Reach::Within(_), _) => Vec::new(),
+            _ => self.marker_components(marker),
+        }
+    }
+
+    /// Position of a frame's origin and its derivatives, inertial axes, from the uniformly moving point that the positions
+    /// of the free frame `anchor` count from: no digits are lost far from the origin.
+    fn origin_from(&self, frame: usize, anchor: Option<usize>) -> [Vector; 4] {
+        let motion = &self.buffers.frames[frame];
+        let [mut position, mut velocity] = [motion.position, motion.velocity];
+        if let Some(anchor) = anchor {
+            let (base, t) = (&self.free[anchor], self.buffers.t);
+            [position, velocity] = match self.free_of[frame].map(|free| &self.free[free]) {
+                Some(free) if free.shifts() > 0 => {
+                    let first = self.layout.vector_components() + free.first;
+                    let own = first..first + free.count();
+                    free.relative(base, t, [&self.buffers.q[own.clone()], &self.buffers.v[own]])
+                }
+                _ => base.seen(t, position, velocity),
+            };
+        }
+        [position, velocity, motion.acceleration, motion.jerk]
+    }
+
+    /// See [`MeshScene::jet`]; points from the anchor.
+    pub(super) fn jet_from(&self, marker: &Marker, anchor: Option<usize>) -> [Vector; 4] {
         let frame = &self.buffers.frames[self.marker_frame(marker)];
         match marker {
             Marker::Turn { .. } => {
@@ -134,7 +197,7 @@ impl MeshScene {
             _ => {
                 let mut jet = turned(frame, self.within(marker));
                 if marker.is_point() {
-                    let origin = [frame.position, frame.velocity, frame.acceleration, frame.jerk];
+                    let origin = self.origin_from(self.marker_frame(marker), anchor);
                     jet = std::array::from_fn(|order| add(jet[order], origin[order]));
                 }
                 jet
@@ -205,22 +268,27 @@ impl MeshScene {
             }
         }
         if let Marker::Body { point, of } = marker {
-            let body = &self.bodies[point.body];
-            let weights = point.weights(*of);
-            let dimension = body.spec.dimension();
-            for (place, &component) in body.connectivity.element(point.element).iter().enumerate() {
-                let mut within = [0.0; 3];
-                within[body.spec.axes[place % dimension]] = weights[place / dimension];
-                columns.push(Column {
-                    component,
-                    value: apply(&frame.rotation, within),
-                    rate: apply(&frame.rotation, cross(frame.spin, within)),
-                    turn: [0.0; 3],
-                    within,
-                    turned: within,
-                });
-            }
+            self.add_body_columns(point, *of, frame, &mut columns);
         }
         columns
+    }
+
+    /// Adds what nodal vectors do to a vector of a body in a frame.
+    fn add_body_columns(&self, point: &MeshPoint, of: PlaceVector, frame: &FrameMotion, columns: &mut Vec<Column>) {
+        let body = &self.bodies[point.body];
+        let weights = point.weights(of);
+        let dimension = body.spec.dimension();
+        for (place, &component) in body.connectivity.element(point.element).iter().enumerate() {
+            let mut within = [0.0; 3];
+            within[body.spec.axes[place % dimension]] = weights[place / dimension];
+            columns.push(Column {
+                component,
+                value: apply(&frame.rotation, within),
+                rate: apply(&frame.rotation, cross(frame.spin, within)),
+                turn: [0.0; 3],
+                within,
+                turned: within,
+            });
+        }
     }
 }

@@ -3,11 +3,14 @@
 mod constraints;
 mod forces;
 mod jets;
+mod noise;
+mod reach;
 mod resolve;
 mod undefined;
 
 pub(super) use forces::MarkedLoad;
 pub(super) use jets::Marker;
+pub(super) use reach::{Reach, of_constraint};
 pub(super) use resolve::markers;
 
 use super::markers::ConstraintSpec;
@@ -18,4 +21,8 @@ pub(super) struct Linked {
     pub index: usize,
     /// As declared.
     pub spec: ConstraintSpec,
+    /// What it depends on.
+    pub reach: Reach,
+    /// The free frame near which differences of its points are taken; `None`: the origin of space.
+    pub anchor: Option<usize>,
 }
