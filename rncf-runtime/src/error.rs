@@ -27,7 +27,7 @@ impl fmt::Display for ModelError {
 impl std::error::Error for ModelError {}
 
 /// A number with six digits, as it is read best.
-struct Short(f64);
+pub(crate) struct Short(pub(crate) f64);
 
 impl fmt::Display for Short {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -64,6 +64,8 @@ pub enum SolveErrorKind {
     NoConvergence,
     /// The error test failed at the smallest step.
     StepTooSmall,
+    /// The tolerance asks for more than round-off of a constraint allows; the text names it and what to do.
+    BelowRoundOff(String),
     /// Newton's iteration failed where constraints become dependent, so that motions branch; the text names
     /// the constraints.
     SingularConfiguration(String),
@@ -106,6 +108,9 @@ impl fmt::Display for SolveError {
                 f,
                 "the error test fails at t = {t} s even with h = {h} s: the solution is not smooth there, or the tolerance is below round-off"
             )?,
+            SolveErrorKind::BelowRoundOff(text) => {
+                return write!(f, "no step is found at t = {t} s with h = {h} s: {text}");
+            }
             SolveErrorKind::NotFinite if self.h == 0.0 => write!(
                 f,
                 "a value is not finite at t = {t} s: a parameter is unphysical or out of the range of numbers"

@@ -191,6 +191,10 @@ pub trait System {
     /// Constraint values of the given level; m entries. `state.lambda` is not used.
     fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]);
 
+    /// Round-off of the values of the constraints at the state, in their units: of what they are differences of; m entries,
+    /// which are zero on entry. Round-off of the unknowns need not be counted.
+    fn constraint_noise(&mut self, _state: &State, _out: &mut [f64]) {}
+
     /// `C_x^T` at the state's time and position, on [`System::constraint_pattern`].
     fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]);
 

@@ -18,6 +18,7 @@ mod pendulum;
 mod pictures;
 mod reference;
 mod runs;
+mod scales;
 mod slider_crank;
 mod spin_up;
 mod steady;

@@ -137,13 +137,17 @@ impl Alpha {
         } else {
             options.rtol
         };
+        let mut newton = Newton::new(system, coefficients.factors(), rtol, options.stabilised);
+        if fixed {
+            newton.bear_noise();
+        }
         Self {
             coefficients,
             fixed,
             stabilised: options.stabilised && m > 0,
             charts: Charts::new(system.turns(), system.pattern()),
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (options.rtol * size)).collect(),
-            newton: Newton::new(system, coefficients.factors(), rtol, options.stabilised),
+            newton,
             bordered: Bordered::new(system),
             controller: Controller::of_second_order(),
             history: History::new(n, m),

@@ -15,6 +15,7 @@ mod diagnose;
 mod energy;
 mod history;
 mod newton;
+mod noise;
 mod options;
 mod radau;
 mod scheme;
@@ -334,12 +335,18 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
     }
 
     fn rejection_error(&mut self, t: f64, h: f64, cause: Cause) -> SolveError {
-        let branching = match cause {
+        let branching = match &cause {
             Cause::Newton { .. } | Cause::Singular { .. } => diagnose::near_singular(self.system, self.scheme.state()),
             Cause::Error | Cause::NotFinite => None,
         };
         if let Some(text) = branching {
             return self.error(SolveErrorKind::SingularConfiguration(text), t, h, None);
+        }
+        if let (Cause::Newton { .. } | Cause::Error, StepSize::Adaptive) = (&cause, self.options.step) {
+            let state = self.state().clone();
+            if let Some(text) = noise::below_round_off(self.system, &state, self.options.rtol) {
+                return self.error(SolveErrorKind::BelowRoundOff(text), t, h, None);
+            }
         }
         let (kind, worst) = match cause {
             Cause::Error => (SolveErrorKind::StepTooSmall, self.scheme.worst_error()),

@@ -13,6 +13,7 @@
 use super::Statistics;
 use super::charts::Charts;
 use super::compensated::{self, Low};
+use super::noise::{self, BEARABLE};
 use super::scheme::Cause;
 use super::stabiliser::{Scales, Stabiliser};
 use crate::linalg::{Pattern, Saddle, Singular};
@@ -80,6 +81,8 @@ pub(super) struct Newton {
     inverse_sizes: Vec<f64>,
     /// Largest estimated error of a converged iterate in the weighted norm.
     converged: f64,
+    /// Largest round-off of constraints that a converged iterate may have, in the same norm.
+    bearable: f64,
     /// Relative tolerance of the increments' norm.
     rtol: f64,
     saddle: Saddle<f64>,
@@ -179,6 +182,7 @@ impl Newton {
             } else {
                 CONVERGED_CONSTRAINED
             },
+            bearable: BEARABLE,
             rtol,
             saddle: Saddle::new(pattern, system.border(), &constraint_pattern),
             tangent: Tangent {
@@ -214,7 +218,8 @@ impl Newton {
             self.refresh(system, h, &iterate.state, statistics)?;
             let Moved { size, floor, .. } = self.advance(system, h, iterate, statistics).map_err(Failure::Failed)?;
             let contraction = before.map_or(1.0, |before| size / before);
-            let stagnates = contraction > POOR && size <= 1e3 * floor;
+            let stagnates =
+                contraction > POOR && (size <= 1e3 * floor || self.is_at_noise(system, &iterate.state, size));
             let is_small = contraction < 1.0 && size * contraction / (1.0 - contraction) <= self.converged;
             if size <= floor || stagnates || is_small {
                 return Ok(());
@@ -222,6 +227,11 @@ impl Newton {
             before = Some(size);
         }
         Err(self.diverged())
+    }
+
+    /// Lets round-off of constraints be as large as it is: of a fixed step nobody asks for a tolerance.
+    pub(super) fn bear_noise(&mut self) {
+        self.bearable = f64::INFINITY;
     }
 
     /// Makes the next iteration start with a new matrix.
@@ -272,7 +282,7 @@ impl Newton {
                 return Ok(());
             }
             if before.is_some() && contraction > POOR {
-                if size <= 1e3 * floor {
+                if size <= 1e3 * floor || self.is_at_noise(system, &iterate.state, size) {
                     return Ok(()); // stagnates at the noise of the residual
                 }
                 let Some(count) = uses else {
@@ -347,6 +357,11 @@ impl Newton {
         statistics.solves += 1;
         y.copy_from_slice(&self.dx);
         Ok(())
+    }
+
+    /// Whether round-off of constraints is all that is left of increments of this size.
+    fn is_at_noise<S: System + ?Sized>(&self, system: &mut S, state: &State, size: f64) -> bool {
+        noise::is_all_that_is_left(system, state, &self.inverse_weights, size, self.bearable)
     }
 
     fn is_made_for(&self, h: f64) -> bool {

@@ -101,6 +101,7 @@ impl MeshScene {
         let first_turn = layout.unknowns() - border;
         let turns = free.iter().filter(|frame| frame.turn.is_some());
         let turns = turns.map(|frame| first_turn + frame.first + frame.shifts()).collect();
+        let markers = markers(&*parts, &specs, &free_of)?;
         let mut scene = Self {
             formulation,
             joints: joint_specs,
@@ -115,14 +116,15 @@ impl MeshScene {
             in_modes: false,
             buffers: Buffers::new(layout.components(), motions),
             bodies,
-            markers: markers(&*parts, &specs, &free_of)?,
+            constraints: linked(&*parts, &specs, absolute),
+            markers,
             free,
             free_of,
             fixed,
             turns,
             turned: Arc::new([]),
-            constraints: linked(&*parts, &specs, absolute),
             forces: parts.forces(),
+            force_anchors: Vec::new(),
             marked_loads: Vec::new(),
             densities: Vec::new(),
             density_batches: Vec::new(),
@@ -145,6 +147,7 @@ impl MeshScene {
         scene.resolve_markers()?;
         scene.sizes = scene.unknown_sizes();
         scene.follow_far_starts();
+        scene.find_anchors();
         Ok(scene)
     }
 
@@ -256,7 +259,7 @@ impl MeshScene {
         let mut groups: Vec<Vec<usize>> = self
             .constraints
             .iter()
-            .map(|linked| of_markers(linked.spec.markers))
+            .map(|linked| self.unknowns_of(self.constraint_components(linked)))
             .collect();
         groups.extend(self.forces.iter().map(|force| of_markers(force.markers)));
         for marked in &self.marked_loads {
@@ -286,6 +289,12 @@ impl MeshScene {
         }
         entries.extend(self.density_entries());
         entries
+    }
+
+    /// Components that a constraint on markers depends on.
+    fn constraint_components<'s>(&'s self, linked: &'s Linked) -> impl Iterator<Item = usize> + 's {
+        let markers = linked.spec.markers.iter();
+        markers.flat_map(move |&marker| self.marker_components(&self.markers[marker]))
     }
 
     /// Unknowns of components, ascending, each once.
@@ -341,9 +350,7 @@ impl MeshScene {
             }
         }
         for (index, linked) in self.constraints.iter().enumerate() {
-            let markers = linked.spec.markers.iter();
-            let components = markers.flat_map(|&marker| self.marker_components(&self.markers[marker]));
-            let unknowns = self.unknowns_of(components);
+            let unknowns = self.unknowns_of(self.constraint_components(linked));
             for row in 0..linked.spec.rows.len() {
                 let column = self.constraint_rows.len();
                 entries.extend(unknowns.iter().map(|&unknown| (unknown, column)));
@@ -404,7 +411,12 @@ fn linked(parts: &dyn Parts, specs: &[BodySpec], absolute: impl Fn(&BodySpec) ->
         When::Always => true,
         When::Absolute(body) => absolute(&specs[body]),
     });
-    there.map(|(index, spec)| Linked { index, spec }).collect()
+    let linked = |(index, spec)| Linked {
+        index,
+        spec,
+        anchor: None,
+    };
+    there.map(linked).collect()
 }
 
 /// Mass of an element's components from that of its vectors.

@@ -174,6 +174,38 @@ impl FreeFrame {
         motion
     }
 
+    /// Position and velocity of the origin at time `t` (s), inertial axes, from the point that the positions of `base` count
+    /// from: starts are subtracted from each other before anything is added.
+    pub fn relative(&self, base: &Self, t: f64, [x, v]: [&[f64]; 2]) -> [Vector; 2] {
+        let mut velocity = subtract(self.drift, base.drift);
+        let mut position = add(subtract(self.start.position, base.start.position), scale(t, velocity));
+        for ((direction, x), v) in self.directions.iter().zip(x).zip(v) {
+            position = add(position, scale(*x, direction.shift));
+            velocity = add(velocity, scale(*v, direction.shift));
+        }
+        [position, velocity]
+    }
+
+    /// A position and velocity in space at time `t` (s) from the point that the positions of this frame count from.
+    pub fn seen(&self, t: f64, position: Vector, velocity: Vector) -> [Vector; 2] {
+        let from = add(self.start.position, scale(t, self.drift));
+        [subtract(position, from), subtract(velocity, self.drift)]
+    }
+
+    /// Sum of the sizes of what the position of the origin at time `t` (s) is made of, m; from the point of `base`, if
+    /// given.
+    pub fn terms(&self, base: Option<&Self>, t: f64, x: &[f64]) -> f64 {
+        let (start, drift) = match base {
+            Some(base) => (
+                subtract(self.start.position, base.start.position),
+                subtract(self.drift, base.drift),
+            ),
+            None => (self.start.position, self.drift),
+        };
+        let moved: f64 = x.iter().take(self.shifts()).map(|x| x.abs()).sum();
+        norm(start) + t.abs() * norm(drift) + moved
+    }
+
     fn rotation(&self, turn: Rotation, x: &[f64]) -> Rotation {
         if self.turn.is_some() {
             let first = self.shifts();

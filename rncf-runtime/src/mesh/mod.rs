@@ -45,6 +45,7 @@ mod section;
 mod section_spec;
 mod settle;
 mod shared;
+mod sizes;
 mod states;
 mod steady;
 mod stress;

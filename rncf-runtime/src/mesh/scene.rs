@@ -23,7 +23,7 @@ use super::repeated::{LANES, label};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::Formulation;
-use crate::vector::{Vector, norm};
+use crate::vector::Vector;
 
 /// A body with its numbering.
 pub(super) struct MeshBody {
@@ -119,6 +119,8 @@ impl MeshPoint {
 
 /// Buffers of the full (not reduced) state.
 pub(super) struct Buffers {
+    /// Time of the loaded state, s.
+    pub t: f64,
     pub q: Vec<f64>,
     pub v: Vec<f64>,
     pub a: Vec<f64>,
@@ -147,6 +149,7 @@ impl Buffers {
     pub fn new(components: usize, frames: Vec<FrameMotion>) -> Self {
         let zeros = || vec![0.0; components];
         Self {
+            t: 0.0,
             q: zeros(),
             v: zeros(),
             a: zeros(),
@@ -200,6 +203,8 @@ pub struct MeshScene {
     pub(super) markers: Vec<Marker>,
     pub(super) constraints: Vec<Linked>,
     pub(super) forces: Vec<ForceSpec>,
+    /// For every force the free frame near which differences of its points are taken.
+    pub(super) force_anchors: Vec<Option<usize>>,
     pub(super) marked_loads: Vec<MarkedLoad>,
     pub(super) densities: Vec<Density>,
     pub(super) density_batches: Vec<Batches>,
@@ -260,53 +265,6 @@ impl MeshScene {
             .iter()
             .position(linked)
             .unwrap_or(self.constraint_rows.len())
-    }
-
-    pub(super) fn unknown_sizes(&self) -> Vec<f64> {
-        let origins = self.layout.origins();
-        let size = |&(vector, _): &(usize, usize)| {
-            let (body, _, local) = self.locate(vector);
-            if body.spec.nodal[local].is_position() {
-                body.spec.line.length()
-            } else {
-                1.0
-            }
-        };
-        let mut sizes: Vec<f64> = origins.iter().map(size).collect();
-        let lengths: Vec<f64> = (0..self.free.len()).map(|free| self.length_at(free)).collect();
-        let bodies = self.bodies.iter().map(|body| body.spec.line.length());
-        let scene = lengths.iter().copied().chain(bodies).fold(0.0, f64::max);
-        for (frame, &own) in self.free.iter().zip(&lengths) {
-            let length = [own, scene].into_iter().find(|&length| length > 0.0).unwrap_or(1.0);
-            let turns = frame.count() - frame.shifts();
-            sizes.extend(std::iter::repeat_n(length, frame.shifts()));
-            sizes.extend(std::iter::repeat_n(1.0, turns));
-        }
-        sizes
-    }
-
-    /// Lets the positions of frames that start far away count from moving points.
-    pub(super) fn follow_far_starts(&mut self) {
-        let border = self.layout.unknowns() - self.layout.border();
-        for frame in self.free.iter_mut().filter(|frame| frame.shifts() > 0) {
-            frame.follow(self.sizes[border + frame.first]);
-        }
-    }
-
-    /// Largest length in a free frame: its bodies' lines, distances of its points from the origin.
-    fn length_at(&self, free: usize) -> f64 {
-        let frame = self.free[free].spec.frame;
-        let bodies = self.bodies.iter().filter(|body| body.spec.frame == frame);
-        let bodies = bodies.map(|body| body.spec.line.length());
-        let points = self.markers.iter().map(|marker| match marker {
-            Marker::Fixed {
-                frame: other,
-                at,
-                is_point: true,
-            } if *other == frame => norm(*at),
-            _ => 0.0,
-        });
-        bodies.chain(points).fold(0.0, f64::max)
     }
 
     /// Body, node and local number (of the start node) of a nodal vector.

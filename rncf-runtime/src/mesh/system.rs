@@ -97,6 +97,14 @@ impl System for MeshScene {
         self.marker_constraints(level, state.t, &mut out[first..]);
     }
 
+    fn constraint_noise(&mut self, state: &State, out: &mut [f64]) {
+        if !self.constraints.is_empty() {
+            self.load_state(state);
+            let first = self.first_linked();
+            self.marker_constraint_noise(state.t, &mut out[first..]);
+        }
+    }
+
     fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
         values.fill(0.0);
         let mut column = 0;

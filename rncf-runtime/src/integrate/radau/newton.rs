@@ -7,6 +7,7 @@ use crate::integrate::Statistics;
 use crate::integrate::anderson::Acceleration;
 use crate::integrate::bordered::add;
 use crate::integrate::newton::norm;
+use crate::integrate::noise::{self, BEARABLE};
 use crate::system::{ConstraintLevel, State, System};
 
 /// Most iterations of a step whose size is free.
@@ -153,7 +154,9 @@ impl Newton {
             }
             // A fixed step is iterated down to round-off, where differences tell nothing.
             self.apply(stages, !self.patient && iteration > 1 && last_ratio > ACCELERATED);
-            let at_noise = size <= floor || contraction > STAGNANT && size <= AMPLIFIED * floor;
+            let stagnates = contraction > STAGNANT;
+            let at_noise =
+                size <= floor || stagnates && (size <= AMPLIFIED * floor || self.is_at_noise(system, start, size));
             if at_noise || contraction < DIVERGING && amplification * size <= self.tolerance {
                 self.seen_at = stages.h;
                 self.amplification = if contraction < DIVERGING { amplification } else { 1.0 };
@@ -288,6 +291,13 @@ impl Newton {
                 changes = others;
             }
         }
+    }
+
+    /// Whether round-off of constraints is all that is left of increments of this size; where the step is fixed nobody asks
+    /// for a tolerance.
+    fn is_at_noise<S: System + ?Sized>(&self, system: &mut S, start: &State, size: f64) -> bool {
+        let bearable = if self.patient { f64::INFINITY } else { BEARABLE };
+        noise::is_all_that_is_left(system, start, &self.inverse_weights, size, bearable)
     }
 
     fn slow(&self, ratio: f64) -> Failure {

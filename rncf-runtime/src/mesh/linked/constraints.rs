@@ -22,6 +22,12 @@ pub(super) fn block_product(matrix: &[f64], markers: usize, m: usize, n: usize, 
         .sum()
 }
 
+/// Whether the block (`m`, `n`) of a matrix of `3 k` columns is zero.
+fn is_zero_block(matrix: &[f64], markers: usize, m: usize, n: usize) -> bool {
+    let row = |i: usize| &matrix[(3 * m + i) * 3 * markers + 3 * n..][..3];
+    (0..3).all(|i| row(i).iter().all(|&entry| entry == 0.0))
+}
+
 impl MeshScene {
     fn constraint_marker(&self, linked: &Linked, place: usize) -> &Marker {
         &self.markers[linked.spec.markers[place]]
@@ -33,7 +39,7 @@ impl MeshScene {
             .spec
             .markers
             .iter()
-            .map(|&marker| self.jet(&self.markers[marker]));
+            .map(|&marker| self.jet_from(&self.markers[marker], linked.anchor));
         let (values, velocities) = jets.map(|jet| (jet[0], jet[1])).unzip();
         [values, velocities]
     }
@@ -65,7 +71,7 @@ impl MeshScene {
                 .spec
                 .markers
                 .iter()
-                .map(|&marker| self.jet(&self.markers[marker]))
+                .map(|&marker| self.jet_from(&self.markers[marker], linked.anchor))
                 .collect();
             let count = linked.spec.rows.len();
             let rows = &mut out[first..first + count];
@@ -160,6 +166,9 @@ impl MeshScene {
                 let curvature = self.curvature(self.constraint_marker(linked, m), pull);
                 for i in &columns[m] {
                     for (n, others) in columns.iter().enumerate() {
+                        if m != n && is_zero_block(&hessian, count, m, n) {
+                            continue;
+                        }
                         for j in others {
                             let mut value = block_product(&hessian, count, m, n, i.value, j.value);
                             if m == n {

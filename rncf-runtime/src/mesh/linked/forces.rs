@@ -21,7 +21,7 @@ impl MeshScene {
     pub(in super::super) fn add_marker_forces(&mut self, t: f64, load_scale: f64) {
         for index in 0..self.forces.len() {
             let spec = &self.forces[index];
-            let (z, velocity) = self.force_arguments(spec.markers);
+            let (z, velocity) = self.force_arguments(index);
             let mut forces = vec![0.0; 3 * z.len()];
             self.parts.marker_force(index, t, &z, &velocity, &mut forces);
             self.apply_part(index, load_scale, &mut forces);
@@ -51,15 +51,18 @@ impl MeshScene {
         }
     }
 
-    pub(super) fn force_arguments(&self, markers: &[usize]) -> (Vec<Vector>, Vec<Vector>) {
-        let jets = markers.iter().map(|&marker| self.jet(&self.markers[marker]));
+    /// Values and velocities of the markers of a force; points from its anchor.
+    pub(super) fn force_arguments(&self, index: usize) -> (Vec<Vector>, Vec<Vector>) {
+        let anchor = self.force_anchors.get(index).copied().flatten();
+        let markers = self.forces[index].markers.iter();
+        let jets = markers.map(|&marker| self.jet_from(&self.markers[marker], anchor));
         jets.map(|jet| (jet[0], jet[1])).unzip()
     }
 
     /// Adds the derivatives of the forces on markers at the loaded state.
     pub(in super::super) fn add_marker_force_tangents(&self, t: f64, load_scale: f64, out: &mut impl Sums) {
         for (index, spec) in self.forces.iter().enumerate() {
-            let (z, velocity) = self.force_arguments(spec.markers);
+            let (z, velocity) = self.force_arguments(index);
             let count = z.len();
             let mut forces = vec![0.0; 3 * count];
             self.parts.marker_force(index, t, &z, &velocity, &mut forces);
@@ -215,7 +218,7 @@ impl MeshScene {
             if !spec.conservative {
                 return None;
             }
-            let (z, _) = self.force_arguments(spec.markers);
+            let (z, _) = self.force_arguments(index);
             energy += self.parts.marker_energy(index, t, &z);
         }
         Some(energy)

@@ -122,7 +122,7 @@ impl MeshScene {
     }
 
     /// Vector of a marker in its frame, with derivatives there.
-    fn within(&self, marker: &Marker) -> [Vector; 4] {
+    pub(super) fn within(&self, marker: &Marker) -> [Vector; 4] {
         match marker {
             Marker::Fixed { at, .. } => [*at, [0.0; 3], [0.0; 3], [0.0; 3]],
             Marker::Body { point, of } => {
@@ -198,6 +198,30 @@ impl MeshScene {
     /// Value, velocity, acceleration and jerk of a marker at the loaded state, inertial axes; the
     /// jerk is that without the jerk of the unknowns.
     pub(in super::super) fn jet(&self, marker: &Marker) -> [Vector; 4] {
+        self.jet_from(marker, None)
+    }
+
+    /// Position of a frame's origin and its derivatives, inertial axes, from the uniformly moving point that the positions
+    /// of the free frame `anchor` count from: no digits are lost far from the origin.
+    fn origin_from(&self, frame: usize, anchor: Option<usize>) -> [Vector; 4] {
+        let motion = &self.buffers.frames[frame];
+        let [mut position, mut velocity] = [motion.position, motion.velocity];
+        if let Some(anchor) = anchor {
+            let (base, t) = (&self.free[anchor], self.buffers.t);
+            [position, velocity] = match self.free_of[frame].map(|free| &self.free[free]) {
+                Some(free) if free.shifts() > 0 => {
+                    let first = self.layout.vector_components() + free.first;
+                    let own = first..first + free.count();
+                    free.relative(base, t, [&self.buffers.q[own.clone()], &self.buffers.v[own]])
+                }
+                _ => base.seen(t, position, velocity),
+            };
+        }
+        [position, velocity, motion.acceleration, motion.jerk]
+    }
+
+    /// See [`MeshScene::jet`]; points from the anchor.
+    pub(super) fn jet_from(&self, marker: &Marker, anchor: Option<usize>) -> [Vector; 4] {
         let frame = &self.buffers.frames[self.marker_frame(marker)];
         match marker {
             Marker::Turn { .. } | Marker::SectionTurn { .. } => {
@@ -219,7 +243,7 @@ impl MeshScene {
             _ => {
                 let mut jet = turned(frame, self.within(marker));
                 if marker.is_point() {
-                    let origin = [frame.position, frame.velocity, frame.acceleration, frame.jerk];
+                    let origin = self.origin_from(self.marker_frame(marker), anchor);
                     jet = std::array::from_fn(|order| add(jet[order], origin[order]));
                 }
                 jet

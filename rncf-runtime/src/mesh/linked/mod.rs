@@ -3,6 +3,8 @@
 mod constraints;
 mod forces;
 mod jets;
+mod noise;
+mod reach;
 mod resolve;
 mod triad;
 mod undefined;
@@ -19,4 +21,6 @@ pub(super) struct Linked {
     pub index: usize,
     /// As declared.
     pub spec: ConstraintSpec,
+    /// The free frame near which differences of its points are taken; `None`: the origin of space.
+    pub anchor: Option<usize>,
 }

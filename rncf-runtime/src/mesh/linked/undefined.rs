@@ -2,7 +2,9 @@
 //! function.
 
 use super::super::scene::MeshScene;
+use super::Linked;
 use crate::system::System;
+use crate::vector::{Vector, norm, subtract};
 
 /// What can be done where markers meet.
 const APART: &str = "a length, direction or divisor in it is zero or outside the range of a function; move its points apart or change its parameters";
@@ -11,7 +13,42 @@ fn finite(values: &[f64]) -> bool {
     values.iter().all(|value| value.is_finite())
 }
 
+/// Distance of two points, as a part of their coordinates, that is nothing but round-off.
+const ROUND_OFF: f64 = 1e3 * f64::EPSILON;
+
 impl MeshScene {
+    /// Puts points into one place that are apart by a round-off: a direction between them would be one of round-off, too.
+    fn merge_points(&self, markers: &[usize], z: &mut [Vector]) {
+        let points: Vec<usize> = (0..z.len())
+            .filter(|&place| self.markers[markers[place]].is_point())
+            .collect();
+        let at: Vec<Vector> = markers
+            .iter()
+            .map(|&marker| self.jet(&self.markers[marker])[0])
+            .collect();
+        let coordinates = points.iter().map(|&place| norm(at[place])).fold(0.0, f64::max);
+        for (index, &place) in points.iter().enumerate() {
+            let near = |&&other: &&usize| norm(subtract(at[place], at[other])) <= ROUND_OFF * coordinates;
+            if let Some(&first) = points[..index].iter().find(near) {
+                z[place] = z[first];
+            }
+        }
+    }
+
+    /// dC/dz of a constraint with such points in one place.
+    fn gradient_where_points_meet(&self, linked: &Linked, t: f64) -> Vec<f64> {
+        let markers = linked.spec.markers;
+        let mut z: Vec<Vector> = markers
+            .iter()
+            .map(|&marker| self.jet_from(&self.markers[marker], linked.anchor)[0])
+            .collect();
+        self.merge_points(markers, &mut z);
+        let mut gradient = vec![0.0; linked.spec.rows.len() * 3 * z.len()];
+        self.parts
+            .marker_constraint_gradient(linked.index, t, &z, &mut gradient);
+        gradient
+    }
+
     /// The first motion, load, constraint or force at the loaded state that is not finite.
     pub(in super::super) fn undefined_now(&self, t: f64) -> Option<String> {
         let motion = self.undefined_frame().or_else(|| self.undefined_load(t));
@@ -43,7 +80,7 @@ impl MeshScene {
         let mut first = self.first_linked();
         for linked in &self.constraints {
             let count = linked.spec.rows.len();
-            let gradient = self.gradient_of(linked, t);
+            let gradient = self.gradient_where_points_meet(linked, t);
             let width = gradient.len() / count.max(1);
             if let Some(place) = gradient.iter().position(|value| !value.is_finite()) {
                 return Some(format!(
@@ -58,7 +95,8 @@ impl MeshScene {
 
     fn undefined_force(&self, t: f64) -> Option<String> {
         for (index, spec) in self.forces.iter().enumerate() {
-            let (z, velocity) = self.force_arguments(spec.markers);
+            let (mut z, velocity) = self.force_arguments(index);
+            self.merge_points(spec.markers, &mut z);
             let mut forces = vec![0.0; 3 * z.len()];
             self.parts.marker_force(index, t, &z, &velocity, &mut forces);
             let size = 9 * z.len() * z.len();

@@ -389,6 +389,11 @@ impl System for ModalScene {
             .reduce_rows(from, &full, &self.constraint_pattern, values);
     }
 
+    fn constraint_noise(&mut self, state: &State, out: &mut [f64]) {
+        self.expand(state);
+        self.scene.constraint_noise(&self.full, out);
+    }
+
     fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
         self.expand(state);
         let mut full = vec![0.0; self.scene.constraint_pattern().entries()];
