@@ -431,7 +431,7 @@ pub mod elastica_equations {
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
-    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
@@ -469,7 +469,7 @@ pub mod elastica_equations {
     }
     /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
     ///
-    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
@@ -505,7 +505,7 @@ pub mod elastica_equations {
     }
     /// Adds the strain energy U of one element (J).
     ///
-    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
@@ -876,7 +876,7 @@ pub mod elastica_equations {
     }
     /// Adds the elastic force of one element between two states that does the work U(end) - U(start) over the step and has no moment about the mean positions: S_A(mean of I) dI_A/dq(mean of q).
     ///
-    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     pub fn beam_planar_conserving_force(
@@ -916,7 +916,7 @@ pub mod elastica_equations {
     }
     /// Adds the derivative of the conserving force of one element with respect to the mean of both states at a fixed start (half of it is that with respect to the end), rows first; not symmetric.
     ///
-    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     pub fn beam_planar_conserving_tangent(

@@ -438,7 +438,7 @@ pub mod esail_slack_equations {
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, slack = true.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, slack = true, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 5 Gauss points, unrolled.
     ///
@@ -658,7 +658,7 @@ pub mod esail_slack_equations {
     }
     /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, slack = true.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, slack = true, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 5 Gauss points, unrolled.
     ///
@@ -1659,7 +1659,7 @@ pub mod esail_slack_equations {
     }
     /// Adds the strain energy U of one element (J).
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, slack = true.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, slack = true, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 5 Gauss points, unrolled.
     ///

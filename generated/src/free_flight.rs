@@ -275,7 +275,7 @@ pub mod free_flight_equations {
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, axial = green.
     ///
     /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
@@ -400,7 +400,7 @@ pub mod free_flight_equations {
     }
     /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, axial = green.
     ///
     /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
@@ -768,7 +768,7 @@ pub mod free_flight_equations {
     }
     /// Adds the strain energy U of one element (J).
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, axial = green.
     ///
     /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
@@ -965,7 +965,7 @@ pub mod free_flight_equations {
     }
     /// Adds the elastic force of one element between two states that does the work U(end) - U(start) over the step and has no moment about the mean positions: S_A(mean of I) dI_A/dq(mean of q).
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, axial = green.
     ///
     /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
@@ -1102,7 +1102,7 @@ pub mod free_flight_equations {
     }
     /// Adds the derivative of the conserving force of one element with respect to the mean of both states at a fixed start (half of it is that with respect to the end), rows first; not symmetric.
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, axial = green.
     ///
     /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///

@@ -240,7 +240,7 @@ pub mod pinned_pipe_equations {
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, axial = green.
     ///
     /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
@@ -359,7 +359,7 @@ pub mod pinned_pipe_equations {
     }
     /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, axial = green.
     ///
     /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///
@@ -641,7 +641,7 @@ pub mod pinned_pipe_equations {
     }
     /// Adds the strain energy U of one element (J).
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, axial = green.
     ///
     /// U = 1/2 T_AB (I_A - I0_A) (I_B - I0_B) over the inner products I of d = (r1 - r0)/length and the slopes; stress S_A = dU/dI_A, force S_A dI_A/dq. T is integrated exactly, unrolled.
     ///

@@ -428,7 +428,7 @@ pub mod roll_up_equations {
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
-    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
@@ -466,7 +466,7 @@ pub mod roll_up_equations {
     }
     /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
     ///
-    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
@@ -502,7 +502,7 @@ pub mod roll_up_equations {
     }
     /// Adds the strain energy U of one element (J).
     ///
-    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none.
+    /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///

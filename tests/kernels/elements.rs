@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use rncf_codegen::elements::{Axial, CABLE, Element, Library, thin_beam};
+use rncf_codegen::elements::{Axial, CABLE, Element, Library, axial_strain, thin_beam};
 use rncf_codegen::expand;
 use rncf_codegen::lower::elastic::{Form, Quantity, kernel};
 use rncf_codegen::lower::{Variant, elastic_kernels};
@@ -13,7 +13,10 @@ use crate::jacobians::{Random, assert_close, jacobian};
 /// Curvature squared per deformed length: exponent 3 (THEORY 5.1, remark i).
 const PER_DEFORMED_LENGTH: Element = Element {
     names: &["rope"],
-    energy: |graph, fields, _| thin_beam(graph, fields, 3.0, Axial::Linear),
+    energy: |graph, fields, _| {
+        let strain = axial_strain(graph, fields.dots[0][0], false);
+        thin_beam(graph, fields, 3.0, (strain, Axial::Linear))
+    },
     options: &[],
     ..CABLE
 };

@@ -3,8 +3,9 @@
 
 mod chains;
 mod ladder;
+mod lateral;
 mod materials;
-
+mod measures;
 mod rotors;
 mod running;
 mod shafts;

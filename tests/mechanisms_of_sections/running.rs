@@ -1,5 +1,6 @@
 //! Runs on grids of times, and what a run keeps.
 
+use rncf::equilibrium::{Uniform, static_load};
 use rncf::prelude::*;
 use rncf::system::{ConstraintLevel, State};
 
@@ -104,4 +105,13 @@ pub fn momenta(scene: &mut dyn Scene, state: &State) -> [f64; 6] {
 
 pub fn build(model: &impl Model, way: (Formulation, Joints)) -> Box<dyn Scene> {
     model.build(way.0, way.1).unwrap()
+}
+
+/// Outputs at rest under the loads.
+pub fn loaded(model: &impl Model) -> Vec<f64> {
+    let mut scene = build(model, WAYS[0]);
+    let found = static_load(scene.as_mut(), 0.0).unwrap();
+    let mut row = vec![0.0; scene.output_columns()];
+    scene.uniform_outputs(&Uniform::at_rest(0.0), found.state().unwrap(), &mut row);
+    row
 }

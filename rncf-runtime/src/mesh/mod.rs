@@ -38,10 +38,12 @@ mod one_by_one;
 mod outputs;
 mod parts;
 mod points;
+mod relaxed;
 mod repeated;
 mod sampling;
 mod scene;
 mod section;
+mod section_energy;
 mod section_spec;
 mod settle;
 mod shared;
@@ -73,10 +75,12 @@ pub use parts::{
     Parts, Place, PointQuantity, Prescribed,
 };
 pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
+pub use relaxed::{StrainEnergy, resisting};
 pub use repeated::{DensitySpec, LANES, Reduction, ShareSpec, StartSpec, firsts, instance, reduce, repetitions};
 pub use sampling::SectionBody;
 pub use scene::MeshScene;
 pub use section::SectionState;
+pub use section_energy::{Section, SectionPoint};
 pub use section_spec::{SectionQuantity, SectionShape, SectionSpec};
 
 #[cfg(test)]

@@ -51,9 +51,6 @@ pub type Values = BTreeMap<&'static str, (Value, Area)>;
 /// Components of the strain in the order of [`Value::Strain`], by their names in the language.
 const STRAINS: [&str; 6] = ["E.xx", "E.yy", "E.zz", "E.xy", "E.xz", "E.yz"];
 
-/// Those of a body in a plane.
-const IN_PLANE: [usize; 3] = [0, 1, 3];
-
 /// Relative size of a stress or energy that counts as round-off.
 const ROUND_OFF: f64 = 1e-12;
 
@@ -260,8 +257,8 @@ impl<'a> Check<'a> {
         if material_known.is_whole {
             self.missing_of_material(&missing, used.word, material);
         }
-        if let Some(energy) = &material_known.energy {
-            self.stiff(energy, used.space, material);
+        if let Some(energy) = material_known.energy.as_ref().filter(|_| used.element.has_section()) {
+            self.stiff(energy, material);
         }
         let is_whole = section_known.is_whole && material_known.is_whole && missing.is_empty();
         (is_whole && self.errors.len() == before).then_some(Stuff {
@@ -315,13 +312,10 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// An energy that does not resist a strain of the body would leave it loose.
-    fn stiff(&mut self, energy: &Value, space: Space, material: &Name) {
-        let [_, _, stiffness] = at_rest(&self.model, energy);
-        let loose = (0..6)
-            .filter(|at| space == Space::Spatial || IN_PLANE.contains(at))
-            .find(|&at| stiffness[at] <= 0.0);
-        if let Some(at) = loose {
+    /// An energy that does not resist a strain would leave it loose: the strains of the body, or those that are free to
+    /// follow them.
+    fn stiff(&mut self, energy: &Value, material: &Name) {
+        if let Some(at) = loose(stiffness_at_rest(&self.model, energy)) {
             self.errors
                 .at(material.span, say::energy_is_loose(&material.text, STRAINS[at]));
         }
@@ -387,4 +381,40 @@ fn at_rest(model: &Model, energy: &Value) -> [[f64; 6]; 3] {
         let values = time.graph.evaluate(&ids, &inputs);
         std::array::from_fn(|at| values[at])
     })
+}
+
+/// Second derivatives without strain, with the defaults.
+fn stiffness_at_rest(model: &Model, energy: &Value) -> [[f64; 6]; 6] {
+    let mut time = Time::new(model);
+    let root = time.expression(energy);
+    let strains: [Id; 6] = std::array::from_fn(|at| time.strain(at));
+    let mut inputs: HashMap<Id, f64> = strains.map(|strain| (strain, 0.0)).into();
+    for (at, param) in model.params.iter().enumerate() {
+        inputs.insert(time.param(at), param.default);
+    }
+    strains.map(|row| {
+        let stress = time.graph.partial(root, row);
+        let entries = strains.map(|column| time.graph.partial(stress, column));
+        let values = time.graph.evaluate(&entries, &inputs);
+        std::array::from_fn(|at| values[at])
+    })
+}
+
+/// The first strain that a stiffness does not resist, by the pivots of an elimination.
+fn loose(mut stiffness: [[f64; 6]; 6]) -> Option<usize> {
+    let own: [f64; 6] = std::array::from_fn(|at| stiffness[at][at]);
+    for at in 0..6 {
+        let pivot = stiffness[at][at];
+        // What is left of a diagonal entry is round-off, or nothing, or less.
+        if !(own[at] > 0.0 && pivot > 1e-9 * own[at]) {
+            return Some(at);
+        }
+        for row in at + 1..6 {
+            let factor = stiffness[row][at] / pivot;
+            for column in at..6 {
+                stiffness[row][column] -= factor * stiffness[at][column];
+            }
+        }
+    }
+    None
 }

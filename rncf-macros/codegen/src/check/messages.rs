@@ -205,7 +205,7 @@ messages! {
     energy_not_finite(name) = "the energy of `{name}` or its first two derivatives are not finite where there is no strain: make it smooth there";
     energy_at_rest(name, value) = "the energy of `{name}` is {value} J/m^3 where there is no strain: it must vanish there, subtract this constant";
     stress_at_rest(name, strain, value) = "the energy of `{name}` grows linearly with `{strain}`: without strain there must be no stress, but its derivative is {value} Pa";
-    energy_is_loose(name, strain) = "the energy of `{name}` does not resist `{strain}`, which the body has: it must grow with the square of each strain";
+    energy_is_loose(name, strain) = "the energy of `{name}` does not resist `{strain}`: it must grow with the square of every strain, in a plane too, where those across it are free";
     no_strain(name) = "`{name}` is no strain: there are `E.xx`, `E.yy`, `E.zz`, `E.xy`, `E.xz` and `E.yz`";
     symmetric_strain(name, strain) = "`{name}` is the same as `{strain}`: write this one";
     energy_of_line(material, element) = "material `{material}` is known by its energy, which needs an element with cross-section: use `beam`, or give `young` for `{element}`";

@@ -2,7 +2,8 @@
 //! torsion, and a section that may deform; seven vectors in the plane.
 
 use super::{
-    Coefficient, Density, Element, ElementOption, Field, Inertia, Interpolant, Invariants, NodalVector, Node, Term,
+    AXIAL, Coefficient, Density, Element, ElementOption, Field, Inertia, Interpolant, Invariants, NodalVector, Node,
+    Term, axial_strain, is_engineering,
 };
 use crate::symbolic::{Graph, Id};
 use crate::tensors::Polynomial;
@@ -80,12 +81,15 @@ pub const BEAM: Element = Element {
         },
     ],
     damping: "damping",
-    options: &[ElementOption {
-        name: "coupling",
-        values: &["none", "poisson"],
-        doc: "stress on the axis from each strain alone (none), or with lateral contraction (poisson)",
-    }],
-    energy: |graph, fields, options| beam(graph, fields, options[0] == 1),
+    options: &[
+        ElementOption {
+            name: "coupling",
+            values: &["none", "poisson"],
+            doc: "stress on the axis from each strain alone (none), or with lateral contraction (poisson)",
+        },
+        AXIAL,
+    ],
+    energy: |graph, fields, options| beam(graph, fields, options[0] == 1, is_engineering(options, 1)),
     default_points: AXIS_POINTS,
     least_points: AXIS_POINTS,
     curved_in_space: None,
@@ -129,8 +133,8 @@ const fn coefficient(name: &'static str, unit: &'static str, factors: &'static [
 /// `W = 1/2 A e^T D e` on the strains of the axis `e11 = 1/2 (a.a - 1), .., g12 = a.b, ..`, and on the
 /// section's gradients `1/2 [E I_zz kz^2 + E I_yy ky^2 + G J tau^2 + G I_zz t22^2 + G I_yy t33^2]`
 /// (THEORY 5.2). D is `diag(E, E, E, ks G, ks G, G)`, or couples e11, e22, e33 by `lambda + 2 G delta`;
-/// in the plane, where e33 is free, by Lame's constant of plane stress.
-fn beam(graph: &mut Graph, fields: &Invariants, poisson: bool) -> Vec<Term> {
+/// in the plane, where e33 is free, by Lame's constant of plane stress. e11 is that of [`axial_strain`].
+fn beam(graph: &mut Graph, fields: &Invariants, poisson: bool, engineering: bool) -> Vec<Term> {
     let planar = fields.dimension == 2;
     let dots = &fields.dots;
     let measure = |name, coefficient, measure: Id, points| Term {
@@ -139,13 +143,10 @@ fn beam(graph: &mut Graph, fields: &Invariants, poisson: bool) -> Vec<Term> {
         density: Density::Measure(measure),
         points: Some(points),
     };
-    let (half, one) = (graph.number(0.5), graph.one());
+    let half = graph.number(0.5);
     let axes = if planar { 2 } else { 3 };
     let stretches: Vec<Id> = (0..axes)
-        .map(|i| {
-            let change = graph.subtract(dots[i][i], one);
-            graph.multiply(half, change)
-        })
+        .map(|i| axial_strain(graph, dots[i][i], engineering && i == 0))
         .collect();
     let mut terms = Vec::new();
     let names = ["axial strain", "strain along y", "strain along z"];

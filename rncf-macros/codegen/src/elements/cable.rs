@@ -2,7 +2,8 @@
 //! tether; no shear, no torsion.
 
 use super::{
-    Coefficient, Density, Element, ElementOption, Field, Inertia, Interpolant, Invariants, NodalVector, Node, Term,
+    AXIAL, Coefficient, Density, Element, ElementOption, Field, Inertia, Interpolant, Invariants, NodalVector, Node,
+    Term, axial_strain, is_engineering,
 };
 use crate::model::Function;
 use crate::symbolic::{Graph, Id};
@@ -91,14 +92,16 @@ pub const CABLE: Element = Element {
             values: &["false", "true"],
             doc: "axial force EA e (false), or EA (e + sqrt(e^2 + d^2)) / 2 with d = 1e-6 (true): it pulls only",
         },
+        AXIAL,
     ],
     energy: |graph, fields, options| {
-        let axial = if options.get(1) == Some(&1) {
+        let law = if options.get(1) == Some(&1) {
             Axial::Slack
         } else {
             Axial::Linear
         };
-        thin_beam(graph, fields, BENDING_EXPONENTS[options[0]], axial)
+        let strain = axial_strain(graph, fields.dots[0][0], is_engineering(options, 2));
+        thin_beam(graph, fields, BENDING_EXPONENTS[options[0]], (strain, law))
     },
     default_points: 5,
     least_points: 3,
@@ -117,12 +120,12 @@ const BENDING_EXPONENTS: [f64; 2] = [0.0, 2.0];
 /// force at a compression e, EA d^2/(4 |e|), must be told from.
 pub const SMOOTHING: f64 = 1e-6;
 
-/// Law of the axial force.
+/// Law of the stress that is conjugate to the axial strain e, N.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axial {
-    /// `N = EA e`.
+    /// `EA e`.
     Linear,
-    /// `N = EA/2 (e + sqrt(e^2 + d^2))`, which never pushes.
+    /// `EA/2 (e + sqrt(e^2 + d^2))`, which never pushes.
     Slack,
 }
 
@@ -144,17 +147,15 @@ fn slack(graph: &mut Graph, strain: Id) -> [Id; 2] {
     [graph.multiply(quarter, sum), stress]
 }
 
-/// `1/2 EA eps^2 + 1/2 EI |a x b|^2 (a.a)^-p` with `eps = 1/2 (a.a - 1)`.
+/// `1/2 EA eps^2 + 1/2 EI |a x b|^2 (a.a)^-p` with eps of [`axial_strain`].
 ///
 /// In the plane the curvature `k = (a x b) (a.a)^(-p/2)` has a sign, so that an initial curvature
 /// can be subtracted and bending damped; in space only the square is a function of inner products.
 ///
 /// With a slack string the axial energy is that of [`Axial::Slack`], at Gauss points: the five of the element integrate
 /// the energy of a tight one, of degree 8 in x, exactly, so that both laws agree in tension.
-pub fn thin_beam(graph: &mut Graph, fields: &Invariants, p: f64, axial: Axial) -> Vec<Term> {
-    let (half, one) = (graph.number(0.5), graph.one());
-    let stretch = graph.subtract(fields.dots[0][0], one);
-    let axial_strain = graph.multiply(half, stretch);
+pub fn thin_beam(graph: &mut Graph, fields: &Invariants, p: f64, (strain, law): (Id, Axial)) -> Vec<Term> {
+    let half = graph.number(0.5);
     let bending = if fields.dimension == 2 {
         let scale = inverse_power(graph, fields.dots[0][0], p / 2.0);
         Density::Measure(graph.multiply(fields.crosses[0][1], scale))
@@ -170,10 +171,10 @@ pub fn thin_beam(graph: &mut Graph, fields: &Invariants, p: f64, axial: Axial) -
         Term {
             name: "axial strain",
             coefficient: "EA",
-            density: match axial {
-                Axial::Linear => Density::Measure(axial_strain),
+            density: match law {
+                Axial::Linear => Density::Measure(strain),
                 Axial::Slack => Density::Law {
-                    measure: axial_strain,
+                    measure: strain,
                     law: slack,
                 },
             },

@@ -7,6 +7,7 @@ mod cable;
 use std::collections::HashMap;
 
 use crate::lower::quadratic::field_invariants;
+use crate::model::Function;
 use crate::symbolic::{Graph, Id};
 use crate::tensors::Polynomial;
 
@@ -92,6 +93,29 @@ pub struct ElementOption {
     pub values: &'static [&'static str],
     /// What it means, for messages and documentation.
     pub doc: &'static str,
+}
+
+/// How the strain of an axis is measured; elements list it among their options.
+const AXIAL: ElementOption = ElementOption {
+    name: "axial",
+    values: &["green", "engineering"],
+    doc: "strain of the axis: Green's (|r_x|^2 - 1)/2, or engineering strain |r_x| - 1",
+};
+
+/// Whether the option [`AXIAL`] at this place asks for engineering strain.
+fn is_engineering(options: &[usize], place: usize) -> bool {
+    options.get(place) == Some(&1)
+}
+
+/// Strain of an axis with the square of the stretch `r_x . r_x`: `1/2 (r_x . r_x - 1)`, or `|r_x| - 1`.
+pub fn axial_strain(graph: &mut Graph, square: Id, engineering: bool) -> Id {
+    let (half, one) = (graph.number(0.5), graph.one());
+    if engineering {
+        let stretch = graph.call(Function::Sqrt, square);
+        return graph.subtract(stretch, one);
+    }
+    let change = graph.subtract(square, one);
+    graph.multiply(half, change)
 }
 
 /// One term of the strain energy density per unit length.

@@ -327,7 +327,7 @@ fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Librar
         text += &format!("/// Damping of the strain measures, s.\npub damping: {number},\n");
     }
     match &variant.material {
-        Some(material) => return text + &super::points::material_fields(name, material),
+        Some(material) => return text + &super::points::material_fields(name, material, variant.damped),
         None => text += "}\n",
     }
     if lanes {

@@ -443,7 +443,8 @@ impl Parts<'_> {
                 fields.push(format!("damping: {}", element.damping));
             }
             if let Some(material) = &variant.variant.material {
-                fields.extend(super::points::material_values(&variant.name, material, body, |expr| self.expr(expr)));
+                text += &super::points::material_constants(&variant.name, material);
+                fields.extend(super::points::material_values(material, body, |expr| self.expr(expr)));
             }
             let row = format!("{} {{ {} }}", camel_case(&variant.name), fields.join(", "));
             text += &self.keep(body, "row", &row);

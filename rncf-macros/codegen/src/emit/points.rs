@@ -91,47 +91,63 @@ pub fn tables_between(name: &str, size: usize, between: &Between) -> String {
 
 /// The last fields of the struct with the constants of an element whose material is given by its energy, and
 /// the struct with its parameters.
-pub fn material_fields(name: &str, material: &Material) -> String {
-    let name = camel_case(name);
+pub fn material_fields(name: &str, material: &Material, is_damped: bool) -> String {
+    let row = camel_case(name);
     let params = material.params();
     let fields = params
         .iter()
         .map(|(param, _)| format!("/// Parameter of the model.\npub {param}: f64,\n"));
+    let rate = if is_damped {
+        format!(
+            "fn stiffness_rate(&self, strain: &[f64; 6], rate: &[f64; 6], stiffness: &mut [[f64; 6]; 6]) {{\n\
+             {name}_stiffness_rate(self, strain, rate, stiffness);\n}}\n"
+        )
+    } else {
+        String::new()
+    };
     format!(
-        "/// Particles of the section: y, z (m) and weight (m^2).\npub section: [[f64; 3]; {}],\n\
-         /// Parameters of the energy.\npub material: {name}Material,\n}}\n\
+        "/// Particles of the section, and factors of its shear.\npub section: ::rncf::mesh::Section<{}>,\n\
+         /// Parameters of the energy.\npub material: {row}Material,\n}}\n\
          /// Parameters of the energy of `{}`.\n\
-         #[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct {name}Material {{\n{}}}\n",
+         #[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct {row}Material {{\n{}}}\n\
+         impl ::rncf::mesh::StrainEnergy for {row}Material {{\n\
+         fn response(&self, strain: &[f64; 6], energy: &mut f64, stress: &mut [f64; 6], stiffness: &mut [[f64; 6]; 6]) {{\n\
+         {name}_response(self, strain, energy, stress, stiffness);\n}}\n{rate}}}\n",
         material.section.count(),
         material.name,
         fields.collect::<String>(),
     )
 }
 
-/// Initialisers of these fields.
-pub fn material_values(name: &str, material: &Material, body: &Body, text: impl Fn(&Expr) -> String) -> Vec<String> {
-    let section = match (&body.shape, material.section) {
-        (SectionShape::Rectangle { sizes: [y, z] }, _) => {
-            format!("::rncf::mesh::rectangle_particles([{}, {}])", text(y), text(z))
-        }
-        (SectionShape::Circle { radius }, SectionRule::Round) => {
-            format!("::rncf::mesh::round_particles({0}, {0})", text(radius))
-        }
-        (SectionShape::Tube { radius, thickness }, SectionRule::Round) => {
-            format!("::rncf::mesh::round_particles({}, {})", text(radius), text(thickness))
-        }
-        _ => format!("[[0.0; 3]; {}]", material.section.count()),
-    };
+/// Statements that bind `material` to the parameters of an energy and check it.
+pub fn material_constants(name: &str, material: &Material) -> String {
     let params = material.params();
     let params = params
         .iter()
         .map(|(param, is_count)| format!("{param}: model.{param}{}", if *is_count { " as f64" } else { "" }));
+    format!(
+        "let material = {}Material {{ {} }};\n::rncf::mesh::resisting({:?}, &material)?;\n",
+        camel_case(name),
+        params.collect::<Vec<_>>().join(", "),
+        material.name,
+    )
+}
+
+/// Initialisers of these fields; `material` is bound to the parameters.
+pub fn material_values(material: &Material, body: &Body, text: impl Fn(&Expr) -> String) -> Vec<String> {
+    let section = match (&body.shape, material.section) {
+        (SectionShape::Rectangle { sizes: [y, z] }, _) => {
+            let torsion = body.properties.get("torsion_constant").map(&text).unwrap_or_default();
+            format!("rectangle([{}, {}], {torsion})", text(y), text(z))
+        }
+        (SectionShape::Circle { radius }, SectionRule::Round) => format!("round({0}, {0}, &material)", text(radius)),
+        (SectionShape::Tube { radius, thickness }, SectionRule::Round) => {
+            format!("round({}, {}, &material)", text(radius), text(thickness))
+        }
+        _ => "default()".to_string(),
+    };
     vec![
-        format!("section: {section}"),
-        format!(
-            "material: {}Material {{ {} }}",
-            camel_case(name),
-            params.collect::<Vec<_>>().join(", ")
-        ),
+        format!("section: ::rncf::mesh::Section::{section}"),
+        "material".to_string(),
     ]
 }

@@ -20,8 +20,6 @@ pub(super) struct PointInputs {
     pub names: Vec<&'static str>,
     /// Names of their components and of those of their rates.
     pub inputs: [Vec<Vec<String>>; 2],
-    /// Names of their components in the stress-free shape, where a kernel takes these.
-    pub before: Vec<String>,
     /// Numbers of blocks of stiffness and damping.
     pub blocks: [usize; 2],
 }
@@ -286,47 +284,44 @@ impl Signature<'_> {
         }
     }
 
-    /// A kernel of the fields at a particle of the section, and one that sums it over the section.
-    pub fn particle(
+    /// A kernel of the fields at a point that integrates the energy of a material over the section; `pairs` are the fields of
+    /// the blocks of stiffness and damping.
+    pub fn section_point(
         &self,
-        points: usize,
-        quantity: Quantity,
-        graph: Graph,
-        outputs: Vec<(String, Id)>,
+        (points, quantity): (usize, Quantity),
         point: &PointInputs,
-    ) -> [Kernel; 2] {
-        let mut particle = self.field_point(points, quantity, graph, outputs, point);
-        let mut sum = particle.clone();
-        let words: Vec<&str> = particle
-            .arguments
-            .iter()
-            .filter_map(|text| text.split(':').next())
-            .collect();
-        let call = format!(
-            "{}(y, z, weight, {});",
-            particle.name.replace("_points", "_particle"),
-            words.join(", ")
-        );
-        sum.bindings = vec![format!("for &[y, z, weight] in &row.section {{ {call} }}")];
-        (sum.graph, sum.outputs) = (Graph::new(), Vec::new());
-        sum.doc.push("Summed over the particles of the section.".to_string());
-        particle.name = particle.name.replace("_points", "_particle");
-        particle.doc = vec![
-            "Adds what one particle (y, z) of the section does, of a material with an energy per volume: strain \
-             E = 1/2 (G^T G - G0^T G0) with G = [r_x + y r_y' + z r_z', r_y, r_z], stress dW/dE (THEORY 4.2)."
+        pairs: [Option<&[(usize, usize)]>; 2],
+    ) -> Kernel {
+        let mut kernel = self.field_point(points, quantity, Graph::new(), Vec::new(), point);
+        let optional = |is_there: bool, text: &str| {
+            if is_there {
+                format!("Some({text})")
+            } else {
+                "None".to_string()
+            }
+        };
+        let with_rates = self.variant.damped && quantity != Quantity::Energy;
+        kernel.bindings = vec![format!(
+            "let point = ::rncf::mesh::SectionPoint {{ length: row.length, fields, before: {}, rates: {} }};",
+            optional(self.variant.curved, "&reference[..]"),
+            optional(with_rates, "(rates, row.damping)"),
+        )];
+        kernel.bindings.push(match (quantity, pairs) {
+            (Quantity::Force, _) => "row.section.force(&row.material, &point, forces);".to_string(),
+            (Quantity::Tangent, [Some(pairs), None]) => {
+                format!("row.section.tangent(&row.material, &point, &{pairs:?}, stiffness);")
+            }
+            (Quantity::Tangent, [Some(pairs), Some(damped)]) => format!(
+                "row.section.damped_tangent(&row.material, &point, (&{pairs:?}, stiffness), (&{damped:?}, damping_matrix));"
+            ),
+            _ => "row.section.energy(&row.material, &point, energy);".to_string(),
+        });
+        kernel.doc.push(
+            "Integrated over the section, of a material with an energy per volume W(E): lateral strains are relaxed at every \
+             particle, E is that of the fibre r_x + y r_y' + z r_z' and of the section's axes (THEORY 4.2)."
                 .to_string(),
-        ];
-        particle.assign = false;
-        for (at, argument) in ["y: f64", "z: f64", "weight: f64"].into_iter().enumerate() {
-            particle.arguments.insert(at, argument.to_string());
-        }
-        particle.bindings.push("let model = &row.material;".to_string());
-        if self.variant.curved {
-            particle
-                .bindings
-                .push(format!("let [{}] = *reference;", point.before.join(", ")));
-        }
-        [sum, particle]
+        );
+        kernel
     }
 
     /// The fields at all points in the stress-free shape, which a material with an energy needs.

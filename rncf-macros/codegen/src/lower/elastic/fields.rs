@@ -1,7 +1,7 @@
 //! Elastic kernels of elements with many nodal vectors: for each integration rule one straight-line
 //! kernel of the fields at a point; the runtime carries nodal vectors there and back (`mesh/points.rs`).
 
-use super::particles::OnFields;
+use super::particles::section_point;
 use super::{Builder, Form, Quantity, State, rules};
 use crate::elements::{Interpolant, Library, NodalVector};
 use crate::lower::invariants::{Blocks, Invariant, Response};
@@ -82,7 +82,7 @@ pub struct FieldRule {
     pub shapes: Vec<Vec<Vec<f64>>>,
     /// Kernels at a point: force, tangent, energy.
     pub kernels: [Kernel; 3],
-    /// Kernels at a particle of the section that those at a point call, of a material given by its energy.
+    /// Derivatives of the energy of a material that is given by it: response, and rate of the stiffness where damped.
     pub particles: Vec<Kernel>,
     /// Blocks of the stiffness.
     pub stiffness: FieldBlocks,
@@ -99,7 +99,7 @@ pub struct FieldKernels {
     pub groups: Groups,
     /// One entry for each rule.
     pub rules: Vec<FieldRule>,
-    /// Particles of a section, of a material given by its energy; otherwise 0.
+    /// Particles of a section, of a material given by its energy, those on the axis included; otherwise 0.
     pub particles: usize,
 }
 
@@ -109,13 +109,12 @@ pub fn field_kernels(variant: &Variant, library: &Library) -> FieldKernels {
     let rules = rules(variant, variant.declaration(library));
     let rules = rules.into_iter().map(|points| {
         let [force, tangent, energy] = [Quantity::Force, Quantity::Tangent, Quantity::Energy].map(|quantity| {
+            if variant.material.is_some() {
+                return section_point(variant, library, &groups, (points, quantity));
+            }
             let mut builder = Builder::new(variant, library, Form::Fields, quantity);
             builder.rule = points;
-            if variant.material.is_some() {
-                builder.particle(&groups)
-            } else {
-                builder.field_point(&groups)
-            }
+            builder.field_point(&groups)
         });
         let shapes = shapes(variant, library, &groups, &tangent.fields, points);
         FieldRule {
@@ -127,16 +126,16 @@ pub fn field_kernels(variant: &Variant, library: &Library) -> FieldKernels {
             stiffness: tangent.stiffness.unwrap_or_else(no_blocks),
             damping: tangent.damping,
             references: tangent.references,
-            particles: [force.particle, tangent.particle, energy.particle]
-                .into_iter()
-                .flatten()
-                .collect(),
+            particles: [force.particle, tangent.particle].into_iter().flatten().collect(),
             kernels: [force.kernel, tangent.kernel, energy.kernel],
         }
     });
     FieldKernels {
         rules: rules.collect(),
-        particles: variant.material.as_ref().map_or(0, |material| material.section.count()),
+        particles: variant
+            .material
+            .as_ref()
+            .map_or(0, |material| material.section.count() + 2),
         groups,
     }
 }
@@ -174,13 +173,21 @@ fn shapes(
         .collect()
 }
 
+/// What a stress at a point does to the fields.
+pub(super) struct OnFields {
+    pub energy: Id,
+    pub force: Vec<Vector>,
+    pub stiffness: Blocks,
+    pub viscosity: Option<Blocks>,
+}
+
 /// Places and values.
 type Outputs = Vec<(String, Id)>;
 
 /// One kernel and what it turned out to depend on.
 pub(super) struct Point {
     pub kernel: Kernel,
-    /// What the kernel calls at every particle of the section.
+    /// What is called at every particle of the section.
     pub particle: Option<Kernel>,
     pub fields: Vec<usize>,
     pub groups: Vec<usize>,
@@ -223,12 +230,7 @@ impl Builder<'_> {
             self.quantity,
             self.graph,
             outputs,
-            &PointInputs {
-                names,
-                inputs,
-                before: Vec::new(),
-                blocks,
-            },
+            &PointInputs { names, inputs, blocks },
         );
         Point {
             kernel,
@@ -242,7 +244,7 @@ impl Builder<'_> {
     }
 
     /// Text of the input for a component of a field: its derivative on the unit element.
-    pub(super) fn input_name(&self, prefix: &str, field: usize, c: usize) -> String {
+    fn input_name(&self, prefix: &str, field: usize, c: usize) -> String {
         let declared = self.declared[field];
         let unit = if length_power(declared) == 0 { "" } else { "unit_" };
         format!("{prefix}{unit}{}_{}", declared.name, ["x", "y", "z"][c])
@@ -430,12 +432,12 @@ impl FieldKernels {
                 Quantity::Tangent => blocks * dimension * dimension * size * size,
                 Quantity::Energy | Quantity::Reference => 1,
             };
-            let particle = match quantity {
-                Quantity::Force => rule.particles.first(),
-                Quantity::Tangent => rule.particles.get(1),
-                Quantity::Energy | Quantity::Reference => rule.particles.get(2),
+            let damped = rule.damping.is_some() && quantity == Quantity::Tangent;
+            let mut particles = rule.particles.iter().take(if damped { 2 } else { 1 }).peekable();
+            let inside = match particles.peek() {
+                Some(_) => particles.fold(Cost::default(), |sum, particle| sum + particle.cost() * self.particles),
+                None => kernel.cost(),
             };
-            let inside = particle.map_or(kernel.cost(), |particle| particle.cost() * self.particles);
             cost = cost + (inside + pairs(states * to + back)) * rule.points;
         }
         cost

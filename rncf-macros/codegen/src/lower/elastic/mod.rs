@@ -17,7 +17,6 @@ pub use fields::{FieldBlocks, FieldKernels, FieldRule, Groups, field_kernels};
 use crate::elements::{Element, Field, Library, NodalVector};
 use crate::lower::invariants::{Blocks, Invariant};
 use crate::lower::kernel::{Kernel, PointLoop};
-use crate::lower::material::{Density, Material};
 use crate::lower::quadratic::{base_vector, is_position};
 use crate::lower::signature::Signature;
 use crate::lower::variant::Variant;
@@ -138,25 +137,17 @@ struct Builder<'a> {
     /// Measures at the points before.
     passed: usize,
     points: Option<PointLoop>,
-    /// Energy of the material, where it is given by one, and the particle's place in the section.
-    density: Option<Density>,
-    particle_y: Id,
-    particle_z: Id,
 }
 
 impl<'a> Builder<'a> {
     fn new(variant: &'a Variant, library: &'a Library, form: Form, quantity: Quantity) -> Self {
         let element = variant.declaration(library);
-        let mut density = variant.material.as_ref().map(Material::density);
-        let mut graph = density
-            .as_mut()
-            .map_or_else(Graph::new, |density| std::mem::take(&mut density.graph));
+        let mut graph = Graph::new();
         let length = graph.symbol("length");
         let one = graph.one();
         let inverse_length = graph.divide(one, length);
         graph.name(inverse_length, "inverse_length");
         let damping = graph.symbol("damping");
-        let [particle_y, particle_z] = ["y", "z"].map(|name| graph.symbol(name));
         let coefficients = element
             .coefficients
             .iter()
@@ -185,9 +176,6 @@ impl<'a> Builder<'a> {
             references: Vec::new(),
             rule: 0,
             passed: 0,
-            density,
-            particle_y,
-            particle_z,
             points: None,
             graph,
         };

@@ -1,238 +1,182 @@
-//! Elastic kernels of a material that is given by its energy W(E) (THEORY 4.2): one straight-line kernel of
-//! the fields at a particle (Y, Z) of the section, summed over section and axis by loops.
-//!
-//! With the gradient `G = [a + Y b' + Z c', b, c]` the strain is `E = 1/2 (G^T G - G0^T G0)` on the axes of the
-//! section, G0 that of the stress-free shape; `sigma = dW/dE`, damped `sigma + s (d2W/dE2) : E'`.
+//! Elastic kernels of a material that is given by its energy W(E) (THEORY 4.2): its derivatives at a strain. The runtime
+//! relaxes the lateral strains of every particle and integrates over the section (`mesh/section_energy.rs`).
 
-use super::fields::{Groups, Point};
-use super::{Builder, Quantity};
-use crate::elements::Interpolant;
-use crate::lower::invariants::{Blocks, Invariant, Response, invariants, zero_blocks};
+use std::collections::HashMap;
+
+use super::Quantity;
+use super::fields::{FieldBlocks, Groups, Point};
+use crate::elements::{Field, Library};
+use crate::lower::kernel::Kernel;
+use crate::lower::material::{Density, Material};
 use crate::lower::quadratic::length_power;
-use crate::lower::signature::{PointInputs, Signature};
-use crate::symbolic::{Id, linear::Vector};
+use crate::lower::signature::{PointInputs, Signature, camel_case};
+use crate::lower::variant::Variant;
+use crate::symbolic::Id;
 
-/// What a particle adds, on the fields.
-pub(super) struct OnFields {
-    pub energy: Id,
-    pub force: Vec<Vector>,
-    pub stiffness: Blocks,
-    pub viscosity: Option<Blocks>,
+/// Blocks of all pairs of fields, ordered by tile; of a symmetric tangent those of tiles on and above the diagonal.
+fn all_blocks(group_of: &[usize], groups: usize, symmetric: bool) -> FieldBlocks {
+    let tiles = (0..groups).flat_map(|g| (0..groups).map(move |h| (g, h)));
+    let tiles = tiles.filter(|&(g, h)| !symmetric || g <= h);
+    let mut blocks = FieldBlocks {
+        pairs: Vec::new(),
+        tiles: Vec::new(),
+    };
+    for (tile, (g, h)) in tiles.enumerate() {
+        let from = blocks.pairs.len();
+        for i in (0..group_of.len()).filter(|&i| group_of[i] == g) {
+            let columns = (0..group_of.len()).filter(|&j| group_of[j] == h);
+            blocks.pairs.extend(columns.map(|j| (i, j)));
+        }
+        blocks.tiles.push((tile, from, blocks.pairs.len()));
+    }
+    blocks
 }
 
-/// Component of the strain, in the order of the energy's symbols, of two columns of G.
-fn component(i: usize, j: usize) -> usize {
-    match (i, j) {
-        (0, 1) => 3,
-        (0, 2) => 4,
-        (1, 2) => 5,
-        _ => i,
+/// The kernel of one quantity at a point, which sums over the section.
+pub(super) fn section_point(
+    variant: &Variant,
+    library: &Library,
+    groups: &Groups,
+    (points, quantity): (usize, Quantity),
+) -> Point {
+    let declared: Vec<&Field> = variant.declaration(library).fields_in(variant.dimension).collect();
+    let group_of: Vec<usize> = declared.iter().map(|field| groups.group(field.of)).collect();
+    let is_tangent = quantity == Quantity::Tangent;
+    let blocks = |symmetric| all_blocks(&group_of, groups.of.len(), symmetric);
+    let stiffness = is_tangent.then(|| blocks(!variant.damped));
+    let damping = (is_tangent && variant.damped).then(|| blocks(true));
+    let name_of = |prefix: &str, field: &Field, c: usize| {
+        let unit = if length_power(field) == 0 { "" } else { "unit_" };
+        format!("{prefix}{unit}{}_{}", field.name, ["x", "y", "z"][c])
+    };
+    let names = |prefix: &str| -> Vec<Vec<String>> {
+        let vector = |field: &&Field| (0..variant.dimension).map(|c| name_of(prefix, field, c)).collect();
+        declared.iter().map(vector).collect()
+    };
+    let references = if variant.curved {
+        declared.len() * variant.dimension
+    } else {
+        0
+    };
+    let signature = Signature {
+        variant,
+        library,
+        references,
+    };
+    let kernel = signature.section_point(
+        (points, quantity),
+        &PointInputs {
+            names: declared.iter().map(|field| field.name).collect(),
+            inputs: ["", "v_"].map(names),
+            blocks: [&stiffness, &damping].map(|blocks| blocks.as_ref().map_or(0, |blocks| blocks.pairs.len())),
+        },
+        [&stiffness, &damping].map(|blocks| blocks.as_ref().map(|blocks| blocks.pairs.as_slice())),
+    );
+    let particle = variant.material.as_ref().and_then(|material| match quantity {
+        Quantity::Force => Some(response(material, variant, library)),
+        Quantity::Tangent if variant.damped => Some(stiffness_rate(material, variant, library)),
+        _ => None,
+    });
+    Point {
+        kernel,
+        particle,
+        fields: (0..declared.len()).collect(),
+        groups: group_of,
+        stiffness,
+        damping,
+        references,
     }
 }
 
-impl Builder<'_> {
-    /// The kernel of one quantity at a particle.
-    pub(super) fn particle(mut self, groups: &Groups) -> Point {
-        let density = self.density.take().expect("a variant with a material");
-        let columns = self.columns("");
-        let rates = if self.rates.is_empty() {
-            Vec::new()
-        } else {
-            self.columns("v_")
-        };
-        let before = if self.variant.curved {
-            self.columns("o_")
-        } else {
-            Vec::new()
-        };
-        let list: Vec<Invariant> = invariants(columns.len(), self.variant.dimension)
-            .into_iter()
-            .filter(|it| it.product == crate::lower::invariants::Product::Dot)
-            .collect();
-        let components: Vec<usize> = list.iter().map(|it| component(it.i, it.j)).collect();
-        let half = self.graph.number(0.5);
-        // What the symbols of strains and rates stand for; strains out of a plane are zero.
-        let zero = self.graph.zero();
-        let mut real: std::collections::HashMap<Id, Id> = density.strains.map(|strain| (strain, zero)).into();
-        let mut along_rates = std::collections::HashMap::new();
-        for (it, &k) in list.iter().zip(&components) {
-            let value = it.value(&mut self.graph, &columns);
-            let rest = if self.variant.curved {
-                it.value(&mut self.graph, &before)
-            } else {
-                self.graph.number(it.orthonormal(it.i == it.j))
-            };
-            let change = self.graph.subtract(value, rest);
-            let strain = self.graph.multiply(half, change);
-            real.insert(density.strains[k], strain);
-            if !rates.is_empty() {
-                let symbol = self.graph.symbol(format!("rate[{k}]"));
-                along_rates.insert(density.strains[k], symbol);
-                let rate = it.rate(&mut self.graph, &columns, &rates);
-                let rate = self.graph.multiply(half, rate);
-                real.insert(symbol, rate);
-            }
+/// Second derivatives of an energy on and above the diagonal.
+fn stiffness_of(density: &mut Density) -> Vec<(usize, usize, Id)> {
+    let Density { graph, energy, strains } = density;
+    let mut entries = Vec::new();
+    for i in 0..6 {
+        let stress = graph.partial(*energy, strains[i]);
+        for j in i..6 {
+            entries.push((i, j, graph.partial(stress, strains[j])));
         }
-        // S_A = 1/2 (sigma + s D : E'), in the symbols.
-        let (weight, length) = (self.graph.symbol("weight"), self.length);
-        let weight = self.graph.multiply(weight, length);
-        let half_weight = self.graph.multiply(half, weight);
-        let mut stress = Vec::new();
-        for &k in &components {
-            let elastic = self.graph.partial(density.energy, density.strains[k]);
-            let rate = self.graph.differentiate(elastic, &along_rates);
-            let viscous = self.graph.multiply(self.damping, rate);
-            let sum = self.graph.add(elastic, viscous);
-            stress.push(self.graph.multiply(half_weight, sum));
-        }
-        let mut matrix = |with: &dyn Fn(usize) -> Option<Id>| -> Vec<Vec<Id>> {
-            let mut rows = Vec::new();
-            for &of in &stress {
-                let mut row = Vec::new();
-                for &k in &components {
-                    let slope = match with(k) {
-                        Some(symbol) => self.graph.partial(of, symbol),
-                        None => self.graph.zero(),
-                    };
-                    let slope = self.graph.multiply(half, slope);
-                    row.push(self.graph.substitute(slope, &real));
-                }
-                rows.push(row);
-            }
-            rows
-        };
-        let stiffness = matrix(&|k| Some(density.strains[k]));
-        let viscosity = if rates.is_empty() {
-            Vec::new()
-        } else {
-            matrix(&|k| along_rates.get(&density.strains[k]).copied())
-        };
-        let stress: Vec<Id> = stress.iter().map(|&id| self.graph.substitute(id, &real)).collect();
-        let energy = self.graph.substitute(density.energy, &real);
-        let energy = self.graph.multiply(weight, energy);
-        let response = Response {
-            invariants: &list,
-            stress: &stress,
-            stiffness: &stiffness,
-            viscosity: &viscosity,
-            vectors: &columns,
-            rates: &rates,
-        };
-        let on_fields = self.on_fields(energy, &response);
-        self.particle_kernel(groups, &on_fields)
     }
+    entries
+}
 
-    /// Column of G that a field is in, and with which factor.
-    fn place(&mut self, field: usize) -> (usize, Id) {
-        let declared = self.declared[field];
-        let power = self.length_power(length_power(declared));
-        match (declared.of, declared.order) {
-            (Interpolant::Position, _) => (0, power),
-            (Interpolant::SectionY, 0) => (1, power),
-            (Interpolant::SectionZ, 0) => (2, power),
-            (Interpolant::SectionY, _) => {
-                let y = self.particle_y;
-                (0, self.graph.multiply(y, power))
-            }
-            (Interpolant::SectionZ, _) => {
-                let z = self.particle_z;
-                (0, self.graph.multiply(z, power))
-            }
-        }
+fn material_kernel(name: String, what: &str, variant: &Variant, library: &Library, arguments: &[&str]) -> Kernel {
+    let row = camel_case(&variant.name(library));
+    let mut all = vec![format!("model: &{row}Material"), "strain: &[f64; 6]".to_string()];
+    all.extend(arguments.iter().map(|argument| (*argument).to_string()));
+    Kernel {
+        name,
+        doc: vec![what.to_string()],
+        arguments: all,
+        bindings: Vec::new(),
+        graph: crate::symbolic::Graph::new(),
+        points: None,
+        outputs: Vec::new(),
+        assign: true,
     }
+}
 
-    /// Columns of G, or of its rate or its value in the stress-free shape.
-    fn columns(&mut self, prefix: &str) -> Vec<Vector> {
-        let dimension = self.variant.dimension;
-        let mut columns = vec![vec![self.graph.zero(); dimension]; dimension];
-        for field in 0..self.declared.len() {
-            let (column, factor) = self.place(field);
-            for c in 0..dimension {
-                let symbol = self.graph.symbol(self.input_name(prefix, field, c));
-                let part = self.graph.multiply(factor, symbol);
-                columns[column][c] = self.graph.add(columns[column][c], part);
-            }
-        }
-        columns
+/// Energy, stress and stiffness at a strain.
+fn response(material: &Material, variant: &Variant, library: &Library) -> Kernel {
+    let mut density = material.density();
+    let mut kernel = material_kernel(
+        format!("{}_response", variant.name(library)),
+        "Energy per volume W (J/m^3), stress dW/dE and, on and above the diagonal, stiffness d2W/dE2 (Pa) at a Green strain \
+         xx, yy, zz, xy, xz, yz.",
+        variant,
+        library,
+        &[
+            "energy: &mut f64",
+            "stress: &mut [f64; 6]",
+            "stiffness: &mut [[f64; 6]; 6]",
+        ],
+    );
+    let mut outputs = vec![("*energy".to_string(), density.energy)];
+    for (k, strain) in density.strains.into_iter().enumerate() {
+        let stress = density.graph.partial(density.energy, strain);
+        outputs.push((format!("stress[{k}]"), stress));
     }
+    for (i, j, entry) in stiffness_of(&mut density) {
+        outputs.push((format!("stiffness[{i}][{j}]"), entry));
+    }
+    kernel.outputs = not_zero(outputs, &density);
+    kernel.graph = density.graph;
+    kernel
+}
 
-    fn on_fields(&mut self, energy: Id, response: &Response) -> OnFields {
-        let (count, dimension) = (self.declared.len(), self.variant.dimension);
-        let places: Vec<(usize, Id)> = (0..count).map(|field| self.place(field)).collect();
-        let mut result = OnFields {
-            energy,
-            force: Vec::new(),
-            stiffness: Vec::new(),
-            viscosity: None,
-        };
-        match self.quantity {
-            Quantity::Energy | Quantity::Reference => {}
-            Quantity::Force => {
-                let force = response.force(&mut self.graph);
-                let forces = places
-                    .iter()
-                    .map(|&(column, factor)| self.graph.scale(factor, &force[column]));
-                result.force = forces.collect();
-            }
-            Quantity::Tangent => {
-                let (stiffness, viscosity) = response.combined_tangent(&mut self.graph);
-                let mut spread = |blocks: &Blocks| {
-                    let mut on_fields = zero_blocks(&mut self.graph, count, dimension);
-                    for (f, &(i, left)) in places.iter().enumerate() {
-                        for (g, &(j, right)) in places.iter().enumerate() {
-                            let factor = self.graph.multiply(left, right);
-                            for r in 0..dimension {
-                                on_fields[f][g][r] = self.graph.scale(factor, &blocks[i][j][r]);
-                            }
-                        }
-                    }
-                    on_fields
-                };
-                result.stiffness = spread(&stiffness);
-                result.viscosity = viscosity.map(|blocks| spread(&blocks));
-            }
-        }
-        result
-    }
+/// How the stiffness changes along a rate of the strain, which the tangent of damping needs.
+fn stiffness_rate(material: &Material, variant: &Variant, library: &Library) -> Kernel {
+    let mut density = material.density();
+    let mut kernel = material_kernel(
+        format!("{}_stiffness_rate", variant.name(library)),
+        "Derivative of the stiffness d2W/dE2 along a rate of the strain, on and above the diagonal.",
+        variant,
+        library,
+        &["rate: &[f64; 6]", "stiffness: &mut [[f64; 6]; 6]"],
+    );
+    let entries = stiffness_of(&mut density);
+    let rates: HashMap<Id, Id> = density
+        .strains
+        .into_iter()
+        .enumerate()
+        .map(|(k, strain)| (strain, density.graph.symbol(format!("rate[{k}]"))))
+        .collect();
+    let outputs = entries
+        .into_iter()
+        .map(|(i, j, entry)| {
+            (
+                format!("stiffness[{i}][{j}]"),
+                density.graph.differentiate(entry, &rates),
+            )
+        })
+        .collect();
+    kernel.outputs = not_zero(outputs, &density);
+    kernel.graph = density.graph;
+    kernel
+}
 
-    fn particle_kernel(mut self, groups: &Groups, on_fields: &OnFields) -> Point {
-        let fields: Vec<usize> = (0..self.declared.len()).collect();
-        let group_of: Vec<usize> = fields
-            .iter()
-            .map(|&field| groups.group(self.declared[field].of))
-            .collect();
-        let (outputs, stiffness, damping) = self.field_outputs(on_fields, &fields, (&group_of, groups.of.len()));
-        let names: Vec<&str> = self.declared.iter().map(|field| field.name).collect();
-        let inputs = ["", "v_"].map(|prefix| self.input_names(prefix, &fields));
-        let before = self.input_names("o_", &fields).concat();
-        let blocks = [&stiffness, &damping].map(|blocks| blocks.as_ref().map_or(0, |blocks| blocks.pairs.len()));
-        let references = if self.variant.curved { before.len() } else { 0 };
-        let signature = Signature {
-            variant: self.variant,
-            library: self.library,
-            references,
-        };
-        let (points, quantity) = (self.rule, self.quantity);
-        let [kernel, particle] = signature.particle(
-            points,
-            quantity,
-            self.graph,
-            outputs,
-            &PointInputs {
-                names,
-                inputs,
-                before,
-                blocks,
-            },
-        );
-        Point {
-            kernel,
-            particle: Some(particle),
-            fields,
-            groups: group_of,
-            stiffness,
-            damping,
-            references,
-        }
-    }
+fn not_zero(outputs: Vec<(String, Id)>, density: &Density) -> Vec<(String, Id)> {
+    let outputs = outputs.into_iter();
+    outputs.filter(|&(_, id)| !density.graph.is_zero(id)).collect()
 }
