@@ -6,6 +6,7 @@ mod energy;
 mod equilibria;
 mod esail;
 mod free_flight;
+mod free_frames;
 mod gravity;
 mod heavy_top;
 mod kinks;

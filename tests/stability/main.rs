@@ -11,6 +11,7 @@ mod failing;
 mod hourglass;
 mod inconsistent_start;
 mod kept_matrix;
+mod leaking_momentum;
 mod locking;
 mod order_loss;
 mod pendulum;

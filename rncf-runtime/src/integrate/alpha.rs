@@ -23,6 +23,7 @@ use super::charts::Charts;
 use super::compensated::{self, Low};
 use super::control::{Controller, RETRY};
 use super::history::History;
+use super::lasting::Lasting;
 use super::newton::{self, Factors, Failure, Iterate, Newton, norm};
 use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
@@ -172,6 +173,12 @@ impl Alpha {
             a0: vec![0.0; n],
             work: vec![0.0; n],
         }
+    }
+
+    /// The same for a run over `span` (s) whose result has the tolerance `rtol`.
+    pub(super) fn over<S: System + ?Sized>(mut self, system: &S, rtol: f64, span: f64) -> Self {
+        self.newton.lasts(Lasting::new(system, rtol, span));
+        self
     }
 
     /// Jerk at `now`: difference quotient of consistent accelerations over a small part of `h`, its

@@ -14,6 +14,7 @@ mod dense;
 mod diagnose;
 mod energy;
 mod history;
+mod lasting;
 mod newton;
 mod noise;
 mod options;
@@ -126,12 +127,13 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         let mut statistics = Statistics::default();
         prepare(system, &mut state, t_end - t0, &mut statistics).map_err(|(kind, worst)| fail(kind, worst))?;
         let bordered = Bordered::new(system);
+        let span = t_end - t0;
         let scheme = match method {
-            Method::Hht { alpha } => Running::alpha(system, Coefficients::hht(alpha), &options),
+            Method::Hht { alpha } => Running::alpha(system, Coefficients::hht(alpha), &options, span),
             Method::GeneralizedAlpha { rho_inf } => {
-                Running::alpha(system, Coefficients::generalized_alpha(rho_inf), &options)
+                Running::alpha(system, Coefficients::generalized_alpha(rho_inf), &options, span)
             }
-            Method::Radau => Running::Radau(Box::new(Radau::new(system, &options))),
+            Method::Radau => Running::Radau(Box::new(Radau::new(system, &options, span))),
             Method::EnergyMomentum => Running::Energy(Box::new(EnergyMomentum::new(system, &options))),
         };
         let mut integrator = Self {
@@ -463,8 +465,12 @@ fn prepare<S: System + ?Sized>(
 }
 
 impl Running {
-    fn alpha<S: System + ?Sized>(system: &mut S, coefficients: Coefficients, options: &Options) -> Self {
-        Running::Alpha(Box::new(Alpha::new(system, coefficients, options)))
+    fn alpha<S: System + ?Sized>(system: &mut S, coefficients: Coefficients, options: &Options, span: f64) -> Self {
+        Running::Alpha(Box::new(Alpha::new(system, coefficients, options).over(
+            system,
+            options.rtol,
+            span,
+        )))
     }
 }
 

@@ -13,6 +13,7 @@
 use super::Statistics;
 use super::charts::Charts;
 use super::compensated::{self, Low};
+use super::lasting::Lasting;
 use super::noise::{self, BEARABLE};
 use super::scheme::Cause;
 use super::stabiliser::{Scales, Stabiliser};
@@ -94,6 +95,8 @@ pub(super) struct Newton {
     /// Step for which the matrix was factored; `None`: refresh before the next iteration.
     factored_for: Option<f64>,
     experience: Experience,
+    /// What is left of motions that last.
+    lasting: Lasting,
 }
 
 /// Contraction seen with one factorization. As the solution moves away from where the matrix was
@@ -196,6 +199,7 @@ impl Newton {
             dlambda: vec![0.0; constraint_pattern.columns()],
             factored_for: None,
             experience: Experience::default(),
+            lasting: Lasting::new(system, rtol, 0.0),
             constraint_pattern,
         }
     }
@@ -234,6 +238,11 @@ impl Newton {
         self.bearable = f64::INFINITY;
     }
 
+    /// How what is left of motions that last is measured; without this it is not.
+    pub(super) fn lasts(&mut self, lasting: Lasting) {
+        self.lasting = lasting;
+    }
+
     /// Makes the next iteration start with a new matrix.
     pub(super) fn discard(&mut self) {
         self.factored_for = None;
@@ -259,6 +268,8 @@ impl Newton {
         }
         let mut before: Option<f64> = None;
         let mut seen: Option<f64> = None;
+        let mut is_converged = false;
+        self.lasting.begin();
         for _ in 0..ITERATIONS {
             uses = uses.map(|uses| uses + 1);
             let Moved {
@@ -273,13 +284,26 @@ impl Newton {
                 Some(before) => size / before,
                 None => self.experience.expected(),
             };
-            if before.is_some() {
+            let rate = self.factors.gamma / (self.factors.beta * h * h);
+            let dx = &self.dx;
+            self.lasting.note(|i| rate * dx[i]);
+            if before.is_some() && !is_converged {
                 seen = Some(seen.map_or(contraction, |seen: f64| seen.max(contraction)));
             }
             let expected = contraction.max((relaxation - 1.0).abs());
-            if size <= floor || expected < 1.0 && size * expected / (1.0 - expected) <= self.converged {
-                self.finish(seen);
-                return Ok(());
+            is_converged |= size <= floor || expected < 1.0 && size * expected / (1.0 - expected) <= self.converged;
+            if is_converged {
+                let is_stagnant = self.lasting.is_stagnant();
+                if size <= floor || self.lasting.is_settled() || is_stagnant && uses.is_some() {
+                    self.lasting.accept();
+                    self.finish(seen);
+                    return Ok(());
+                }
+                if is_stagnant {
+                    return Err(Failure::OldMatrix);
+                }
+                before = Some(size);
+                continue;
             }
             if before.is_some() && contraction > POOR {
                 if size <= 1e3 * floor || self.is_at_noise(system, &iterate.state, size) {
@@ -425,6 +449,7 @@ impl Newton {
         }
         self.factored_for = Some(h);
         self.experience = Experience::default();
+        self.lasting.restart();
         Ok(())
     }
 

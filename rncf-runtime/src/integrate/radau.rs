@@ -18,6 +18,7 @@ mod stages;
 use super::Statistics;
 use super::compensated::{self, Low};
 use super::control::Controller;
+use super::lasting::Lasting;
 use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
 use crate::error::SolveErrorKind;
@@ -82,8 +83,8 @@ enum Age {
 }
 
 impl Radau {
-    /// The method for `system`.
-    pub(super) fn new<S: System + ?Sized>(system: &mut S, options: &Options) -> Self {
+    /// The method for a run of `system` over `span`, s.
+    pub(super) fn new<S: System + ?Sized>(system: &mut S, options: &Options, span: f64) -> Self {
         let (n, m) = (system.unknowns(), system.constraints());
         let fixed = matches!(options.step, StepSize::Fixed(_));
         let stabilised = options.stabilised && m > 0;
@@ -94,10 +95,12 @@ impl Radau {
             (options.rtol, options.rtol.sqrt().min(0.03).min(COARSE / options.rtol))
         };
         let matrices = Matrices::new(system, stabilised);
+        // A fixed step is iterated down to round-off anyway.
+        let lasting = Lasting::new(system, options.rtol, if fixed { 0.0 } else { span });
         Self {
             coefficients: Coefficients::new(),
             fixed,
-            newton: Newton::new(system, &matrices, tolerances, fixed, stabilised),
+            newton: Newton::new(system, &matrices, tolerances, lasting, fixed, stabilised),
             matrices,
             estimate: Estimate::new(system, options.rtol),
             before: State::of(system, 0.0),
@@ -141,14 +144,18 @@ impl Radau {
                 return Err((0.5, Cause::Singular { worst }));
             }
             let (coefficients, matrices) = (&self.coefficients, &mut self.matrices);
-            let failure =
-                match self
-                    .newton
-                    .solve(system, coefficients, matrices, &self.now, &mut self.trial, statistics)
-                {
-                    Ok(converged) => return Ok(converged),
-                    Err(failure) => failure,
-                };
+            let (is_fresh, stages) = (self.tangent == Age::Fresh, &mut self.trial);
+            let failure = match self.newton.solve(
+                system,
+                coefficients,
+                matrices,
+                (&self.now, is_fresh),
+                stages,
+                statistics,
+            ) {
+                Ok(converged) => return Ok(converged),
+                Err(failure) => failure,
+            };
             self.newton.restart();
             if self.tangent == Age::Kept {
                 self.tangent = Age::Stale;
@@ -240,7 +247,7 @@ impl Scheme for Radau {
             return Outcome::Rejected { next, cause };
         }
         self.accept();
-        self.tangent = if converged.contraction > AGED {
+        self.tangent = if converged.contraction > AGED || converged.is_slow {
             Age::Stale
         } else {
             Age::Kept

@@ -6,6 +6,7 @@ use super::stages::Stages;
 use crate::integrate::Statistics;
 use crate::integrate::anderson::Acceleration;
 use crate::integrate::bordered::add;
+use crate::integrate::lasting::Lasting;
 use crate::integrate::newton::norm;
 use crate::integrate::noise::{self, BEARABLE};
 use crate::system::{ConstraintLevel, State, System};
@@ -26,6 +27,8 @@ const LEARNING: u32 = 5;
 const HOPELESS: f64 = 30.0;
 /// Smallest amplification that is expected of a step before its contraction is seen.
 const LEAST: f64 = 0.008;
+/// Iterations beyond those of the positions that a tangent is kept for.
+const FEW: u32 = 1;
 /// Increments below this, relative to the sizes of the unknowns, are noise.
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 /// Noise that the residual may add to that.
@@ -41,10 +44,14 @@ pub(super) enum Failure {
 }
 
 /// What a converged iteration tells of its matrix.
+#[derive(Clone, Copy)]
 pub(super) struct Converged {
+    /// Iterations until the positions were converged.
     pub(super) iterations: u32,
-    /// Contraction; 0 after a single iteration.
+    /// Contraction till then; 0 after a single iteration.
     pub(super) contraction: f64,
+    /// What lasts took many more iterations.
+    pub(super) is_slow: bool,
 }
 
 /// Memory and settings of the iteration.
@@ -53,6 +60,8 @@ pub(super) struct Newton {
     inverse_sizes: Vec<f64>,
     /// Error of a converged iterate as a part of the weights.
     tolerance: f64,
+    /// What is left of motions that last.
+    lasting: Lasting,
     /// The step is fixed.
     patient: bool,
     /// Relative tolerance behind the weights.
@@ -82,6 +91,7 @@ impl Newton {
         system: &S,
         matrices: &Matrices,
         (rtol, tolerance): (f64, f64),
+        lasting: Lasting,
         patient: bool,
         stabilised: bool,
     ) -> Self {
@@ -91,6 +101,7 @@ impl Newton {
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
             inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
             tolerance,
+            lasting,
             patient,
             rtol,
             amplification: 1.0,
@@ -112,16 +123,17 @@ impl Newton {
     /// Forgets the contraction that was seen.
     pub(super) fn restart(&mut self) {
         self.amplification = 1.0;
+        self.lasting.restart();
     }
 
     /// Converges the increments and multipliers of `stages`, whose predictions are given; its
-    /// velocities and accelerations follow.
+    /// velocities and accelerations follow. `start` comes with whether the tangent is of this step.
     pub(super) fn solve<S: System + ?Sized>(
         &mut self,
         system: &mut S,
         coefficients: &Coefficients,
         matrices: &mut Matrices,
-        start: &State,
+        (start, is_fresh): (&State, bool),
         stages: &mut Stages,
         statistics: &mut Statistics,
     ) -> Result<Converged, Failure> {
@@ -130,7 +142,10 @@ impl Newton {
         let growth = (stages.h / self.seen_at).clamp(1.0, 1e3);
         let mut amplification = self.amplification.max(LEAST).powf(0.8) * growth.powi(2);
         let (mut last, mut last_ratio, mut contraction) = (0.0, 0.0, 0.0);
+        // Set when the positions are converged.
+        let mut converged = None;
         self.acceleration.restart();
+        self.lasting.begin();
         let most = if self.patient { PATIENT } else { ITERATIONS };
         for iteration in 1..=most {
             self.differentiate(system, coefficients, matrices, start, stages);
@@ -152,30 +167,35 @@ impl Newton {
                 last_ratio = ratio;
                 amplification = contraction / (1.0 - contraction);
             }
+            let (row, rate) = (coefficients.inverse[2], 1.0 / (stages.h * stages.h));
+            let changes = &self.dynamics;
+            self.lasting
+                .note(|i| (row[0] * changes[0][i] + row[1] * changes[1][i] + row[2] * changes[2][i]) * rate);
             // A fixed step is iterated down to round-off, where differences tell nothing.
             self.apply(stages, !self.patient && iteration > 1 && last_ratio > ACCELERATED);
             let stagnates = contraction > STAGNANT;
             let at_noise =
                 size <= floor || stagnates && (size <= AMPLIFIED * floor || self.is_at_noise(system, start, size));
-            if at_noise || contraction < DIVERGING && amplification * size <= self.tolerance {
+            if converged.is_none() && (at_noise || contraction < DIVERGING && amplification * size <= self.tolerance) {
                 self.seen_at = stages.h;
                 self.amplification = if contraction < DIVERGING { amplification } else { 1.0 };
-                if !self.rates[0].is_empty() {
-                    self.differentiate(system, coefficients, matrices, start, stages);
-                }
-                stages.differentiate(coefficients, start);
-                if let Some(turn) = matrices.chart.left_by(&stages.z[2]) {
-                    return Err(Failure::Slow {
-                        worst: Some(turn),
-                        ratio: 0.5,
-                    });
-                }
-                return Ok(Converged {
+                converged = Some(Converged {
                     iterations: iteration,
                     contraction,
+                    is_slow: false,
                 });
             }
-            if iteration > 1 {
+            if let Some(converged) = converged {
+                if at_noise || self.lasting.is_settled() || is_fresh && self.lasting.is_stagnant() {
+                    self.lasting.accept();
+                    self.complete(system, coefficients, matrices, start, stages)?;
+                    let is_slow = iteration > converged.iterations + FEW;
+                    return Ok(Converged { is_slow, ..converged });
+                }
+                if !is_fresh && self.lasting.is_stagnant() {
+                    return Err(self.slow(0.5));
+                }
+            } else if iteration > 1 {
                 let left = (most - 1).saturating_sub(iteration) as i32;
                 if last_ratio >= HOPELESS || iteration > LEARNING && contraction >= DIVERGING {
                     return Err(self.slow(0.5));
@@ -189,6 +209,28 @@ impl Newton {
             last = size.max(f64::MIN_POSITIVE);
         }
         Err(self.slow(0.5))
+    }
+
+    /// Rates and their derivatives of the converged stages, which must not have left the chart.
+    fn complete<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        coefficients: &Coefficients,
+        matrices: &Matrices,
+        start: &State,
+        stages: &mut Stages,
+    ) -> Result<(), Failure> {
+        if !self.rates[0].is_empty() {
+            self.differentiate(system, coefficients, matrices, start, stages);
+        }
+        stages.differentiate(coefficients, start);
+        match matrices.chart.left_by(&stages.z[2]) {
+            None => Ok(()),
+            Some(turn) => Err(Failure::Slow {
+                worst: Some(turn),
+                ratio: 0.5,
+            }),
+        }
     }
 
     /// `C_x^T` at all stages, then drift, rates and their derivatives.

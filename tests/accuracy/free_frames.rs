@@ -1,0 +1,117 @@
+//! Bodies that fly and turn freely: what an iteration leaves must not leak momentum (docs/free_frames.md).
+
+use rncf::{Formulation, Joints, Method};
+
+use crate::runs::{adaptive, apart, grid, history, short};
+
+rncf::model! {
+    /// A beam that a force and a moment throw into the air; its frame follows its mean axes.
+    model Thrown {
+        param elements: count = 4;
+        material soft { density = 1 kg/m^3; young = 10 kPa; poisson = 0; }
+        section plate { area = 1 m^2; second_moment = 0.05 m^4; shear_factor = 1; }
+        frame f = free(plane = xy, origin = [6, 0, 0] m, angle = 2.2143 rad);
+        body beam in f { planar xy; line from [0, 0, 0] m to [10, 0, 0] m; mesh elements * beam(plate, soft); mean_axes; }
+        load push = force(beam.start, [if t < 2.5 s { 8 N } else { 0 N }, 0, 0]);
+        load twist = moment(beam.start, [0, 0, if t < 2.5 s { -80 [N*m] } else { 0 [N*m] }]);
+        output start = beam.start.in(inertial);
+        output end = beam.end.in(inertial);
+        /// Centre of mass: it lies in the middle of the mean axes.
+        output centre = f.at([5, 0, 0] m);
+    }
+}
+
+rncf::model! {
+    /// The same beam in the frame of its chord.
+    model Chord {
+        param elements: count = 4;
+        material soft { density = 1 kg/m^3; young = 10 kPa; poisson = 0; }
+        section plate { area = 1 m^2; second_moment = 0.05 m^4; shear_factor = 1; }
+        frame f = free(plane = xy, origin = [6, 0, 0] m, angle = 2.2143 rad);
+        body beam in f { planar xy; line from [0, 0, 0] m to [10, 0, 0] m; mesh elements * beam(plate, soft); }
+        joint root = pin(beam.start, f);
+        joint tip = hold(beam.end.y);
+        load push = force(beam.start, [if t < 2.5 s { 8 N } else { 0 N }, 0, 0]);
+        load twist = moment(beam.start, [0, 0, if t < 2.5 s { -80 [N*m] } else { 0 [N*m] }]);
+        output start = beam.start.in(inertial);
+        output end = beam.end.in(inertial);
+    }
+}
+
+const RNCF: (Formulation, Joints) = (Formulation::Rncf, Joints::Eliminated);
+const ANCF: (Formulation, Joints) = (Formulation::Ancf, Joints::Eliminated);
+/// Length of the beam, m.
+const SIZE: f64 = 10.0;
+
+/// The ends of the beam in a history.
+fn ends(rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    rows.iter().map(|row| row[..4].to_vec()).collect()
+}
+
+#[test]
+fn the_centre_of_mass_of_a_thrown_beam_moves_by_the_impulse() {
+    let times = grid(0.1, 4.0);
+    // 8 N on 10 kg for 2.5 s, then 20 N s.
+    let expected: Vec<Vec<f64>> = times
+        .iter()
+        .map(|&t| {
+            let way = if t < 2.5 { 0.4 * t * t } else { 2.5 + 2.0 * (t - 2.5) };
+            vec![6.0 + 5.0 * 2.2143f64.cos() + way, 5.0 * 2.2143f64.sin()]
+        })
+        .collect();
+    for rtol in [1e-4, 1e-5] {
+        let (rows, statistics) = history(&Thrown::default(), RNCF, Method::Radau, adaptive(rtol), &times);
+        let centres: Vec<Vec<f64>> = rows.iter().map(|row| row[4..6].to_vec()).collect();
+        let error = apart(&centres, &expected);
+        println!(
+            "{rtol:e}: centre of mass off by {error:.1e} m, {} steps",
+            statistics.steps
+        );
+        assert!(error < rtol * SIZE, "{error:e} m at {rtol:e}");
+    }
+}
+
+#[test]
+fn a_thrown_beam_flies_in_its_frames_as_in_absolute_coordinates() {
+    let times = grid(0.1, 4.0);
+    let thrown = Thrown::default();
+    let reference = ends(&history(&thrown, ANCF, Method::Radau, adaptive(1e-7), &times).0);
+    for rtol in [1e-4, 1e-5] {
+        let mean = ends(&history(&thrown, RNCF, Method::Radau, adaptive(rtol), &times).0);
+        let chord = ends(&history(&Chord::default(), RNCF, Method::Radau, adaptive(rtol), &times).0);
+        let errors = [apart(&mean, &reference), apart(&chord, &reference)];
+        println!("{rtol:e}: ends off by {} m", short(&errors));
+        assert!(
+            errors.iter().all(|error| *error < 10.0 * rtol * SIZE),
+            "{} at {rtol:e}",
+            short(&errors)
+        );
+    }
+}
+
+/// The table of docs/free_frames.md: ten elements, 8 s.
+#[test]
+#[ignore = "a study of minutes"]
+fn table() {
+    let times = grid(0.1, 8.0);
+    let (thrown, chord) = (Thrown { elements: 10 }, Chord { elements: 10 });
+    let reference = ends(&history(&thrown, ANCF, Method::Radau, adaptive(1e-9), &times).0);
+    let hht = Method::Hht { alpha: -0.05 };
+    let alpha = Method::GeneralizedAlpha { rho_inf: 0.8 };
+    for method in [Method::Radau, hht, alpha] {
+        for rtol in [1e-4, 1e-5, 1e-6, 1e-7, 1e-8] {
+            let runs = [
+                ("mean axes", history(&thrown, RNCF, method, adaptive(rtol), &times)),
+                ("chord", history(&chord, RNCF, method, adaptive(rtol), &times)),
+                ("absolute", history(&thrown, ANCF, method, adaptive(rtol), &times)),
+            ];
+            for (name, (rows, statistics)) in runs {
+                let error = apart(&ends(&rows), &reference);
+                println!(
+                    "{method:?}, {rtol:e}, {name}: {error:.1e} m, {} steps, {} iterations",
+                    statistics.steps, statistics.newton_iterations
+                );
+            }
+        }
+    }
+}
