@@ -2420,7 +2420,7 @@ pub mod bend45_equations {
                     section_y: None,
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
-                    mean_axes: false,
+                    tie: ::rncf::mesh::FrameTie::Joints,
                 },
             ])
         }

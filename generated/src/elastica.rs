@@ -1101,7 +1101,7 @@ pub mod elastica_equations {
                     section_y: None,
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
-                    mean_axes: false,
+                    tie: ::rncf::mesh::FrameTie::Joints,
                 },
             ])
         }

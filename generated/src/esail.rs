@@ -2530,7 +2530,7 @@ pub mod esail_equations {
                         section_y: None,
                         twist: 0.0,
                         fidelity: ::rncf::mesh::Fidelity::Full,
-                        mean_axes: false,
+                        tie: ::rncf::mesh::FrameTie::Joints,
                     });
             }
             for instance in 0..self.counts[0] {
@@ -2584,7 +2584,7 @@ pub mod esail_equations {
                         section_y: None,
                         twist: 0.0,
                         fidelity: ::rncf::mesh::Fidelity::Full,
-                        mean_axes: false,
+                        tie: ::rncf::mesh::FrameTie::Joints,
                     });
             }
             specs

@@ -3299,7 +3299,7 @@ pub mod esail_slack_equations {
                         section_y: None,
                         twist: 0.0,
                         fidelity: ::rncf::mesh::Fidelity::Full,
-                        mean_axes: false,
+                        tie: ::rncf::mesh::FrameTie::Joints,
                     });
             }
             for instance in 0..self.counts[0] {
@@ -3353,7 +3353,7 @@ pub mod esail_slack_equations {
                         section_y: None,
                         twist: 0.0,
                         fidelity: ::rncf::mesh::Fidelity::Full,
-                        mean_axes: false,
+                        tie: ::rncf::mesh::FrameTie::Joints,
                     });
             }
             specs

@@ -3448,7 +3448,7 @@ pub mod esail_tilted_equations {
                         section_y: None,
                         twist: 0.0,
                         fidelity: ::rncf::mesh::Fidelity::Full,
-                        mean_axes: false,
+                        tie: ::rncf::mesh::FrameTie::Joints,
                     });
             }
             for instance in 0..self.counts[0] {
@@ -3502,7 +3502,7 @@ pub mod esail_tilted_equations {
                         section_y: None,
                         twist: 0.0,
                         fidelity: ::rncf::mesh::Fidelity::Full,
-                        mean_axes: false,
+                        tie: ::rncf::mesh::FrameTie::Joints,
                     });
             }
             specs

@@ -8,14 +8,10 @@
 /// * Body `cable` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
 /// * Body `cable` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
 /// * Body `cable`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `cable` moves in the free frame `f`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
-/// * Joint `root`: its conditions are linear in the nodal vectors of `cable` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Joint `twist`: its conditions are linear in the nodal vectors of `cable` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Body `cable` moves in the free frame `f`, which follows the body's chord: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
 /// * Frame `f` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Constraint `root` (clamp in absolute coordinates): 5 multipliers; gradient and second derivatives are derived.
-/// * Constraint `twist` (hold in absolute coordinates): 1 multiplier; gradient and second derivatives are derived.
 /// * Fixture `tip` adds constants to the inertia of `cable` and no unknowns.
-/// * Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, starts in equilibrium, kinks of motions, cautions.
+/// * Not declared, so that no function is written for it: constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, starts in equilibrium, kinks of motions, cautions.
 /// * Energy-momentum integration: forces between two states that conserve energy are derived.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
@@ -26,7 +22,7 @@ pub struct FreeFlight {
     pub tip_mass: f64,
     /// Radius of the arc that the cable starts in. (SI; declared in m)
     pub radius: f64,
-    /// Initial angular velocity about the tangent at the cable's start: it keeps the cable bent, as the frame needs. (SI; declared in rad/s)
+    /// Initial angular velocity about the tangent at the cable's start: it keeps the cable bent. (SI; declared in rad/s)
     pub roll: f64,
     /// Initial angular velocity in the plane of the arc, across the tangent. (SI; declared in rad/s)
     pub pitch: f64,
@@ -57,7 +53,7 @@ impl ::rncf::Model for FreeFlight {
     param tip_mass = 0.7 kg;
     /// Radius of the arc that the cable starts in.
     param radius = 1.5 m;
-    /// Initial angular velocity about the tangent at the cable's start: it keeps the cable bent, as the frame needs.
+    /// Initial angular velocity about the tangent at the cable's start: it keeps the cable bent.
     param roll = 4 rad/s;
     /// Initial angular velocity in the plane of the arc, across the tangent.
     param pitch = -1 rad/s;
@@ -68,7 +64,7 @@ impl ::rncf::Model for FreeFlight {
     material soft { density = 1500 kg/m^3; young = 0.4 MPa; }
     section flat { area = 10 cm^2; second_moment = 500 cm^4; }
 
-    /// Frame of the cable.
+    /// Frame of the cable: it follows the chord, which no quick bending turns.
     frame f = free(
         origin = [0.3, -0.2, 0.5] m, axis = [1, 2, -1], angle = 40 deg,
         velocity = [-3, 1, 2] m/s, angular_velocity = [roll, pitch, yaw]
@@ -78,11 +74,8 @@ impl ::rncf::Model for FreeFlight {
         line from [0, 0, 0] m to [2, 0, 0] m;
         mesh elements * cable(flat, soft);
         initial position [radius * sin(x / radius), radius * (1 - cos(x / radius)), 0];
+        chord;
     }
-    // Six ties of the frame to the cable: five at its start; the sixth, the spin about the cable's axis, by the end,
-    // which stays in the frame's xy plane.
-    joint root = clamp(cable.start, f);
-    joint twist = hold(cable.end.z);
     fixture tip on cable.end { mass = tip_mass; }
 
     /// Start of the cable in space.
@@ -98,14 +91,10 @@ impl ::rncf::Model for FreeFlight {
         "Body `cable` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
         "Body `cable` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
         "Body `cable`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
-        "Body `cable` moves in the free frame `f`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
-        "Joint `root`: its conditions are linear in the nodal vectors of `cable` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
-        "Joint `twist`: its conditions are linear in the nodal vectors of `cable` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Body `cable` moves in the free frame `f`, which follows the body's chord: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
         "Frame `f` is free in six motions: three positions and a rotation vector that begins anew every step.",
-        "Constraint `root` (clamp in absolute coordinates): 5 multipliers; gradient and second derivatives are derived.",
-        "Constraint `twist` (hold in absolute coordinates): 1 multiplier; gradient and second derivatives are derived.",
         "Fixture `tip` adds constants to the inertia of `cable` and no unknowns.",
-        "Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, starts in equilibrium, kinks of motions, cautions.",
+        "Not declared, so that no function is written for it: constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: forces between two states that conserve energy are derived.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -144,7 +133,7 @@ impl ::rncf::Model for FreeFlight {
                 unit_si: 1.0,
                 dimension: [0, 0, -1, 0, 0, 1],
                 default: 4.0,
-                doc: "Initial angular velocity about the tangent at the cable's start: it keeps the cable bent, as the frame needs.",
+                doc: "Initial angular velocity about the tangent at the cable's start: it keeps the cable bent.",
             },
             ::rncf::Param {
                 name: "pitch",
@@ -1532,7 +1521,7 @@ pub mod free_flight_equations {
     }
     /// Free frame `f`: its start relative to its parent, and its rigid parts.
     ///
-    /// Frame of the cable.
+    /// Frame of the cable: it follows the chord, which no quick bending turns.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn free_f(model: &super::FreeFlight, spec: &mut ::rncf::mesh::FreeSpec) {
@@ -1567,454 +1556,6 @@ pub mod free_flight_equations {
         position[0][1] = model.radius * (1.0 - t16);
         position[1][0] = model.radius * (t16 * t17);
         position[1][1] = model.radius * (t15 * t17);
-    }
-    /// Joint `root`: conditions, position level.
-    ///
-    /// Operations: 7 additions, 6 multiplications.
-    pub fn joint_root_referenced_position(
-        model: &super::FreeFlight,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = q[0] - data.point[0];
-        rows[1] = q[1] - data.point[1];
-        rows[2] = q[2] - data.point[2];
-        rows[3] = data.normals[0][0] * q[3] + data.normals[0][1] * q[4]
-            + data.normals[0][2] * q[5];
-        rows[4] = data.normals[1][0] * q[3] + data.normals[1][1] * q[4]
-            + data.normals[1][2] * q[5];
-    }
-    /// Joint `root`: derivatives of the conditions.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_jacobian(
-        model: &super::FreeFlight,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        jacobian: &mut [f64],
-    ) {
-        jacobian[0] = 1.0;
-        jacobian[7] = 1.0;
-        jacobian[14] = 1.0;
-        jacobian[21] = data.normals[0][0];
-        jacobian[22] = data.normals[0][1];
-        jacobian[23] = data.normals[0][2];
-        jacobian[27] = data.normals[1][0];
-        jacobian[28] = data.normals[1][1];
-        jacobian[29] = data.normals[1][2];
-    }
-    /// Joint `root`: what it prescribes, and its derivatives.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_root_referenced_prescribed(
-        model: &super::FreeFlight,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
-    ) {
-        prescribed.position[0][0] = data.point[0];
-        prescribed.position[0][1] = data.point[1];
-        prescribed.position[0][2] = data.point[2];
-        prescribed.slope[0][0] = data.tangent[0];
-        prescribed.slope[0][1] = data.tangent[1];
-        prescribed.slope[0][2] = data.tangent[2];
-    }
-    /// Joint `twist`: conditions, position level.
-    ///
-    /// Operations: 1 additions, 0 multiplications.
-    pub fn joint_twist_referenced_position(
-        model: &super::FreeFlight,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = q[2] - data.point[2];
-    }
-    /// Joint `twist`: derivatives of the conditions.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_twist_referenced_jacobian(
-        model: &super::FreeFlight,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        jacobian: &mut [f64],
-    ) {
-        jacobian[2] = 1.0;
-    }
-    /// Joint `twist`: what it prescribes, and its derivatives.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_twist_referenced_prescribed(
-        model: &super::FreeFlight,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
-    ) {
-        prescribed.position[0][0] = data.point[0];
-        prescribed.position[0][1] = data.point[1];
-        prescribed.position[0][2] = data.point[2];
-        prescribed.slope[0][0] = data.tangent[0];
-        prescribed.slope[0][1] = data.tangent[1];
-        prescribed.slope[0][2] = data.tangent[2];
-    }
-    /// Constraint `root` (clamp in absolute coordinates): rows C(z, t).
-    ///
-    /// Of `root`: `z[0]` a place on `cable`; `z[1]` a slope of `cable`; `z[2]` fixed in `f`, where another vector starts; `z[3]` fixed in `f`, normal to a direction at the start; `z[4]` fixed in `f`, normal to a direction at the start (inertial axes).
-    ///
-    /// * position x: `z[0][0][0] - z[2][0][0]`
-    /// * position y: `z[0][0][1] - z[2][0][1]`
-    /// * position z: `z[0][0][2] - z[2][0][2]`
-    /// * direction 1: `z[1][0][0] * z[3][0][0] + z[1][0][1] * z[3][0][1] + z[1][0][2] * z[3][0][2]`
-    /// * direction 2: `z[1][0][0] * z[4][0][0] + z[1][0][1] * z[4][0][1] + z[1][0][2] * z[4][0][2]`
-    ///
-    /// Operations: 7 additions, 6 multiplications.
-    pub fn constraint_position_root(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[[f64; 3]; 4]],
-        rows: &mut [f64],
-    ) {
-        let z = &z[..5];
-        rows[0] = z[0][0][0] - z[2][0][0];
-        rows[1] = z[0][0][1] - z[2][0][1];
-        rows[2] = z[0][0][2] - z[2][0][2];
-        rows[3] = z[1][0][0] * z[3][0][0] + z[1][0][1] * z[3][0][1]
-            + z[1][0][2] * z[3][0][2];
-        rows[4] = z[1][0][0] * z[4][0][0] + z[1][0][1] * z[4][0][1]
-            + z[1][0][2] * z[4][0][2];
-    }
-    /// Constraint `root` (clamp in absolute coordinates): their rate dC/dt.
-    ///
-    /// Operations: 13 additions, 12 multiplications.
-    pub fn constraint_velocity_root(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[[f64; 3]; 4]],
-        rows: &mut [f64],
-    ) {
-        let z = &z[..5];
-        let t36 = z[3][0][0] * z[1][1][0] + z[1][0][0] * z[3][1][0]
-            + (z[3][0][1] * z[1][1][1] + z[1][0][1] * z[3][1][1])
-            + (z[3][0][2] * z[1][1][2] + z[1][0][2] * z[3][1][2]);
-        let t37 = z[4][0][0] * z[1][1][0] + z[1][0][0] * z[4][1][0]
-            + (z[4][0][1] * z[1][1][1] + z[1][0][1] * z[4][1][1])
-            + (z[4][0][2] * z[1][1][2] + z[1][0][2] * z[4][1][2]);
-        rows[0] = z[0][1][0] - z[2][1][0];
-        rows[1] = z[0][1][1] - z[2][1][1];
-        rows[2] = z[0][1][2] - z[2][1][2];
-        rows[3] = t36;
-        rows[4] = t37;
-    }
-    /// Constraint `root` (clamp in absolute coordinates): their second time derivative.
-    ///
-    /// Operations: 25 additions, 18 multiplications.
-    pub fn constraint_acceleration_root(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[[f64; 3]; 4]],
-        rows: &mut [f64],
-    ) {
-        let z = &z[..5];
-        let t45 = z[1][1][0] * z[3][1][0];
-        let t46 = z[1][1][1] * z[3][1][1];
-        let t47 = t45 + z[3][0][0] * z[1][2][0] + (t45 + z[1][0][0] * z[3][2][0])
-            + (t46 + z[3][0][1] * z[1][2][1] + (t46 + z[1][0][1] * z[3][2][1]));
-        let t48 = z[1][1][2] * z[3][1][2];
-        let t49 = z[1][1][0] * z[4][1][0];
-        let t50 = z[1][1][1] * z[4][1][1];
-        let t51 = t49 + z[4][0][0] * z[1][2][0] + (t49 + z[1][0][0] * z[4][2][0])
-            + (t50 + z[4][0][1] * z[1][2][1] + (t50 + z[1][0][1] * z[4][2][1]));
-        let t52 = z[1][1][2] * z[4][1][2];
-        rows[0] = z[0][2][0] - z[2][2][0];
-        rows[1] = z[0][2][1] - z[2][2][1];
-        rows[2] = z[0][2][2] - z[2][2][2];
-        rows[3] = t47
-            + (t48 + z[3][0][2] * z[1][2][2] + (t48 + z[1][0][2] * z[3][2][2]));
-        rows[4] = t51
-            + (t52 + z[4][0][2] * z[1][2][2] + (t52 + z[1][0][2] * z[4][2][2]));
-    }
-    /// Constraint `root` (clamp in absolute coordinates): their third time derivative.
-    ///
-    /// Operations: 43 additions, 24 multiplications.
-    pub fn constraint_jerk_root(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[[f64; 3]; 4]],
-        rows: &mut [f64],
-    ) {
-        let z = &z[..5];
-        let t54 = z[3][1][0] * z[1][2][0];
-        let t55 = z[1][1][0] * z[3][2][0];
-        let t56 = t54 + t55;
-        let t57 = z[3][1][1] * z[1][2][1];
-        let t58 = z[1][1][1] * z[3][2][1];
-        let t59 = t57 + t58;
-        let t60 = t56 + (t54 + z[3][0][0] * z[1][3][0])
-            + (t56 + (t55 + z[1][0][0] * z[3][3][0]))
-            + (t59 + (t57 + z[3][0][1] * z[1][3][1])
-                + (t59 + (t58 + z[1][0][1] * z[3][3][1])));
-        let t61 = z[3][1][2] * z[1][2][2];
-        let t62 = z[1][1][2] * z[3][2][2];
-        let t63 = t61 + t62;
-        let t64 = z[4][1][0] * z[1][2][0];
-        let t65 = z[1][1][0] * z[4][2][0];
-        let t66 = t64 + t65;
-        let t67 = z[4][1][1] * z[1][2][1];
-        let t68 = z[1][1][1] * z[4][2][1];
-        let t69 = t67 + t68;
-        let t70 = t66 + (t64 + z[4][0][0] * z[1][3][0])
-            + (t66 + (t65 + z[1][0][0] * z[4][3][0]))
-            + (t69 + (t67 + z[4][0][1] * z[1][3][1])
-                + (t69 + (t68 + z[1][0][1] * z[4][3][1])));
-        let t71 = z[4][1][2] * z[1][2][2];
-        let t72 = z[1][1][2] * z[4][2][2];
-        let t73 = t71 + t72;
-        rows[0] = z[0][3][0] - z[2][3][0];
-        rows[1] = z[0][3][1] - z[2][3][1];
-        rows[2] = z[0][3][2] - z[2][3][2];
-        rows[3] = t60
-            + (t63 + (t61 + z[3][0][2] * z[1][3][2])
-                + (t63 + (t62 + z[1][0][2] * z[3][3][2])));
-        rows[4] = t70
-            + (t73 + (t71 + z[4][0][2] * z[1][3][2])
-                + (t73 + (t72 + z[1][0][2] * z[4][3][2])));
-    }
-    /// Constraint `root` (clamp in absolute coordinates): writes dC/dz, rows first; entries that are always zero are left alone.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn constraint_gradient_root(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[f64; 3]],
-        gradient: &mut [f64],
-    ) {
-        let z = &z[..5];
-        gradient[0] = 1.0;
-        gradient[6] = -1.0;
-        gradient[16] = 1.0;
-        gradient[22] = -1.0;
-        gradient[32] = 1.0;
-        gradient[38] = -1.0;
-        gradient[48] = z[3][0];
-        gradient[49] = z[3][1];
-        gradient[50] = z[3][2];
-        gradient[54] = z[1][0];
-        gradient[55] = z[1][1];
-        gradient[56] = z[1][2];
-        gradient[63] = z[4][0];
-        gradient[64] = z[4][1];
-        gradient[65] = z[4][2];
-        gradient[72] = z[1][0];
-        gradient[73] = z[1][1];
-        gradient[74] = z[1][2];
-    }
-    /// Constraint `root` (clamp in absolute coordinates): writes d(dC/dt)/dz at constant z', rows first; entries that are always zero are left alone.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn constraint_rate_gradient_root(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
-        gradient: &mut [f64],
-    ) {
-        let z = &z[..5];
-        let velocity = &velocity[..5];
-        gradient[48] = velocity[3][0];
-        gradient[49] = velocity[3][1];
-        gradient[50] = velocity[3][2];
-        gradient[54] = velocity[1][0];
-        gradient[55] = velocity[1][1];
-        gradient[56] = velocity[1][2];
-        gradient[63] = velocity[4][0];
-        gradient[64] = velocity[4][1];
-        gradient[65] = velocity[4][2];
-        gradient[72] = velocity[1][0];
-        gradient[73] = velocity[1][1];
-        gradient[74] = velocity[1][2];
-    }
-    /// Constraint `root` (clamp in absolute coordinates): writes sum_i lambda_i d^2 C_i/dz dz, rows first; entries that are always zero are left alone.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn constraint_hessian_root(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[f64; 3]],
-        lambda: &[f64],
-        hessian: &mut [f64],
-    ) {
-        let z = &z[..5];
-        let lambda = &lambda[..5];
-        hessian[138] = lambda[3];
-        hessian[54] = lambda[3];
-        hessian[154] = lambda[3];
-        hessian[70] = lambda[3];
-        hessian[170] = lambda[3];
-        hessian[86] = lambda[3];
-        hessian[183] = lambda[4];
-        hessian[57] = lambda[4];
-        hessian[199] = lambda[4];
-        hessian[73] = lambda[4];
-        hessian[215] = lambda[4];
-        hessian[89] = lambda[4];
-    }
-    /// Constraint `twist` (hold in absolute coordinates): rows C(z, t).
-    ///
-    /// Of `twist`: `z[0]` a place on `cable`; `z[1]` fixed in `f`, where another vector starts; `z[2]` a direction of `f` (inertial axes).
-    ///
-    /// * position z: `z[2][0][0] * (z[0][0][0] - z[1][0][0]) + z[2][0][1] * (z[0][0][1] - z[1][0][1]) + z[2][0][2] * (z[0][0][2] - z[1][0][2])`
-    ///
-    /// Operations: 5 additions, 3 multiplications.
-    pub fn constraint_position_twist(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[[f64; 3]; 4]],
-        rows: &mut [f64],
-    ) {
-        let z = &z[..3];
-        rows[0] = z[2][0][0] * (z[0][0][0] - z[1][0][0])
-            + z[2][0][1] * (z[0][0][1] - z[1][0][1])
-            + z[2][0][2] * (z[0][0][2] - z[1][0][2]);
-    }
-    /// Constraint `twist` (hold in absolute coordinates): their rate dC/dt.
-    ///
-    /// Operations: 11 additions, 6 multiplications.
-    pub fn constraint_velocity_twist(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[[f64; 3]; 4]],
-        rows: &mut [f64],
-    ) {
-        let z = &z[..3];
-        let t30 = z[2][1][0] * (z[0][0][0] - z[1][0][0])
-            + z[2][0][0] * (z[0][1][0] - z[1][1][0])
-            + (z[2][1][1] * (z[0][0][1] - z[1][0][1])
-                + z[2][0][1] * (z[0][1][1] - z[1][1][1]));
-        rows[0] = t30
-            + (z[2][1][2] * (z[0][0][2] - z[1][0][2])
-                + z[2][0][2] * (z[0][1][2] - z[1][1][2]));
-    }
-    /// Constraint `twist` (hold in absolute coordinates): their second time derivative.
-    ///
-    /// Operations: 20 additions, 9 multiplications.
-    pub fn constraint_acceleration_twist(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[[f64; 3]; 4]],
-        rows: &mut [f64],
-    ) {
-        let z = &z[..3];
-        let t39 = z[2][1][0] * (z[0][1][0] - z[1][1][0]);
-        let t40 = z[2][1][1] * (z[0][1][1] - z[1][1][1]);
-        let t41 = z[2][2][0] * (z[0][0][0] - z[1][0][0]) + t39
-            + (t39 + z[2][0][0] * (z[0][2][0] - z[1][2][0]))
-            + (z[2][2][1] * (z[0][0][1] - z[1][0][1]) + t40
-                + (t40 + z[2][0][1] * (z[0][2][1] - z[1][2][1])));
-        let t42 = z[2][1][2] * (z[0][1][2] - z[1][1][2]);
-        rows[0] = t41
-            + (z[2][2][2] * (z[0][0][2] - z[1][0][2]) + t42
-                + (t42 + z[2][0][2] * (z[0][2][2] - z[1][2][2])));
-    }
-    /// Constraint `twist` (hold in absolute coordinates): their third time derivative.
-    ///
-    /// Operations: 32 additions, 12 multiplications.
-    pub fn constraint_jerk_twist(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[[f64; 3]; 4]],
-        rows: &mut [f64],
-    ) {
-        let z = &z[..3];
-        let t48 = z[2][2][0] * (z[0][1][0] - z[1][1][0]);
-        let t49 = z[2][1][0] * (z[0][2][0] - z[1][2][0]);
-        let t50 = t48 + t49;
-        let t51 = z[2][3][0] * (z[0][0][0] - z[1][0][0]) + t48 + t50
-            + (t50 + (t49 + z[2][0][0] * (z[0][3][0] - z[1][3][0])));
-        let t52 = z[2][2][1] * (z[0][1][1] - z[1][1][1]);
-        let t53 = z[2][1][1] * (z[0][2][1] - z[1][2][1]);
-        let t54 = t52 + t53;
-        let t55 = z[2][3][1] * (z[0][0][1] - z[1][0][1]) + t52 + t54
-            + (t54 + (t53 + z[2][0][1] * (z[0][3][1] - z[1][3][1])));
-        let t56 = z[2][2][2] * (z[0][1][2] - z[1][1][2]);
-        let t57 = z[2][1][2] * (z[0][2][2] - z[1][2][2]);
-        let t58 = t56 + t57;
-        let t59 = z[2][3][2] * (z[0][0][2] - z[1][0][2]) + t56 + t58
-            + (t58 + (t57 + z[2][0][2] * (z[0][3][2] - z[1][3][2])));
-        rows[0] = t51 + t55 + t59;
-    }
-    /// Constraint `twist` (hold in absolute coordinates): writes dC/dz, rows first; entries that are always zero are left alone.
-    ///
-    /// Operations: 3 additions, 0 multiplications.
-    pub fn constraint_gradient_twist(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[f64; 3]],
-        gradient: &mut [f64],
-    ) {
-        let z = &z[..3];
-        gradient[0] = z[2][0];
-        gradient[1] = z[2][1];
-        gradient[2] = z[2][2];
-        gradient[3] = -z[2][0];
-        gradient[4] = -z[2][1];
-        gradient[5] = -z[2][2];
-        gradient[6] = z[0][0] - z[1][0];
-        gradient[7] = z[0][1] - z[1][1];
-        gradient[8] = z[0][2] - z[1][2];
-    }
-    /// Constraint `twist` (hold in absolute coordinates): writes d(dC/dt)/dz at constant z', rows first; entries that are always zero are left alone.
-    ///
-    /// Operations: 3 additions, 0 multiplications.
-    pub fn constraint_rate_gradient_twist(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
-        gradient: &mut [f64],
-    ) {
-        let z = &z[..3];
-        let velocity = &velocity[..3];
-        gradient[0] = velocity[2][0];
-        gradient[1] = velocity[2][1];
-        gradient[2] = velocity[2][2];
-        gradient[3] = -velocity[2][0];
-        gradient[4] = -velocity[2][1];
-        gradient[5] = -velocity[2][2];
-        gradient[6] = velocity[0][0] - velocity[1][0];
-        gradient[7] = velocity[0][1] - velocity[1][1];
-        gradient[8] = velocity[0][2] - velocity[1][2];
-    }
-    /// Constraint `twist` (hold in absolute coordinates): writes sum_i lambda_i d^2 C_i/dz dz, rows first; entries that are always zero are left alone.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn constraint_hessian_twist(
-        model: &super::FreeFlight,
-        t: f64,
-        z: &[[f64; 3]],
-        lambda: &[f64],
-        hessian: &mut [f64],
-    ) {
-        let z = &z[..3];
-        let lambda = &lambda[..1];
-        hessian[54] = lambda[0];
-        hessian[6] = lambda[0];
-        hessian[57] = -lambda[0];
-        hessian[33] = -lambda[0];
-        hessian[64] = lambda[0];
-        hessian[16] = lambda[0];
-        hessian[67] = -lambda[0];
-        hessian[43] = -lambda[0];
-        hessian[74] = lambda[0];
-        hessian[26] = lambda[0];
-        hessian[77] = -lambda[0];
-        hessian[53] = -lambda[0];
     }
     /// Output columns from what they observe.
     ///
@@ -2106,7 +1647,7 @@ pub mod free_flight_equations {
                     section_y: None,
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
-                    mean_axes: false,
+                    tie: ::rncf::mesh::FrameTie::Chord,
                 },
             ])
         }
@@ -2326,115 +1867,6 @@ pub mod free_flight_equations {
                 ::rncf::mesh::array_mut(stiffness),
             );
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
-                    body: 0,
-                    at_end: false,
-                    frame: 1,
-                    point: None,
-                },
-                ::rncf::mesh::JointSpec {
-                    name: "twist",
-                    kind: ::rncf::mesh::JointKind::Hold {
-                        of: ::rncf::mesh::Interpolant::Position,
-                        order: 0,
-                        axis: 2,
-                    },
-                    body: 0,
-                    at_end: true,
-                    frame: 1,
-                    point: None,
-                },
-            ])
-        }
-        fn condition(
-            &self,
-            joint: usize,
-            absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            q: &[f64],
-            v: &[f64],
-            a: &[f64],
-            rows: &mut [f64],
-        ) {
-            match (joint, absolute) {
-                (0, false) => {
-                    match level {
-                        ::rncf::system::ConstraintLevel::Position => {
-                            joint_root_referenced_position(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        _ => {}
-                    }
-                }
-                (1, false) => {
-                    match level {
-                        ::rncf::system::ConstraintLevel::Position => {
-                            joint_twist_referenced_position(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        _ => {}
-                    }
-                }
-                _ => {}
-            }
-        }
-        fn condition_jacobian(
-            &self,
-            joint: usize,
-            absolute: bool,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            jacobian: &mut [f64],
-        ) {
-            match (joint, absolute) {
-                (0, false) => {
-                    joint_root_referenced_jacobian(&self.model, t, data, jacobian);
-                }
-                (1, false) => {
-                    joint_twist_referenced_jacobian(&self.model, t, data, jacobian);
-                }
-                _ => {}
-            }
-        }
-        fn prescribed(
-            &self,
-            joint: usize,
-            absolute: bool,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
-        ) {
-            match (joint, absolute) {
-                (0, false) => {
-                    joint_root_referenced_prescribed(&self.model, t, data, prescribed);
-                }
-                (1, false) => {
-                    joint_twist_referenced_prescribed(&self.model, t, data, prescribed);
-                }
-                _ => {}
-            }
-        }
         fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -2454,17 +1886,17 @@ pub mod free_flight_equations {
                     component: 2,
                 },
                 ::rncf::mesh::ObservedSpec::Marker {
-                    marker: 5,
+                    marker: 1,
                     derivative: 0,
                     component: 0,
                 },
                 ::rncf::mesh::ObservedSpec::Marker {
-                    marker: 5,
+                    marker: 1,
                     derivative: 0,
                     component: 1,
                 },
                 ::rncf::mesh::ObservedSpec::Marker {
-                    marker: 5,
+                    marker: 1,
                     derivative: 0,
                     component: 2,
                 },
@@ -2576,154 +2008,11 @@ pub mod free_flight_equations {
                     body: 0,
                     at: ::rncf::mesh::Place::Start,
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
-                    frame: 1,
-                    marker: 0,
-                },
-                ::rncf::mesh::MarkerSpec::BodySlope {
-                    body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                },
-                ::rncf::mesh::MarkerSpec::Normal {
-                    frame: 1,
-                    marker: 2,
-                    which: 0,
-                },
-                ::rncf::mesh::MarkerSpec::Normal {
-                    frame: 1,
-                    marker: 2,
-                    which: 1,
-                },
                 ::rncf::mesh::MarkerSpec::BodyPoint {
                     body: 0,
                     at: ::rncf::mesh::Place::End,
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
-                    frame: 1,
-                    marker: 5,
-                },
-                ::rncf::mesh::MarkerSpec::Direction {
-                    frame: 1,
-                    along: [0.0, 0.0, 1.0],
-                },
             ])
-        }
-        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ConstraintSpec {
-                    name: "root",
-                    kind: "clamp",
-                    rows: &[
-                        "position x",
-                        "position y",
-                        "position z",
-                        "direction 1",
-                        "direction 2",
-                    ],
-                    markers: &[0, 2, 1, 3, 4],
-                    first_party: 2,
-                    when: ::rncf::mesh::When::Absolute(0),
-                },
-                ::rncf::mesh::ConstraintSpec {
-                    name: "twist",
-                    kind: "hold",
-                    rows: &["position z"],
-                    markers: &[5, 6, 7],
-                    first_party: 1,
-                    when: ::rncf::mesh::When::Absolute(0),
-                },
-            ])
-        }
-        fn marker_constraint(
-            &self,
-            constraint: usize,
-            level: ::rncf::system::ConstraintLevel,
-            t: f64,
-            z: &[[[f64; 3]; 4]],
-            rows: &mut [f64],
-        ) {
-            match constraint {
-                0 => {
-                    match level {
-                        ::rncf::system::ConstraintLevel::Position => {
-                            constraint_position_root(&self.model, t, z, rows)
-                        }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            constraint_velocity_root(&self.model, t, z, rows)
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            constraint_acceleration_root(&self.model, t, z, rows)
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            constraint_jerk_root(&self.model, t, z, rows)
-                        }
-                    }
-                }
-                1 => {
-                    match level {
-                        ::rncf::system::ConstraintLevel::Position => {
-                            constraint_position_twist(&self.model, t, z, rows)
-                        }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            constraint_velocity_twist(&self.model, t, z, rows)
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            constraint_acceleration_twist(&self.model, t, z, rows)
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            constraint_jerk_twist(&self.model, t, z, rows)
-                        }
-                    }
-                }
-                _ => {}
-            }
-        }
-        fn marker_constraint_gradient(
-            &self,
-            constraint: usize,
-            t: f64,
-            z: &[[f64; 3]],
-            gradient: &mut [f64],
-        ) {
-            gradient.fill(0.0);
-            match constraint {
-                0 => constraint_gradient_root(&self.model, t, z, gradient),
-                1 => constraint_gradient_twist(&self.model, t, z, gradient),
-                _ => {}
-            }
-        }
-        fn marker_constraint_rate_gradient(
-            &self,
-            constraint: usize,
-            t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
-            gradient: &mut [f64],
-        ) {
-            gradient.fill(0.0);
-            match constraint {
-                0 => constraint_rate_gradient_root(&self.model, t, z, velocity, gradient),
-                1 => {
-                    constraint_rate_gradient_twist(&self.model, t, z, velocity, gradient)
-                }
-                _ => {}
-            }
-        }
-        fn marker_constraint_hessian(
-            &self,
-            constraint: usize,
-            t: f64,
-            z: &[[f64; 3]],
-            lambda: &[f64],
-            hessian: &mut [f64],
-        ) {
-            hessian.fill(0.0);
-            match constraint {
-                0 => constraint_hessian_root(&self.model, t, z, lambda, hessian),
-                1 => constraint_hessian_twist(&self.model, t, z, lambda, hessian),
-                _ => {}
-            }
         }
         fn fixtures(&self) -> ::std::vec::Vec<::rncf::mesh::FixtureSpec> {
             let model = &self.model;

@@ -2108,7 +2108,7 @@ pub mod lateral_buckling_equations {
                     section_y: None,
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
-                    mean_axes: false,
+                    tie: ::rncf::mesh::FrameTie::Joints,
                 },
             ])
         }

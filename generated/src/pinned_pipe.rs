@@ -9,13 +9,11 @@
 /// * Body `pipe` is planar: two components a vector, no motion along the normal.
 /// * Body `pipe` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
 /// * Body `pipe`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `pipe` moves in the free frame `own`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
-/// * Joint `tie`: its conditions are linear in the nodal vectors of `pipe` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+/// * Body `pipe` moves in the free frame `own`, which follows the body's chord: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
 /// * Frame `own` is free in three motions: two positions and an angle.
-/// * Constraint `tie` (clamp in absolute coordinates): 3 multipliers; gradient and second derivatives are derived.
 /// * Force `support_0`, `support_1`, `support_2`, `support_3`, `support_4`, `support_5`, `support_6`, `support_7`, `support_8`: a potential; its tangents are derived.
 /// * Force `shake`: no potential; its tangents are derived.
-/// * Not declared, so that no function is written for it: fixtures, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+/// * Not declared, so that no function is written for it: fixtures, constraints with multipliers, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
 /// * Energy-momentum integration: no forces that conserve energy are emitted, as force `shake` has no potential.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(non_snake_case)]
@@ -59,14 +57,14 @@ impl ::rncf::Model for PinnedPipe {
     material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
     section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
 
-    /// Follows the pipe's start.
+    /// Follows the pipe's chord.
     frame own = free(plane = xy);
     body pipe in own {
         planar xy;
         line from [0, 0, 0] m to [length, 0, 0];
         mesh elements * cable(tube, aluminium);
+        chord;
     }
-    joint tie = clamp(pipe.start, own);
 
     spring support_0 = bushing(pipe.start, inertial.at([0, 0, 0] m), stiffness = [support, support, 0 [N/m]]);
     spring support_1 = bushing(pipe.at(1 m), inertial.at([1, 0, 0] m), stiffness = [support, support, 0 [N/m]]);
@@ -92,13 +90,11 @@ impl ::rncf::Model for PinnedPipe {
         "Body `pipe` is planar: two components a vector, no motion along the normal.",
         "Body `pipe` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
         "Body `pipe`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
-        "Body `pipe` moves in the free frame `own`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
-        "Joint `tie`: its conditions are linear in the nodal vectors of `pipe` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
+        "Body `pipe` moves in the free frame `own`, which follows the body's chord: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.",
         "Frame `own` is free in three motions: two positions and an angle.",
-        "Constraint `tie` (clamp in absolute coordinates): 3 multipliers; gradient and second derivatives are derived.",
         "Force `support_0`, `support_1`, `support_2`, `support_3`, `support_4`, `support_5`, `support_6`, `support_7`, `support_8`: a potential; its tangents are derived.",
         "Force `shake`: no potential; its tangents are derived.",
-        "Not declared, so that no function is written for it: fixtures, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
+        "Not declared, so that no function is written for it: fixtures, constraints with multipliers, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as force `shake` has no potential.",
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -812,185 +808,11 @@ pub mod pinned_pipe_equations {
     }
     /// Free frame `own`: its start relative to its parent, and its rigid parts.
     ///
-    /// Follows the pipe's start.
+    /// Follows the pipe's chord.
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn free_own(model: &super::PinnedPipe, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.axis[2] = 1.0;
-    }
-    /// Joint `tie`: conditions, position level.
-    ///
-    /// Operations: 3 additions, 2 multiplications.
-    pub fn joint_tie_referenced_position(
-        model: &super::PinnedPipe,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        rows: &mut [f64],
-    ) {
-        rows[0] = q[0] - data.point[0];
-        rows[1] = q[1] - data.point[1];
-        rows[2] = data.normals[0][0] * q[2] + data.normals[0][1] * q[3];
-    }
-    /// Joint `tie`: derivatives of the conditions.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_tie_referenced_jacobian(
-        model: &super::PinnedPipe,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        jacobian: &mut [f64],
-    ) {
-        jacobian[0] = 1.0;
-        jacobian[5] = 1.0;
-        jacobian[10] = data.normals[0][0];
-        jacobian[11] = data.normals[0][1];
-    }
-    /// Joint `tie`: what it prescribes, and its derivatives.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn joint_tie_referenced_prescribed(
-        model: &super::PinnedPipe,
-        t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
-    ) {
-        prescribed.position[0][0] = data.point[0];
-        prescribed.position[0][1] = data.point[1];
-        prescribed.slope[0][0] = data.tangent[0];
-        prescribed.slope[0][1] = data.tangent[1];
-    }
-    /// Constraint `tie` (clamp in absolute coordinates): rows C(z, t).
-    ///
-    /// Of `tie`: `z[0]` a place on `pipe`; `z[1]` a slope of `pipe`; `z[2]` fixed in `own`, where another vector starts; `z[3]` fixed in `own`, where another vector starts (inertial axes).
-    ///
-    /// * position x: `z[0][0][0] - z[2][0][0]`
-    /// * position y: `z[0][0][1] - z[2][0][1]`
-    /// * direction 1: `z[1][0][1] * z[3][0][0] - z[1][0][0] * z[3][0][1]`
-    ///
-    /// Operations: 3 additions, 2 multiplications.
-    pub fn constraint_position_tie(
-        model: &super::PinnedPipe,
-        t: f64,
-        z: &[[[f64; 3]; 4]],
-        rows: &mut [f64],
-    ) {
-        let z = &z[..4];
-        rows[0] = z[0][0][0] - z[2][0][0];
-        rows[1] = z[0][0][1] - z[2][0][1];
-        rows[2] = z[1][0][1] * z[3][0][0] - z[1][0][0] * z[3][0][1];
-    }
-    /// Constraint `tie` (clamp in absolute coordinates): their rate dC/dt.
-    ///
-    /// Operations: 5 additions, 4 multiplications.
-    pub fn constraint_velocity_tie(
-        model: &super::PinnedPipe,
-        t: f64,
-        z: &[[[f64; 3]; 4]],
-        rows: &mut [f64],
-    ) {
-        let z = &z[..4];
-        rows[0] = z[0][1][0] - z[2][1][0];
-        rows[1] = z[0][1][1] - z[2][1][1];
-        rows[2] = z[3][0][0] * z[1][1][1] + z[1][0][1] * z[3][1][0]
-            - (z[3][0][1] * z[1][1][0] + z[1][0][0] * z[3][1][1]);
-    }
-    /// Constraint `tie` (clamp in absolute coordinates): their second time derivative.
-    ///
-    /// Operations: 9 additions, 6 multiplications.
-    pub fn constraint_acceleration_tie(
-        model: &super::PinnedPipe,
-        t: f64,
-        z: &[[[f64; 3]; 4]],
-        rows: &mut [f64],
-    ) {
-        let z = &z[..4];
-        let t28 = z[1][1][1] * z[3][1][0];
-        let t29 = z[1][1][0] * z[3][1][1];
-        let t30 = t28 + z[3][0][0] * z[1][2][1] + (t28 + z[1][0][1] * z[3][2][0])
-            - (t29 + z[3][0][1] * z[1][2][0] + (t29 + z[1][0][0] * z[3][2][1]));
-        rows[0] = z[0][2][0] - z[2][2][0];
-        rows[1] = z[0][2][1] - z[2][2][1];
-        rows[2] = t30;
-    }
-    /// Constraint `tie` (clamp in absolute coordinates): their third time derivative.
-    ///
-    /// Operations: 15 additions, 8 multiplications.
-    pub fn constraint_jerk_tie(
-        model: &super::PinnedPipe,
-        t: f64,
-        z: &[[[f64; 3]; 4]],
-        rows: &mut [f64],
-    ) {
-        let z = &z[..4];
-        let t32 = z[3][1][0] * z[1][2][1];
-        let t33 = z[1][1][1] * z[3][2][0];
-        let t34 = t32 + t33;
-        let t35 = z[3][1][1] * z[1][2][0];
-        let t36 = z[1][1][0] * z[3][2][1];
-        let t37 = t35 + t36;
-        let t38 = t34 + (t32 + z[3][0][0] * z[1][3][1])
-            + (t34 + (t33 + z[1][0][1] * z[3][3][0]))
-            - (t37 + (t35 + z[3][0][1] * z[1][3][0])
-                + (t37 + (t36 + z[1][0][0] * z[3][3][1])));
-        rows[0] = z[0][3][0] - z[2][3][0];
-        rows[1] = z[0][3][1] - z[2][3][1];
-        rows[2] = t38;
-    }
-    /// Constraint `tie` (clamp in absolute coordinates): writes dC/dz, rows first; entries that are always zero are left alone.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn constraint_gradient_tie(
-        model: &super::PinnedPipe,
-        t: f64,
-        z: &[[f64; 3]],
-        gradient: &mut [f64],
-    ) {
-        let z = &z[..4];
-        gradient[0] = 1.0;
-        gradient[6] = -1.0;
-        gradient[13] = 1.0;
-        gradient[19] = -1.0;
-        gradient[27] = -z[3][1];
-        gradient[28] = z[3][0];
-        gradient[33] = z[1][1];
-        gradient[34] = -z[1][0];
-    }
-    /// Constraint `tie` (clamp in absolute coordinates): writes d(dC/dt)/dz at constant z', rows first; entries that are always zero are left alone.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn constraint_rate_gradient_tie(
-        model: &super::PinnedPipe,
-        t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
-        gradient: &mut [f64],
-    ) {
-        let z = &z[..4];
-        let velocity = &velocity[..4];
-        gradient[27] = -velocity[3][1];
-        gradient[28] = velocity[3][0];
-        gradient[33] = velocity[1][1];
-        gradient[34] = -velocity[1][0];
-    }
-    /// Constraint `tie` (clamp in absolute coordinates): writes sum_i lambda_i d^2 C_i/dz dz, rows first; entries that are always zero are left alone.
-    ///
-    /// Operations: 0 additions, 0 multiplications.
-    pub fn constraint_hessian_tie(
-        model: &super::PinnedPipe,
-        t: f64,
-        z: &[[f64; 3]],
-        lambda: &[f64],
-        hessian: &mut [f64],
-    ) {
-        let z = &z[..4];
-        let lambda = &lambda[..3];
-        hessian[112] = lambda[2];
-        hessian[57] = lambda[2];
-        hessian[123] = -lambda[2];
-        hessian[46] = -lambda[2];
     }
     /// Force `support_0`, `support_1`, `support_2`, `support_3`, `support_4`, `support_5`, `support_6`, `support_7`, `support_8`: writes f(z, z', t) on its markers, inertial axes; entries that are always zero are left alone.
     ///
@@ -1139,7 +961,7 @@ pub mod pinned_pipe_equations {
                     section_y: None,
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
-                    mean_axes: false,
+                    tie: ::rncf::mesh::FrameTie::Chord,
                 },
             ])
         }
@@ -1334,91 +1156,16 @@ pub mod pinned_pipe_equations {
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("force `shake` has no potential")
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
-                    name: "tie",
-                    kind: ::rncf::mesh::JointKind::Clamp,
-                    body: 0,
-                    at_end: false,
-                    frame: 1,
-                    point: None,
-                },
-            ])
-        }
-        fn condition(
-            &self,
-            joint: usize,
-            absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            q: &[f64],
-            v: &[f64],
-            a: &[f64],
-            rows: &mut [f64],
-        ) {
-            match (joint, absolute) {
-                (0, false) => {
-                    match level {
-                        ::rncf::system::ConstraintLevel::Position => {
-                            joint_tie_referenced_position(
-                                &self.model,
-                                t,
-                                data,
-                                q,
-                                v,
-                                a,
-                                rows,
-                            )
-                        }
-                        _ => {}
-                    }
-                }
-                _ => {}
-            }
-        }
-        fn condition_jacobian(
-            &self,
-            joint: usize,
-            absolute: bool,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            jacobian: &mut [f64],
-        ) {
-            match (joint, absolute) {
-                (0, false) => {
-                    joint_tie_referenced_jacobian(&self.model, t, data, jacobian);
-                }
-                _ => {}
-            }
-        }
-        fn prescribed(
-            &self,
-            joint: usize,
-            absolute: bool,
-            t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
-        ) {
-            match (joint, absolute) {
-                (0, false) => {
-                    joint_tie_referenced_prescribed(&self.model, t, data, prescribed);
-                }
-                _ => {}
-            }
-        }
         fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
                 ::rncf::mesh::ObservedSpec::Marker {
-                    marker: 21,
+                    marker: 18,
                     derivative: 0,
                     component: 1,
                 },
                 ::rncf::mesh::ObservedSpec::Marker {
-                    marker: 19,
+                    marker: 16,
                     derivative: 0,
                     component: 1,
                 },
@@ -1475,18 +1222,6 @@ pub mod pinned_pipe_equations {
                 ::rncf::mesh::MarkerSpec::BodyPoint {
                     body: 0,
                     at: ::rncf::mesh::Place::Start,
-                },
-                ::rncf::mesh::MarkerSpec::Matching {
-                    frame: 1,
-                    marker: 0,
-                },
-                ::rncf::mesh::MarkerSpec::BodySlope {
-                    body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                },
-                ::rncf::mesh::MarkerSpec::Matching {
-                    frame: 1,
-                    marker: 2,
                 },
                 ::rncf::mesh::MarkerSpec::Point {
                     frame: 0,
@@ -1562,139 +1297,57 @@ pub mod pinned_pipe_equations {
                 },
             ])
         }
-        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::mesh::ConstraintSpec {
-                    name: "tie",
-                    kind: "clamp",
-                    rows: &["position x", "position y", "direction 1"],
-                    markers: &[0, 2, 1, 3],
-                    first_party: 2,
-                    when: ::rncf::mesh::When::Absolute(0),
-                },
-            ])
-        }
-        fn marker_constraint(
-            &self,
-            constraint: usize,
-            level: ::rncf::system::ConstraintLevel,
-            t: f64,
-            z: &[[[f64; 3]; 4]],
-            rows: &mut [f64],
-        ) {
-            match constraint {
-                0 => {
-                    match level {
-                        ::rncf::system::ConstraintLevel::Position => {
-                            constraint_position_tie(&self.model, t, z, rows)
-                        }
-                        ::rncf::system::ConstraintLevel::Velocity => {
-                            constraint_velocity_tie(&self.model, t, z, rows)
-                        }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
-                            constraint_acceleration_tie(&self.model, t, z, rows)
-                        }
-                        ::rncf::system::ConstraintLevel::Jerk => {
-                            constraint_jerk_tie(&self.model, t, z, rows)
-                        }
-                    }
-                }
-                _ => {}
-            }
-        }
-        fn marker_constraint_gradient(
-            &self,
-            constraint: usize,
-            t: f64,
-            z: &[[f64; 3]],
-            gradient: &mut [f64],
-        ) {
-            gradient.fill(0.0);
-            match constraint {
-                0 => constraint_gradient_tie(&self.model, t, z, gradient),
-                _ => {}
-            }
-        }
-        fn marker_constraint_rate_gradient(
-            &self,
-            constraint: usize,
-            t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
-            gradient: &mut [f64],
-        ) {
-            gradient.fill(0.0);
-            match constraint {
-                0 => constraint_rate_gradient_tie(&self.model, t, z, velocity, gradient),
-                _ => {}
-            }
-        }
-        fn marker_constraint_hessian(
-            &self,
-            constraint: usize,
-            t: f64,
-            z: &[[f64; 3]],
-            lambda: &[f64],
-            hessian: &mut [f64],
-        ) {
-            hessian.fill(0.0);
-            match constraint {
-                0 => constraint_hessian_tie(&self.model, t, z, lambda, hessian),
-                _ => {}
-            }
-        }
         fn forces(&self) -> ::std::vec::Vec<::rncf::mesh::ForceSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
                 ::rncf::mesh::ForceSpec {
                     name: "support_0",
-                    markers: &[0, 4],
+                    markers: &[0, 1],
                     conservative: true,
                 },
                 ::rncf::mesh::ForceSpec {
                     name: "support_1",
-                    markers: &[5, 6],
+                    markers: &[2, 3],
                     conservative: true,
                 },
                 ::rncf::mesh::ForceSpec {
                     name: "support_2",
-                    markers: &[7, 8],
+                    markers: &[4, 5],
                     conservative: true,
                 },
                 ::rncf::mesh::ForceSpec {
                     name: "support_3",
-                    markers: &[9, 10],
+                    markers: &[6, 7],
                     conservative: true,
                 },
                 ::rncf::mesh::ForceSpec {
                     name: "support_4",
-                    markers: &[11, 12],
+                    markers: &[8, 9],
                     conservative: true,
                 },
                 ::rncf::mesh::ForceSpec {
                     name: "support_5",
-                    markers: &[13, 14],
+                    markers: &[10, 11],
                     conservative: true,
                 },
                 ::rncf::mesh::ForceSpec {
                     name: "support_6",
-                    markers: &[15, 16],
+                    markers: &[12, 13],
                     conservative: true,
                 },
                 ::rncf::mesh::ForceSpec {
                     name: "support_7",
-                    markers: &[17, 18],
+                    markers: &[14, 15],
                     conservative: true,
                 },
                 ::rncf::mesh::ForceSpec {
                     name: "support_8",
-                    markers: &[19, 20],
+                    markers: &[16, 17],
                     conservative: true,
                 },
                 ::rncf::mesh::ForceSpec {
                     name: "shake",
-                    markers: &[21],
+                    markers: &[18],
                     conservative: false,
                 },
             ])

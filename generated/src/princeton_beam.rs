@@ -2107,7 +2107,7 @@ pub mod princeton_beam_equations {
                     section_y: None,
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
-                    mean_axes: false,
+                    tie: ::rncf::mesh::FrameTie::Joints,
                 },
             ])
         }

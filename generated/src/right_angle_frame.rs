@@ -2374,7 +2374,7 @@ pub mod right_angle_frame_equations {
                     section_y: None,
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
-                    mean_axes: false,
+                    tie: ::rncf::mesh::FrameTie::Joints,
                 },
                 ::rncf::mesh::BodySpec {
                     name: "second",
@@ -2455,7 +2455,7 @@ pub mod right_angle_frame_equations {
                     section_y: None,
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
-                    mean_axes: false,
+                    tie: ::rncf::mesh::FrameTie::Joints,
                 },
             ])
         }

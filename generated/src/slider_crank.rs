@@ -271,7 +271,7 @@ pub mod slider_crank_equations {
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = exact.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = exact, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 5 Gauss points, in a loop.
     ///
@@ -403,7 +403,7 @@ pub mod slider_crank_equations {
     }
     /// Adds the exact tangent of one element, dF_e/dq (and dF_e/dq' where damped), rows first.
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = exact.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = exact, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 5 Gauss points, in a loop.
     ///
@@ -1362,7 +1362,7 @@ pub mod slider_crank_equations {
     }
     /// Adds the strain energy U of one element (J).
     ///
-    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = exact.
+    /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = exact, axial = green.
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 5 Gauss points, in a loop.
     ///
@@ -2389,7 +2389,7 @@ pub mod slider_crank_equations {
                     section_y: None,
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
-                    mean_axes: false,
+                    tie: ::rncf::mesh::FrameTie::Joints,
                 },
             ])
         }

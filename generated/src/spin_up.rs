@@ -1180,7 +1180,7 @@ pub mod spin_up_equations {
                     section_y: None,
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
-                    mean_axes: false,
+                    tie: ::rncf::mesh::FrameTie::Joints,
                 },
             ])
         }

@@ -19,14 +19,14 @@ rncf::model! {
         material aluminium { density = 2766.67 kg/m^3; young = 68.95 GPa; }
         section tube { area = 0.7299 cm^2; second_moment = 0.8215 cm^4; }
 
-        /// Follows the pipe's start.
+        /// Follows the pipe's chord.
         frame own = free(plane = xy);
         body pipe in own {
             planar xy;
             line from [0, 0, 0] m to [length, 0, 0];
             mesh elements * cable(tube, aluminium);
+            chord;
         }
-        joint tie = clamp(pipe.start, own);
 
         spring support_0 = bushing(pipe.start, inertial.at([0, 0, 0] m), stiffness = [support, support, 0 [N/m]]);
         spring support_1 = bushing(pipe.at(1 m), inertial.at([1, 0, 0] m), stiffness = [support, support, 0 [N/m]]);

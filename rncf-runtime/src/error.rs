@@ -62,6 +62,8 @@ pub enum SolveErrorKind {
     Singular,
     /// Newton's iteration did not converge at the smallest step.
     NoConvergence,
+    /// The same where a frame follows what has hardly any inertia; the text names the joint that ties it.
+    LooseTie(String),
     /// The error test failed at the smallest step.
     StepTooSmall,
     /// The tolerance asks for more than round-off of a constraint allows; the text names it and what to do.
@@ -98,6 +100,10 @@ impl fmt::Display for SolveError {
             SolveErrorKind::NoConvergence => write!(
                 f,
                 "Newton's iteration does not converge at t = {t} s with h = {h} s: take a shorter step if it is fixed, look for a jump in a motion or load, or relax the tolerance"
+            )?,
+            SolveErrorKind::LooseTie(text) => write!(
+                f,
+                "Newton's iteration does not converge at t = {t} s with h = {h} s: {text}"
             )?,
             SolveErrorKind::SingularConfiguration(text) => write!(
                 f,

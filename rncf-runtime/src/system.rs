@@ -213,6 +213,12 @@ pub trait System {
     /// The constraint in the user's words, e.g. `joint root, direction`.
     fn describe_constraint(&self, index: usize) -> String;
 
+    /// Ties that turn a frame without mass of its own with a slope or section without inertia, where something named in
+    /// the text `worst` (that of an unknown or constraint) takes part: what they do, and what would be better.
+    fn loose_tie(&self, _worst: &str) -> Option<String> {
+        None
+    }
+
     /// What has no finite value or derivative at the state, in the user's words and with what can be
     /// done, e.g. a spring whose ends coincide; `None` where nothing can be named.
     fn undefined(&mut self, _state: &State) -> Option<String> {

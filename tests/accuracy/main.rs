@@ -24,5 +24,6 @@ mod slider_crank;
 mod spin_up;
 mod steady;
 mod step_control;
+mod ties;
 mod tilted_sail;
 mod tumbling;

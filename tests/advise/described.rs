@@ -73,7 +73,7 @@ rncf::model! {
         section round { area = 3 cm^2; second_moment = 1 cm^4; }
         frame f = free(plane = xy, velocity = [1, 2, 0] m/s, speed = 3 rad/s);
         body stick in f { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 2 * cable(round, wood); }
-        joint tie = clamp(stick.start, f);
+        joint _tie = clamp(stick.start, f);
         load weight = gravity([0, -9.81, 0] m/s^2);
         output end = stick.end.in(inertial);
         run { t_end = 0.3 s; every = 0.02 s; }

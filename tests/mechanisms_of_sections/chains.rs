@@ -27,9 +27,9 @@ macro_rules! chain {
                     velocity = [v_x - w_z * 0.3 m, v_y + w_z * 1.2 m, v_z + w_x * 0.3 m - w_y * 1.2 m];
                     angular_velocity = [w_x, w_y, w_z];
                 }
-                joint root = clamp(first.start, hub);
-                joint tie_second = clamp(second.start, middle);
-                joint tie_third = clamp(third.start, outer);
+                joint _root = clamp(first.start, hub);
+                joint _tie_second = clamp(second.start, middle);
+                joint _tie_third = clamp(third.start, outer);
                 joint elbow = revolute(first.end, second.start, axis = z);
                 joint wrist = universal(second.end, third.start, axis = y, cross = z);
                 joint corner = weld(third.end, fourth.start);

@@ -49,6 +49,8 @@ pub struct Mistake {
     pub area: Area,
     /// What is wrong, and what would be right.
     pub message: String,
+    /// As a warning: what the compiler says to be deprecated.
+    called: &'static str,
 }
 
 impl Mistake {
@@ -57,7 +59,13 @@ impl Mistake {
         Mistake {
             area: area.into(),
             message: message.into(),
+            called: WARNING,
         }
+    }
+
+    /// The same with another word for what a compiler says to be deprecated.
+    pub fn called(self, called: &'static str) -> Self {
+        Mistake { called, ..self }
     }
 
     /// `compile_error!` with this message, underlining from the first to the last token.
@@ -72,8 +80,8 @@ impl Mistake {
     /// deprecated, so that `allow(deprecated)` around the macro silences it and `deny(deprecated)` makes it an error.
     pub fn to_warning(&self) -> TokenStream {
         let message = &self.message;
-        let word = Ident::new(WARNING, self.area.start);
-        let item = Ident::new(WARNING, Span::call_site());
+        let word = Ident::new(self.called, self.area.start);
+        let item = Ident::new(self.called, Span::call_site());
         quote! {
             #[allow(non_upper_case_globals)]
             const _: () = {

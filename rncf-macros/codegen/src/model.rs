@@ -6,7 +6,8 @@ mod moving;
 mod repeated;
 
 pub use expression::{
-    Binary, Comparison, Expr, Function, Location, Observable, PointQuantity, Reduction, SectionQuantity,
+    About, BalanceQuantity, Binary, Comparison, Expr, Function, Location, Observable, Owner, PointQuantity, Reduction,
+    SectionQuantity,
 };
 pub use moving::{Constraint, Fixture, Force, Free, Marker, Motions, RigidPart};
 pub use repeated::{Caution, Density, Repeat, Share, Start};
@@ -214,10 +215,41 @@ pub struct Body {
     pub section_y: Option<[Expr; 3]>,
     /// Stress-free twist of the section from the start to the end about the tangent, rad.
     pub twist: Expr,
-    /// Whether its free frame follows the mean axes instead of joints.
-    pub mean_axes: bool,
+    /// What its free frame follows beside joints.
+    pub tie: FrameTie,
     /// Where and how fast it starts.
     pub initial: Initial,
+}
+
+/// What of a body its free frame follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FrameTie {
+    /// Joints alone.
+    Joints,
+    /// Its mean axes.
+    MeanAxes,
+    /// The line from its start to its end, and about it the mean.
+    Chord,
+}
+
+impl FrameTie {
+    /// The word of the declaration.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Joints => "joint",
+            Self::MeanAxes => "mean_axes",
+            Self::Chord => "chord",
+        }
+    }
+
+    /// The name of what is followed.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Self::Joints => "joints",
+            Self::MeanAxes => "mean axes",
+            Self::Chord => "chord",
+        }
+    }
 }
 
 /// Shape of a section, for stresses and for energies that are integrated over it.

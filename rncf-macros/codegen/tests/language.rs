@@ -20,7 +20,7 @@ const WORDS: &[&str] = &[
     "model", "run", "t_end", "every", "count", "in", "t", "pi", "inertial", "if", "else",
     "rotating", "moving", "axis", "angle", "origin",
     "free", "turning", "hinged", "plane", "angular_velocity", "speed", "mass", "center", "inertia", "on", "offset",
-    "gyration", "modal", "small", "point", "mean_axes", "initial",
+    "gyration", "modal", "small", "point", "mean_axes", "chord", "initial",
     "planar", "spatial", "line", "arc", "mesh", "from", "to", "direction", "radius", "xy", "yz", "zx",
     "normal", "section_y", "twist", "circle", "tube", "rectangle", "shear_factor", "energy", "xx", "yy", "zz", "xz",
     "quadrature", "evaluation", "gauss", "automatic", "tensor", "points", "loop",

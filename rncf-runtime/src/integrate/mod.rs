@@ -352,7 +352,13 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         }
         let (kind, worst) = match cause {
             Cause::Error => (SolveErrorKind::StepTooSmall, self.scheme.worst_error()),
-            Cause::Newton { worst } => (SolveErrorKind::NoConvergence, worst),
+            Cause::Newton { worst } => {
+                let loose = worst.and_then(|row| self.system.loose_tie(&describe(self.system, row)));
+                (
+                    loose.map_or(SolveErrorKind::NoConvergence, SolveErrorKind::LooseTie),
+                    worst,
+                )
+            }
             Cause::Singular { worst } => (SolveErrorKind::Singular, worst),
             Cause::NotFinite => {
                 let state = self.state().clone();

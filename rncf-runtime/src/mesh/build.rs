@@ -4,32 +4,33 @@ use std::sync::Arc;
 
 use super::assembly::{Connectivity, Scatter};
 use super::batches::groups;
-use super::conditions::{Condition, condition, joint_data, vector_kinds};
+use super::conditions::{condition, joint_data, vector_kinds};
 use super::evaluate::TurnedColumns;
 use super::fidelity::describe;
 use super::fixtures::Fixture;
 use super::frame::FrameMotion;
 use super::frames::{Frames, FreeFrame, declared_free};
 use super::inertia::NodalMass;
-use super::layout::Layout;
+use super::layout::{Layout, VectorKind};
+use super::lean::References;
 use super::linked::{Linked, MarkedLoad, Marker, markers};
-use super::markers::When;
-use super::mean_axes::MeanAxes;
+use super::markers::{ConstraintSpec, When};
 use super::moments::turned_by_moments;
-use super::parts::{BodySpec, Fidelity, JointSpec, LoadKind, Parts};
+use super::parts::{BodySpec, Fidelity, FrameTie, JointSpec, LoadKind, Parts};
 use super::repeated::check_instances;
 use super::scene::{Buffers, MeshBody, MeshScene, PlaceVector, Row};
 use super::shared::Shared;
+use super::ties::{self, ChordEnds, Tie, ends};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints};
-use crate::vector::Vector;
+use crate::vector::{Vector, add, apply};
 
 impl MeshScene {
     /// Builds the scene: geometry, numbering, patterns.
     ///
-    /// In absolute coordinates a frame that follows the mean axes of its bodies is no unknown: it
-    /// stays at its start, and what refers to it reads that pose.
+    /// In absolute coordinates a frame that follows a body is no unknown: outputs find its pose from the body. Nor is one
+    /// that nothing needs.
     ///
     /// # Errors
     /// A count, length, material or section that makes no sense, a frame whose parent or plane does
@@ -84,7 +85,18 @@ impl MeshScene {
         let border = free.iter().map(FreeFrame::count).sum();
         let shared = Shared::new(&*parts, &specs, &firsts)?;
         shared.check_held(&conditions, &joint_specs, &specs, &firsts)?;
-        let layout = numbering(&specs, &conditions, &shared, border);
+        let vectors = specs.iter().map(BodySpec::vectors).sum();
+        let mut kinds = vector_kinds(vectors, &conditions);
+        let mut chords = Vec::new();
+        for (index, spec) in specs.iter().enumerate().filter(|(_, spec)| spec.tie == FrameTie::Chord) {
+            let ends = ChordEnds::new(&*parts, index, spec, firsts[index])?;
+            let is_node = joints == Joints::Eliminated && !absolute(spec);
+            chords.push((
+                index,
+                ends.eliminate(&mut kinds, |vector| is_node && !shared.is_shared(vector)),
+            ));
+        }
+        let layout = numbering(&specs, kinds, &shared, border);
         let bodies = specs.iter().zip(&firsts).map(|(spec, &first)| MeshBody {
             first_vector: first,
             frame: if absolute(spec) { 0 } else { spec.frame },
@@ -102,6 +114,7 @@ impl MeshScene {
         let turns = free.iter().filter(|frame| frame.turn.is_some());
         let turns = turns.map(|frame| first_turn + frame.first + frame.shifts()).collect();
         let markers = markers(&*parts, &specs, &free_of)?;
+        let constraints = linked(&*parts, &specs, absolute, &fixed);
         let mut scene = Self {
             formulation,
             joints: joint_specs,
@@ -116,7 +129,7 @@ impl MeshScene {
             in_modes: false,
             buffers: Buffers::new(layout.components(), motions),
             bodies,
-            constraints: linked(&*parts, &specs, absolute),
+            constraints,
             markers,
             free,
             free_of,
@@ -129,7 +142,10 @@ impl MeshScene {
             densities: Vec::new(),
             density_batches: Vec::new(),
             fixtures: Vec::new(),
-            mean_axes: Vec::new(),
+            ties: Vec::new(),
+            taken: Vec::new(),
+            followed: Vec::new(),
+            followed_shape: Vec::new(),
             settled: Vec::new(),
             borders: Vec::new(),
             groups: Vec::new(),
@@ -141,7 +157,7 @@ impl MeshScene {
         scene.check_initial()?;
         scene.check_shared(&shared)?;
         scene.place()?;
-        scene.tabulate();
+        scene.tabulate(&chords)?;
         scene.settle()?;
         scene.load_rest();
         scene.resolve_markers()?;
@@ -210,7 +226,7 @@ impl MeshScene {
                 if self.fixed.iter().any(|fixed| fixed.spec.frame == frame) {
                     let frame = self.parts.frame_name(frame);
                     return Err(ModelError::new(format!(
-                        "`{name}` acts on frame `{frame}`, which follows mean axes and has no pose in absolute coordinates: use the referenced formulation, or let `{name}` act on the body"
+                        "`{name}` acts on frame `{frame}`, which follows a body and has no unknown pose in absolute coordinates: use the referenced formulation, or let `{name}` act on the body"
                     )));
                 }
             }
@@ -219,7 +235,7 @@ impl MeshScene {
     }
 
     /// Patterns, places on them, and constant matrices.
-    fn tabulate(&mut self) {
+    fn tabulate(&mut self, chords: &[(usize, [bool; 2])]) -> Result<(), ModelError> {
         self.pattern = Pattern::new(self.layout.unknowns(), self.layout.unknowns(), self.entries());
         for index in 0..self.bodies.len() {
             let body = &mut self.bodies[index];
@@ -237,10 +253,11 @@ impl MeshScene {
             .map(|&turn| TurnedColumns::new(turn, &self.pattern))
             .collect();
         self.borders = (0..self.bodies.len()).map(|body| self.border_of(body)).collect();
-        self.set_undeformed();
-        self.find_mean_axes();
+        self.set_held(chords);
+        self.find_ties(chords)?;
         self.number_constraints();
         self.assemble_mass();
+        Ok(())
     }
 
     /// Entries of the pattern: elements, the diagonal, what constraints and forces couple, frames.
@@ -307,21 +324,50 @@ impl MeshScene {
         unknowns
     }
 
-    /// Held components keep the values that are set here.
-    fn set_undeformed(&mut self) {
+    /// Held components keep the values that are set here: those of joints the undeformed ones, those of chords that they
+    /// start with.
+    fn set_held(&mut self, chords: &[(usize, [bool; 2])]) {
         let shape = self.shape();
         self.buffers.q[..shape.len()].copy_from_slice(&shape);
-    }
-
-    fn find_mean_axes(&mut self) {
-        for (index, body) in self.bodies.iter().enumerate() {
-            if body.spec.mean_axes && self.free_of[body.frame].is_some() {
-                let first = self.layout.offset(body.first_vector);
-                let count = body.spec.vectors() * body.spec.dimension();
-                let shape = &self.buffers.q[first..first + count];
-                self.mean_axes.push(MeanAxes::new(index, body, first, shape));
+        let [initial, _] = self.initial_shape();
+        for &(index, _) in chords {
+            let body = &self.bodies[index];
+            for vector in ends(&body.spec) {
+                let first = self.layout.offset(body.first_vector + vector);
+                let own = first..first + body.spec.dimension();
+                self.buffers.q[own.clone()].copy_from_slice(&initial[own]);
             }
         }
+    }
+
+    /// Free frames follow bodies as they start.
+    fn find_ties(&mut self, chords: &[(usize, [bool; 2])]) -> Result<(), ModelError> {
+        let [initial, rates] = self.initial_shape();
+        for (index, body) in self.bodies.iter().enumerate() {
+            if body.spec.tie == FrameTie::Joints {
+                continue;
+            }
+            if let Some(free) = self.free_of[body.frame] {
+                let eliminated = chords.iter().find(|(chord, _)| *chord == index);
+                let eliminated = eliminated.map_or([false; 2], |&(_, ends)| ends);
+                let frame = self.parts.frame_name(body.frame);
+                let tie = Tie::new(index, body, &self.layout, &initial, eliminated, frame)?;
+                self.ties.push(tie);
+                let whole = Tie::new(index, body, &self.layout, &initial, [false; 2], frame)?;
+                if let Some([velocity, spin]) = ties::taken(&whole, body, &initial, &rates) {
+                    let start = &mut self.free[free].start;
+                    let moved = apply(&start.rotation.matrix(), velocity);
+                    (start.velocity, start.spin) = (add(start.velocity, moved), add(start.spin, spin));
+                    self.taken.push((body.frame, [velocity, spin]));
+                }
+            } else if self.fixed.iter().any(|frame| frame.spec.frame == body.spec.frame) {
+                let frame = self.parts.frame_name(body.spec.frame);
+                let tie = Tie::new(index, body, &self.layout, &initial, [false; 2], frame)?;
+                self.followed.push(tie);
+            }
+        }
+        self.followed_shape = initial;
+        Ok(())
     }
 
     fn number_constraints(&mut self) {
@@ -341,12 +387,12 @@ impl MeshScene {
                 }
             }
         }
-        for (index, axes) in self.mean_axes.iter().enumerate() {
-            for row in &axes.rows {
-                let unknowns = self.unknowns_of(axes.first..axes.first + row.len());
+        for (index, tie) in self.ties.iter().enumerate() {
+            for row in &tie.rows {
+                let unknowns = self.unknowns_of(tie.entries(row).map(|(component, _)| component));
                 let column = self.constraint_rows.len();
                 entries.extend(unknowns.into_iter().map(|unknown| (unknown, column)));
-                self.constraint_rows.push(Row::MeanAxes { axes: index });
+                self.constraint_rows.push(Row::Tie { tie: index });
             }
         }
         for (index, linked) in self.constraints.iter().enumerate() {
@@ -405,8 +451,32 @@ fn plane_offset(spec: &BodySpec, absolute: bool, frame: &FrameMotion) -> Vector 
 }
 
 /// The constraints on markers that are there.
-fn linked(parts: &dyn Parts, specs: &[BodySpec], absolute: impl Fn(&BodySpec) -> bool) -> Vec<Linked> {
+fn linked(
+    parts: &dyn Parts,
+    specs: &[BodySpec],
+    absolute: impl Fn(&BodySpec) -> bool,
+    fixed: &[FreeFrame],
+) -> Vec<Linked> {
+    let references = (!fixed.is_empty()).then(|| References::new(parts, specs));
+    // Of frames that follow bodies they are refused.
+    let follows = |frame: usize| {
+        specs
+            .iter()
+            .any(|spec| spec.frame == frame && spec.tie != FrameTie::Joints)
+    };
+    let is_left_out = |spec: &ConstraintSpec| {
+        let mut frames = fixed
+            .iter()
+            .map(|frame| frame.spec.frame)
+            .filter(|&frame| !follows(frame));
+        frames.any(|frame| {
+            references
+                .as_ref()
+                .is_some_and(|references| references.touches(spec, frame))
+        })
+    };
     let constraints = parts.constraints().into_iter().enumerate();
+    let constraints = constraints.filter(|(_, spec)| !is_left_out(spec));
     let there = constraints.filter(|(_, spec)| match spec.when {
         When::Always => true,
         When::Absolute(body) => absolute(&specs[body]),
@@ -434,13 +504,12 @@ fn spread_mass(mass: &[f64], spec: &BodySpec) -> Vec<f64> {
     local
 }
 
-/// Numbers the unknowns that the joints and common nodes leave, and those of free frames.
-pub(super) fn numbering(specs: &[BodySpec], conditions: &[Condition], shared: &Shared, border: usize) -> Layout {
+/// Numbers the unknowns that conditions on the vectors and common nodes leave, and those of free frames.
+pub(super) fn numbering(specs: &[BodySpec], kinds: Vec<VectorKind>, shared: &Shared, border: usize) -> Layout {
     let dimensions = specs
         .iter()
         .flat_map(|spec| std::iter::repeat_n(spec.dimension(), spec.vectors()));
     let dimensions: Vec<usize> = dimensions.collect();
-    let kinds = vector_kinds(dimensions.len(), conditions);
     Layout::shared(&dimensions, kinds, shared.leaders.clone(), border)
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::parts::{BodySpec, Fidelity};
+use super::parts::{BodySpec, Fidelity, FrameTie};
 use super::scene::MeshScene;
 use crate::error::ModelError;
 
@@ -87,9 +87,11 @@ pub(super) fn describe(specs: &mut [BodySpec], wanted: &[(String, Fidelity)]) ->
                 "body `{name}` is declared `{declared}` and has no elements that deform: leave `{declared}` out of its declaration to describe it as `{fidelity}`"
             )));
         }
-        if specs[first].mean_axes && *fidelity != Fidelity::Full {
+        if specs[first].tie != FrameTie::Joints && *fidelity != Fidelity::Full {
             return Err(ModelError::new(format!(
-                "body `{name}` cannot be `{fidelity}` since its frame follows its mean axes: clamp it in its frame instead of `mean_axes`"
+                "body `{name}` cannot be `{fidelity}` since its frame follows its {}: clamp it in its frame instead of `{}`",
+                specs[first].tie.describe(),
+                specs[first].tie.word()
             )));
         }
         specs[first].fidelity = *fidelity;

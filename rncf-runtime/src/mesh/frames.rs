@@ -2,8 +2,9 @@
 
 use super::frame::FrameMotion;
 use super::free::{FreeSpec, Motions, RigidSpec};
-use super::mean_axes;
-use super::parts::{BodySpec, Parts};
+use super::lean::References;
+use super::parts::{BodySpec, FrameTie, Parts};
+use super::ties;
 use crate::error::ModelError;
 use crate::model::{Formulation, Pose};
 use crate::rotation::Rotation;
@@ -68,6 +69,11 @@ fn directions(motions: Motions) -> Vec<Direction> {
         Motions::Shifting => (0..3).map(shift).collect(),
         Motions::ShiftingPlanar { normal } => plane(normal).map(shift).to_vec(),
     }
+}
+
+/// Number of unknown motions of a free frame.
+pub fn motions_of(spec: &FreeSpec) -> usize {
+    directions(spec.motions).len()
 }
 
 impl FreeFrame {
@@ -243,7 +249,7 @@ impl FreeFrame {
         Pose {
             position: motion.position,
             rotation: Rotation::from_matrix(&motion.rotation),
-            angle: self.angle().map_or(0.0, |place| x[place]),
+            angle: self.angle().and_then(|place| x.get(place).copied()).unwrap_or_default(),
             velocity: motion.velocity,
             spin: motion.spin,
         }
@@ -294,7 +300,7 @@ pub struct Frames {
     pub free: Vec<FreeFrame>,
     /// For every frame its index among the free ones.
     pub free_of: Vec<Option<usize>>,
-    /// Free frames that are no unknowns and stay at their start.
+    /// Free frames that are no unknowns: they follow a body, or nothing needs them.
     pub fixed: Vec<FreeFrame>,
     /// Motions of all frames at t = 0.
     pub motions: Vec<FrameMotion>,
@@ -316,22 +322,24 @@ impl Frames {
             motions,
         };
         let specs = parts.free();
+        let references = (formulation == Formulation::Ancf).then(|| References::new(parts, bodies));
         let (mut first, mut turns) = (0, 0);
         for (place, spec) in specs.iter().enumerate() {
             let name = parts.frame_name(spec.frame);
             check_numbers(spec, name)?;
             check_parent(parts, &specs, spec)?;
             let mut frame = FreeFrame::new(spec.clone(), place, name, &frames.motions[spec.parent])?;
-            let mut averaged = false;
+            let mut follows = false;
             for body in bodies.iter().filter(|body| body.frame == spec.frame) {
                 check_plane_of(body, name, spec.motions)?;
-                if body.mean_axes {
-                    mean_axes::check(body, name, frame.count())?;
-                    averaged = true;
+                if body.tie != FrameTie::Joints {
+                    ties::check(body, name, frame.count())?;
+                    follows = true;
                 }
             }
             frames.motions[spec.frame] = frame.started();
-            if averaged && formulation == Formulation::Ancf && !frame.has_rigid_parts() {
+            let is_left_out = |references: &References| follows || references.leaves_out(spec, bodies, &specs);
+            if references.as_ref().is_some_and(is_left_out) && !frame.has_rigid_parts() {
                 frames.fixed.push(frame);
                 continue;
             }

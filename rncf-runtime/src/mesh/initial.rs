@@ -4,6 +4,7 @@ use super::conditions::{directions, joint_data};
 use super::frame::FrameMotion;
 use super::parts::{BodySpec, Interpolant, JointData, JointKind};
 use super::scene::MeshScene;
+use super::ties::add_rigid;
 use crate::error::ModelError;
 use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
 
@@ -36,12 +37,16 @@ impl MeshScene {
                 v.resize(q.len(), 0.0);
                 continue;
             }
+            let first = q.len();
             for within in 0..spec.vectors() {
                 let (node, local) = spec.locate(within);
                 let [values, rates] = self.initial_vectors(index, spec.fraction(node, local));
                 let place = place_of(spec.nodal[local].of, spec.nodal[local].order);
                 q.extend(spec.axes.iter().map(|&axis| values[place][axis]));
                 v.extend(spec.axes.iter().map(|&axis| rates[place][axis]));
+            }
+            for &(_, motion) in self.taken.iter().filter(|(frame, _)| *frame == spec.frame) {
+                add_rigid(spec, &q[first..], motion, -1.0, &mut v[first..]);
             }
         }
         [q, v]

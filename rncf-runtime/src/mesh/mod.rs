@@ -4,6 +4,7 @@
 //! here is the same for all models: numbering, assembly, elimination, initial states.
 
 mod assembly;
+mod balance;
 mod batches;
 mod build;
 mod carried;
@@ -19,6 +20,7 @@ mod evaluate;
 mod fidelity;
 mod fields;
 mod fixtures;
+mod followed;
 mod frame;
 mod frames;
 mod free;
@@ -26,10 +28,10 @@ mod inertia;
 mod inertia_tangent;
 mod initial;
 mod layout;
+mod lean;
 mod line;
 mod linked;
 mod markers;
-mod mean_axes;
 mod modal;
 mod moments;
 mod neutral;
@@ -53,6 +55,7 @@ mod steady;
 mod stress;
 mod symmetry;
 mod system;
+mod ties;
 mod undeformed;
 mod uniform;
 mod units;
@@ -71,8 +74,8 @@ pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
 pub use modal::{build, build_as};
 pub use one_by_one::{elastic_force_one_by_one, elastic_tangent_one_by_one};
 pub use parts::{
-    BodySpec, Fidelity, Interpolant, JointData, JointKind, JointSpec, LoadKind, LoadSpec, NodalSpec, ObservedSpec,
-    Parts, Place, PointQuantity, Prescribed,
+    About, BalanceQuantity, BodySpec, Fidelity, FrameTie, Interpolant, JointData, JointKind, JointSpec, LoadKind,
+    LoadSpec, NodalSpec, ObservedSpec, Owner, Parts, Place, PointQuantity, Prescribed,
 };
 pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
 pub use relaxed::{StrainEnergy, resisting};

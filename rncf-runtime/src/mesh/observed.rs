@@ -18,6 +18,62 @@ pub enum PointQuantity {
     SectionZ,
 }
 
+/// Whose mass, momentum or energy it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Owner {
+    /// All that moves: bodies and rigid bodies, with what is fixed to them.
+    All,
+    /// A meshed body with its fixtures.
+    Body(usize),
+    /// The rigid parts of a free frame.
+    Frame(usize),
+}
+
+/// The point that an angular momentum is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum About {
+    /// The inertial origin.
+    Origin,
+    /// A point marker.
+    Marker(usize),
+    /// A centre of mass.
+    CenterOf(Owner),
+}
+
+/// A sum over what moves; vectors have inertial axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BalanceQuantity {
+    /// kg.
+    Mass,
+    /// kg m/s.
+    Momentum,
+    /// kg m^2/s, with velocities in the inertial frame.
+    AngularMomentum(About),
+    /// m.
+    CenterOfMass,
+    /// J.
+    KineticEnergy,
+    /// Of the elements, J.
+    StrainEnergy,
+    /// Potential of uniform gravity, zero in the inertial origin, J.
+    GravityEnergy,
+}
+
+impl BalanceQuantity {
+    /// In a sentence.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Self::Mass => "mass",
+            Self::Momentum => "momentum",
+            Self::AngularMomentum(_) => "angular momentum",
+            Self::CenterOfMass => "centre of mass",
+            Self::KineticEnergy => "kinetic energy",
+            Self::StrainEnergy => "strain energy",
+            Self::GravityEnergy => "energy in gravity",
+        }
+    }
+}
+
 /// Something that outputs read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ObservedSpec {
@@ -57,6 +113,15 @@ pub enum ObservedSpec {
         constraint: usize,
         /// Row.
         row: usize,
+    },
+    /// Component of a sum over what moves.
+    Balance {
+        /// Whose.
+        of: Owner,
+        /// What.
+        what: BalanceQuantity,
+        /// 0, 1, 2; 0 of a scalar.
+        component: usize,
     },
     /// What a body carries at a place: what the part beyond it exerts on the part before it.
     Section {

@@ -132,6 +132,7 @@ impl MeshScene {
                 derivative,
                 component,
             } => self.jet(&self.markers[marker])[derivative][component],
+            ObservedSpec::Balance { of, what, component } => self.balance_of(of, what, t, component),
             ObservedSpec::ConstraintReaction {
                 constraint,
                 moment,

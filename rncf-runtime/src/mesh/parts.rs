@@ -11,7 +11,7 @@ use crate::error::ModelError;
 use crate::system::ConstraintLevel;
 use crate::vector::Vector;
 
-pub use super::observed::{ObservedSpec, PointQuantity};
+pub use super::observed::{About, BalanceQuantity, ObservedSpec, Owner, PointQuantity};
 
 /// A meshed body.
 #[derive(Clone, Debug)]
@@ -45,8 +45,40 @@ pub struct BodySpec {
     pub twist: f64,
     /// How finely its deformation is described.
     pub fidelity: Fidelity,
-    /// Whether its free frame follows the mean axes (THEORY 6, Buckens) instead of joints.
-    pub mean_axes: bool,
+    /// What its free frame follows beside joints.
+    pub tie: FrameTie,
+}
+
+/// What of a body its free frame follows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FrameTie {
+    /// Joints alone.
+    #[default]
+    Joints,
+    /// Its mean axes (THEORY 6, Buckens).
+    MeanAxes,
+    /// The line from its start to its end, and about it the mean.
+    Chord,
+}
+
+impl FrameTie {
+    /// The name of what is followed.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Self::Joints => "joints",
+            Self::MeanAxes => "mean axes",
+            Self::Chord => "chord",
+        }
+    }
+
+    /// The word of the declaration.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Joints => "joint",
+            Self::MeanAxes => "mean_axes",
+            Self::Chord => "chord",
+        }
+    }
 }
 
 /// What a nodal vector interpolates.

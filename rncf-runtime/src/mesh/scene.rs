@@ -16,10 +16,10 @@ use super::inertia_tangent::Border;
 use super::layout::Layout;
 use super::linked::{Linked, MarkedLoad, Marker};
 use super::markers::ForceSpec;
-use super::mean_axes::MeanAxes;
 use super::modal::ModalBody;
 use super::parts::{BodySpec, Interpolant, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, PointQuantity};
 use super::repeated::{LANES, label};
+use super::ties::Tie;
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::Formulation;
@@ -194,8 +194,15 @@ pub struct MeshScene {
     pub(super) free: Vec<FreeFrame>,
     /// For every frame its index among the free ones.
     pub(super) free_of: Vec<Option<usize>>,
-    /// Frames that stay at their start: those of mean axes where the bodies are absolute.
+    /// Frames that are no unknowns where the bodies are absolute: those that follow bodies, and those that nothing needs.
+    /// They stay at their start, but where outputs find their poses.
     pub(super) fixed: Vec<FreeFrame>,
+    /// What such frames follow, and the shape of all bodies that this refers to, in their declared frames.
+    pub(super) followed: Vec<Tie>,
+    pub(super) followed_shape: Vec<f64>,
+    /// Unknown frames that took over velocity and angular velocity (frame axes) of a body as a whole from its initial
+    /// velocity.
+    pub(super) taken: Vec<(usize, [Vector; 2])>,
     /// First unknowns of orientations.
     pub(super) turns: Vec<usize>,
     /// Their columns on the pattern.
@@ -209,7 +216,7 @@ pub struct MeshScene {
     pub(super) densities: Vec<Density>,
     pub(super) density_batches: Vec<Batches>,
     pub(super) fixtures: Vec<Fixture>,
-    pub(super) mean_axes: Vec<MeanAxes>,
+    pub(super) ties: Vec<Tie>,
     /// For every body that starts in relative equilibrium the components of its vectors, frame axes; else nothing.
     pub(super) settled: Vec<Vec<f64>>,
     /// For every body the places beside its free frame.
@@ -234,8 +241,8 @@ pub struct MeshScene {
 pub(super) enum Row {
     /// Of a joint's conditions on a node.
     Condition { condition: usize, row: usize },
-    /// Of the mean axes of a body.
-    MeanAxes { axes: usize },
+    /// Of a body that its frame follows.
+    Tie { tie: usize },
     /// Of a constraint on markers.
     Linked { linked: usize, row: usize },
 }
@@ -289,6 +296,7 @@ impl MeshScene {
                 self.check_stress(body, what)?;
                 self.point(body, at, "an output").map(Some)
             }
+            ObservedSpec::Balance { of, what, .. } => self.check_balance(of, what).map(|()| None),
             _ => Ok(None),
         }
     }

@@ -110,6 +110,11 @@ impl Shared {
         }
     }
 
+    /// Whether a vector is one with others.
+    pub fn is_shared(&self, vector: usize) -> bool {
+        self.by[vector].is_some()
+    }
+
     /// Refuses joints that hold what is one with others: conditions are eliminated vector by vector.
     ///
     /// # Errors

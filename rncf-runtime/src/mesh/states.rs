@@ -79,8 +79,8 @@ impl MeshScene {
         frames
     }
 
-    /// Poses of all declared free frames at the loaded state; those that are no unknowns are at rest
-    /// at their start.
+    /// Poses of all declared free frames at the loaded state; those that are no unknowns are where they follow
+    /// bodies, or at rest at their start.
     pub(super) fn poses(&self) -> Vec<Pose> {
         let mut poses = vec![Pose::default(); self.free.len() + self.fixed.len()];
         let border = self.layout.vector_components();
@@ -89,10 +89,10 @@ impl MeshScene {
             poses[frame.place] = frame.pose(motion, &self.buffers.q[border + frame.first..]);
         }
         for frame in &self.fixed {
+            let motion = &self.buffers.frames[frame.spec.frame];
             poses[frame.place] = Pose {
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
-                ..frame.start
+                angle: frame.start.angle,
+                ..frame.pose(motion, &[])
             };
         }
         poses

@@ -54,7 +54,7 @@ impl System for MeshScene {
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
         self.load_state(state);
         self.full_tangent(state.t, 1.0, out);
-        // Conditions on nodes and mean axes are linear in the unknowns: they add nothing.
+        // Conditions on nodes and ties of frames are linear in the unknowns: they add nothing.
         self.marker_constraint_stiffness(state.t, &state.lambda, out);
     }
 
@@ -92,7 +92,7 @@ impl System for MeshScene {
                 column += 1;
             }
         }
-        self.mean_axes_rows(level, &mut out[column..]);
+        self.tie_rows(level, &mut out[column..]);
         let first = self.first_linked();
         self.marker_constraints(level, state.t, &mut out[first..]);
     }
@@ -127,7 +127,7 @@ impl System for MeshScene {
                 column += 1;
             }
         }
-        self.mean_axes_jacobian(column, values);
+        self.tie_jacobian(column, values);
         if !self.constraints.is_empty() {
             self.load_state(state);
             self.marker_jacobians(state.t, self.first_linked(), values);
@@ -135,7 +135,7 @@ impl System for MeshScene {
     }
 
     fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
-        // Mean axes are linear in the unknowns with constant coefficients.
+        // Ties of frames are linear in the unknowns with constant coefficients.
         values.fill(0.0);
         self.condition_rate_tangents(state.t, values);
         if !self.constraints.is_empty() {
@@ -158,6 +158,7 @@ impl System for MeshScene {
         let (vector, component) = self.layout.origins()[index];
         let (body, node, local) = self.locate(vector);
         let what = match self.layout.kind(vector) {
+            VectorKind::Directed(_) if body.spec.nodal[local].is_position() => "along its chord",
             VectorKind::Directed(_) => "norm",
             _ => AXES[body.spec.axes[component]],
         };
@@ -193,9 +194,9 @@ impl System for MeshScene {
                 };
                 format!("joint `{}`, {what}", self.joint_label(index))
             }
-            Row::MeanAxes { axes } => {
-                let body = &self.bodies[self.mean_axes[axes].body];
-                format!("body `{}`, mean axes", body.spec.label())
+            Row::Tie { tie } => {
+                let spec = &self.bodies[self.ties[tie].body].spec;
+                format!("body `{}`, {}", spec.label(), spec.tie.describe())
             }
             Row::Linked { linked, row } => {
                 let spec = &self.constraints[linked].spec;
@@ -206,6 +207,10 @@ impl System for MeshScene {
                 format!("{owner}, {}", spec.rows[row])
             }
         }
+    }
+
+    fn loose_tie(&self, worst: &str) -> Option<String> {
+        self.loose_joint(worst)
     }
 
     fn undefined(&mut self, state: &State) -> Option<String> {

@@ -27,6 +27,7 @@ impl Scene for MeshScene {
 
     fn outputs(&mut self, state: &State, out: &mut [f64]) {
         self.load_state(state);
+        self.follow();
         self.evaluate_outputs(state.t, 1.0, &state.lambda, out);
     }
 
@@ -71,6 +72,7 @@ impl Scene for MeshScene {
 
     fn frame_state(&mut self, state: &State) -> FrameState {
         self.load_state(state);
+        self.follow();
         let [q, v] = self.vectors_in_frames([&self.buffers.q, &self.buffers.v]);
         let poses = self.poses();
         FrameState {
@@ -113,6 +115,7 @@ impl Scene for MeshScene {
 
     fn uniform_outputs(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
         self.load_uniform(at, state);
+        self.follow();
         self.evaluate_outputs(at.t, at.load(), &state.lambda, out);
     }
 

@@ -3,7 +3,7 @@
 use super::plane::{PLANES, normal};
 use super::{Check, say};
 use crate::errors::Area;
-use crate::model::{Body, BodyId, Fidelity, FrameId, INERTIAL, RepeatId, Space};
+use crate::model::{Body, BodyId, Fidelity, FrameId, FrameTie, INERTIAL, RepeatId, Space};
 use crate::parse::tree::{Item, ItemKind, Keyword, Statement};
 use crate::suggest;
 
@@ -58,15 +58,15 @@ impl<'a> Check<'a> {
         let line = self.line(item, statements, *complete, &mut known);
         let mesh = self.mesh(item, statements, *complete, known.space);
         let axes = self.section_axes(statements, known.space, line.as_ref());
-        let (fidelity, mean_axes) = if item.repeat.is_some() {
+        let (fidelity, tie) = if item.repeat.is_some() {
             self.may_be_repeated(statements);
-            (Some(Fidelity::Full), false)
+            (Some(Fidelity::Full), FrameTie::Joints)
         } else {
-            let mean_axes = self.mean_axes(item, statements, known.frame, known.space);
-            (self.fidelity(statements), mean_axes)
+            let tie = self.frame_tie(item, statements, known.frame, known.space);
+            (self.fidelity(statements), tie)
         };
         let initial = self.initial(item, statements, known.space);
-        if mean_axes {
+        if tie != FrameTie::Joints {
             // In a prescribed frame that is a mistake of its own.
             self.note_held(id);
         }
@@ -90,7 +90,7 @@ impl<'a> Check<'a> {
                 quadrature: mesh.quadrature,
                 evaluation: mesh.evaluation,
                 fidelity,
-                mean_axes,
+                tie,
                 initial,
                 strain_energy: mesh.stuff.energy,
                 shape: mesh.stuff.shape,

@@ -1,8 +1,8 @@
-//! How finely a body deforms, and whether its frame follows its mean axes.
+//! How finely a body deforms, and what of it its frame follows.
 
 use super::{Check, say};
 use crate::errors::Area;
-use crate::model::{Fidelity, FrameId, Motions, Space};
+use crate::model::{Fidelity, FrameId, FrameTie, Motions, Space};
 use crate::parse::tree::{Item, Statement};
 
 impl<'a> Check<'a> {
@@ -37,56 +37,67 @@ impl<'a> Check<'a> {
         for statement in statements {
             let (area, word) = match statement {
                 Statement::Fidelity { word, .. } => (Area::from(word.span), word.text.as_str()),
-                Statement::MeanAxes { area } => (*area, "mean_axes"),
+                Statement::FrameTie { word } => (Area::from(word.span), word.text.as_str()),
                 _ => continue,
             };
             self.errors.at(area, say::statement_not_repeated(word));
         }
     }
 
-    /// Whether there is `mean_axes;`: the frame must be free, alike in dimension, and no body itself, and the body
-    /// described by all its nodal vectors.
-    pub(super) fn mean_axes(
+    /// `mean_axes;` or `chord;`: the frame must be free, alike in dimension, and no body itself, and the body described by
+    /// all its nodal vectors.
+    pub(super) fn frame_tie(
         &mut self,
         item: &Item,
         statements: &'a [Statement],
         frame: Option<FrameId>,
         space: Option<Space>,
-    ) -> bool {
-        let mut areas = statements.iter().filter_map(|statement| match statement {
-            Statement::MeanAxes { area } => Some(*area),
+    ) -> FrameTie {
+        let mut words = statements.iter().filter_map(|statement| match statement {
+            Statement::FrameTie { word } => Some(word),
             _ => None,
         });
-        let Some(first) = areas.next() else {
-            return false;
+        let Some(first) = words.next() else {
+            return FrameTie::Joints;
         };
-        for area in areas {
-            let line = first.line().to_string();
-            self.errors.at(area, say::duplicate_statement("`mean_axes`", &line));
+        let tie = if first.text == FrameTie::Chord.word() {
+            FrameTie::Chord
+        } else {
+            FrameTie::MeanAxes
+        };
+        for word in words {
+            let line = Area::from(first.span).line().to_string();
+            let words = if word.text == first.text {
+                format!("`{}`", word.text)
+            } else {
+                "`mean_axes` or `chord`".to_string()
+            };
+            self.errors.at(word.span, say::duplicate_statement(&words, &line));
         }
         if let (Some(frame), Some(space)) = (frame, space) {
             let frame = &self.model.frames[frame.0];
             let has_modes = statements
                 .iter()
                 .any(|statement| matches!(statement, Statement::Fidelity { .. }));
+            let what = tie.describe();
             let message = match frame.free.as_ref() {
-                Some(free) if free.is_body => say::mean_axes_of_body(&frame.name),
+                Some(free) if free.is_body => say::tie_of_body(what, &frame.name),
                 Some(free) => match (free.motions, space) {
                     (Motions::Spatial, Space::Spatial) | (Motions::Planar { .. }, Space::Planar { .. })
                         if !has_modes =>
                     {
-                        return true;
+                        return tie;
                     }
                     (Motions::Spatial, Space::Spatial) | (Motions::Planar { .. }, Space::Planar { .. }) => {
-                        say::mean_axes_of_modes(&item.name.text)
+                        say::tie_of_modes(what, &item.name.text, tie.word())
                     }
-                    (Motions::Planar { .. }, Space::Spatial) => say::MEAN_AXES_IN_SPACE.into(),
-                    _ => say::mean_axes_of_held(&frame.name),
+                    (Motions::Planar { .. }, Space::Spatial) => say::tie_in_space(what),
+                    _ => say::tie_of_held(what, &frame.name),
                 },
-                None => say::mean_axes_of_prescribed(&frame.name),
+                None => say::tie_of_prescribed(what, &frame.name),
             };
-            self.errors.at(first, message);
+            self.errors.at(first.span, message);
         }
-        true
+        tie
     }
 }

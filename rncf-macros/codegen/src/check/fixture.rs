@@ -7,7 +7,7 @@ use super::quantity::Wanted;
 use super::rigid::zeros;
 use super::{Check, fold, say};
 use crate::joints::algebra;
-use crate::model::{Expr as Value, Fixture, FrameId, Motions, RepeatId, RigidPart};
+use crate::model::{Expr as Value, Fixture, FrameId, FrameTie, Motions, RepeatId, RigidPart};
 use crate::parse::tree::{Expr, ExprKind, Fields, Item, ItemKind, Keyword, Name};
 use crate::suggest;
 
@@ -99,9 +99,9 @@ impl<'a> Check<'a> {
             self.errors.at(*area, say::point_mass(&name, "inertia"));
             return;
         }
-        let follows = |body: &&crate::model::Body| body.frame == frame && body.mean_axes;
+        let follows = |body: &&crate::model::Body| body.frame == frame && body.tie != FrameTie::Joints;
         if let Some(body) = self.model.bodies.iter().find(follows).filter(|_| !is_body) {
-            let message = say::fixture_on_mean_axes(&name, &body.name);
+            let message = say::fixture_on_tied(&name, body.tie.describe(), &body.name);
             self.errors.at(place.area, message);
             return;
         }

@@ -8,6 +8,8 @@
 
 use std::collections::{HashMap, HashSet};
 
+use super::balance::TOTAL;
+use super::loose::loose_ties;
 use super::messages as say;
 use super::read::mentioned;
 use crate::elements::{Element, Library};
@@ -21,6 +23,7 @@ use crate::vocabulary::{BOTH_AXES, DERIVED};
 pub fn influence(tree: &Tree, model: &Model, library: &Library) -> Vec<Mistake> {
     let mut warnings = Graph::new(tree).warnings();
     warnings.extend(unread_properties(tree, model, library));
+    warnings.extend(loose_ties(tree, model, library));
     warnings
 }
 
@@ -57,7 +60,16 @@ impl<'a> Graph<'a> {
             found.sort_unstable();
             found
         };
-        let reads = items.iter().map(|item| find(mentioned(tree, item))).collect();
+        // What is asked of all is asked of each that moves.
+        let all = || (0..items.len()).filter(|&at| moves(items[at]));
+        let reads = items.iter().map(|item| {
+            let names = mentioned(tree, item);
+            let is_total = names.contains(&TOTAL);
+            let mut found = find(names);
+            found.extend(all().filter(|_| is_total));
+            found
+        });
+        let reads = reads.collect();
         let mut acts_on: Vec<Vec<usize>> = items.iter().map(|item| find(targets(tree, item))).collect();
         for targets in &mut acts_on {
             targets.retain(|&at| passes_on(items[at]));

@@ -90,8 +90,7 @@ pub const NO_OUTPUT: &str = "the model has no output: add e.g. `output u = beam.
 
 pub const FIXTURE_PLACE: &str =
     "a place for a fixture is expected here: `arm`, `arm.at([1, 0, 0] m)`, `beam.end` or `beam.at(4 m)`";
-pub const MEAN_AXES_IN_SPACE: &str =
-    "mean axes of a spatial body turn in space, but its frame moves in a plane: leave out `plane`";
+pub const RIGID_STRAIN: &str = "a rigid body does not deform: strain energy is that of a flexible body or of `total`";
 pub const MOMENT_ABOUT_AXIS: &str = "the moment about the axis of a body is its `torque`";
 pub const START_OF_INERTIAL: &str =
     "the inertial frame does not turn: name the frame whose bodies start in equilibrium with its rotation";
@@ -227,17 +226,21 @@ messages! {
     hinge_leaves_plane(frame, plane, axis) = "`{frame}` turns out of the {plane} plane of the body: its hinge must have the axis `{axis}`, or the body be `spatial`";
     body_in_point_mass(name) = "`{name}` is a point mass, which has no axes for a body: give it `inertia`, or declare the body elsewhere and join the two";
     initial_of_modes(word, name) = "`{name}` is described by `{word}`, which starts undeformed and at rest in its frame: leave out `{word}` or the initial shape";
-    mean_axes_of_modes(name) = "`{name}` cannot have both mean axes and modes: clamp it in its frame instead of `mean_axes`";
-    mean_axes_of_body(name) = "`{name}` is a rigid body and does not follow the mean axes of another one: declare the body in a `free` frame";
-    mean_axes_of_held(name) = "mean axes move in all directions, but `{name}` does not: declare the body in a `free` frame";
-    mean_axes_of_prescribed(name) = "`{name}` moves in the prescribed way and follows no mean axes: declare the body in a `free` frame";
+    tie_of_modes(what, name, word) = "`{name}` cannot have both {what} and modes: clamp it in its frame instead of `{word}`";
+    tie_of_body(what, name) = "`{name}` is a rigid body and does not follow the {what} of another one: declare the body in a `free` frame";
+    tie_of_held(what, name) = "the {what} of a body may move in all directions, but `{name}` does not: declare the body in a `free` frame";
+    tie_of_prescribed(what, name) = "`{name}` moves in the prescribed way and follows no {what}: declare the body in a `free` frame";
+    tie_in_space(what) = "the {what} of a spatial body may turn in space, but its frame moves in a plane: leave out `plane`";
     fixture_on_prescribed(name) = "`{name}` moves in the prescribed way, so that a mass on it does nothing: put the fixture on a free frame, a rigid body or a flexible one";
-    fixture_on_mean_axes(name, body) = "`{name}` follows the mean axes of `{body}` and carries nothing else: put the fixture on `{body}`";
+    fixture_on_tied(name, what, body) = "`{name}` follows the {what} of `{body}` and carries nothing else: put the fixture on `{body}`";
     carries_nothing(frame) = "`{frame}` moves freely but carries nothing: put a body in it (`body .. in {frame}`), a `fixture .. on {frame}`, or leave it out";
-    not_held(body, motions, frame) = "nothing holds `{body}` against {motions} of its free frame `{frame}`: tie it with `clamp(..)`, `pin(..)` or `hold(..)` to `{frame}`, with `mean_axes;`, or add a constraint that turns or moves `{frame}`";
+    not_held(body, motions, frame) = "nothing holds `{body}` against {motions} of its free frame `{frame}`: tie it with `clamp(..)`, `pin(..)` or `hold(..)` to `{frame}`, with `mean_axes;` or `chord;`, or add a constraint that turns or moves `{frame}`";
     lacks_inertia(frame, motions) = "`{frame}` has no inertia against {motions}, and nothing holds it: give it `inertia`, or tie what it carries to it";
     rigid_lacks_inertia(frame, motions) = "`{frame}` has no inertia against {motions}, and nothing holds it: add a `fixture .. on {frame}` with `inertia`, or a constraint that holds it";
+    loose_tie(joint, frame, what, body) = "`{joint}` turns `{frame}`, which has no mass of its own, with the {what} at an end of `{body}`, where only a part of an element resists: the frame, and with it the steps of a run, follow the quickest motions of the mesh; write `chord;` or `mean_axes;` in `{body}` instead, or give `{frame}` mass with a `fixture .. on {frame}`";
     tied_twice(what, name, frame) = "`{frame}` is held a second time, by {what} `{name}`: a free frame without mass of its own needs exactly as many ties as it has motions; join the bodies with each other instead, or give the frame mass with a `fixture .. on {frame}`";
+    balance_of_repeated(name) = "`{name}` is repeated, and its sums are known of all together only: write `total`";
+    balance_of_massless(name) = "`{name}` has no mass of its own: ask the bodies that it carries, or `total`";
     lacks_field(kind, name, field, example) = "{kind} `{name}` has no `{field}`: write e.g. `{example}`";
     rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body `spatial`";
     density_degree(degree) = "this is a polynomial of degree {degree} in `slope` and `position`: degrees to 4 are integrated, so write one of lower degree";

@@ -1,6 +1,7 @@
 //! Syntax tree to [`Model`]: names resolved, units in SI, every rule of the language checked. All
 //! mistakes are reported at once; what depends on something already reported stays silent.
 
+mod balance;
 mod body;
 mod bushing;
 mod caution;
@@ -20,6 +21,7 @@ mod initial;
 mod joint;
 mod line;
 mod load;
+mod loose;
 mod marker;
 mod material;
 mod mesh;
@@ -57,6 +59,7 @@ use crate::errors::{Area, Errors};
 use crate::model::{BodyId, Frame, FrameId, Model, MotionId};
 use crate::parse::tree::{Argument, Call, Expr, Item, ItemKind, Keyword, Name, Tree};
 use crate::suggest;
+use balance::TOTAL;
 use messages as say;
 use quantity::Typed;
 
@@ -149,7 +152,7 @@ struct Check<'a> {
 }
 
 /// Names with a meaning of their own.
-const RESERVED: &[&str] = &["t", "pi", "inertial"];
+const RESERVED: &[&str] = &["t", "pi", "inertial", TOTAL];
 
 /// Longest chain of names that are defined by each other.
 const LONGEST_CHAIN: usize = 64;

@@ -1,5 +1,6 @@
 //! What outputs observe: points of bodies and reactions of joints in their own frames; all else in `thing`.
 
+use super::balance::{TOTAL, is_balance};
 use super::expr::Scope;
 use super::place::Place;
 use super::plane::{AXES, normal, plane};
@@ -73,10 +74,11 @@ impl<'a> Check<'a> {
             .chain([&field])
             .map(|word| word.text.as_str())
             .collect::<Vec<_>>();
-        let is_elsewhere = words.contains(&"in") || words.contains(&"acceleration");
+        let is_elsewhere =
+            words.contains(&"in") || words.contains(&"acceleration") || words.iter().any(|word| is_balance(word));
         let name = name.text.as_str();
         let has_rows = self.joints.get(name).is_some_and(|joint| joint.built.is_some());
-        !is_elsewhere && !self.is_frame(name) && !has_rows && !self.constraints.contains_key(name)
+        !is_elsewhere && name != TOTAL && !self.is_frame(name) && !has_rows && !self.constraints.contains_key(name)
     }
 
     /// A point of a body or a reaction of a joint, in the own frame.

@@ -1,5 +1,6 @@
 //! Places: on flexible bodies, on frames and rigid bodies.
 
+use super::balance::words as balance_words;
 use super::expr::Scope;
 use super::plane::normal;
 use super::quantity::Wanted;
@@ -254,7 +255,11 @@ impl<'a> Check<'a> {
             (other, _) => {
                 self.errors.at(
                     field.span,
-                    suggest::unknown("place on a body", other, ["start", "end", "at"]),
+                    suggest::unknown(
+                        "place on a body",
+                        other,
+                        ["start", "end", "at"].into_iter().chain(balance_words()),
+                    ),
                 );
                 return None;
             }

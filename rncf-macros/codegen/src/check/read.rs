@@ -54,7 +54,7 @@ fn of_arguments<'a>(arguments: &'a [Argument], found: &mut Vec<&'a str>) {
 
 fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
     match statement {
-        Statement::Space { .. } | Statement::MeanAxes { .. } => {}
+        Statement::Space { .. } | Statement::FrameTie { .. } => {}
         Statement::Line { from, to, .. } => [from, to].into_iter().for_each(|expr| names(expr, found)),
         Statement::Arc {
             from,

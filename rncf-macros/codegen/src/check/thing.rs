@@ -1,5 +1,6 @@
 //! What stands before the dots: frames, places, directions, joints, constraints; and what they show.
 
+use super::balance::{is_balance, words as balance_words};
 use super::expr::Scope;
 use super::joint::Built;
 use super::place::Spot;
@@ -53,6 +54,9 @@ impl<'a> Check<'a> {
         self.nested(expr, |check| match &expr.kind {
             ExprKind::Name(name) => check.named_thing(name),
             ExprKind::Member { base, field, arguments } => {
+                if let Some(thing) = check.balance_of_thing(expr, scope) {
+                    return thing;
+                }
                 if let ExprKind::Name(name) | ExprKind::Indexed { base: name, .. } = &base.kind
                     && check.keyword_of(name) == Some(Keyword::Body)
                 {
@@ -102,7 +106,7 @@ impl<'a> Check<'a> {
         arguments: Option<&'a [Argument]>,
         scope: Scope,
     ) -> Option<Thing<'a>> {
-        let takes = matches!(field.text.as_str(), "in" | "at" | "direction");
+        let takes = matches!(field.text.as_str(), "in" | "at" | "direction" | "angular_momentum");
         if arguments.is_some() && !takes {
             self.errors.at(expr.area, say::no_arguments(&field.text));
             return None;
@@ -374,6 +378,7 @@ impl<'a> Check<'a> {
                 self.allows_rates(field, scope)?;
                 self.turning(frame, field)
             }
+            (word, arguments) if is_balance(word) => self.balance_of_frame(frame, expr, field, arguments, scope),
             ("x" | "y" | "z" | "position" | "velocity" | "acceleration" | "slope", _) => {
                 self.of_place(origin(frame), None, field, scope)
             }
@@ -395,6 +400,7 @@ impl<'a> Check<'a> {
                     "speed",
                     "angular_velocity",
                 ];
+                let known = known.into_iter().chain(balance_words());
                 self.errors
                     .at(field.span, suggest::unknown("quantity of a frame", word, known));
                 None
@@ -564,7 +570,7 @@ pub fn angular() -> Nature {
     }
 }
 
-fn origin(frame: FrameId) -> Spot {
+pub fn origin(frame: FrameId) -> Spot {
     let at = algebra::numbers([0.0; 3]);
     Spot::Rigid { frame, at }
 }

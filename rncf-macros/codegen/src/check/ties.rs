@@ -13,8 +13,8 @@ use crate::elements::Library;
 use crate::errors::Area;
 use crate::lower::motions::Time;
 use crate::model::{
-    BodyId, Constraint, Expr, Fidelity, FrameId, Free, Held, Joint, JointKind, Location, Marker, MarkerId, Model,
-    Motions, Observable, Space,
+    BodyId, Constraint, Expr, Fidelity, FrameId, FrameTie, Free, Held, Joint, JointKind, Location, Marker, MarkerId,
+    Model, Motions, Observable, Space,
 };
 use crate::parse::tree::{ItemKind, Statement};
 
@@ -51,7 +51,7 @@ struct Tie {
 pub enum Untied {
     /// It carries neither bodies nor mass.
     Empty,
-    /// A joint, or the mean axes of a body, hold it a second time.
+    /// A joint, or what it follows of a body, hold it a second time.
     Twice {
         /// Name of the joint or body.
         tie: String,
@@ -129,7 +129,7 @@ impl Check<'_> {
         self.errors.at(area, message);
     }
 
-    /// Where a joint has its name, or a body its mean axes.
+    /// Where a joint has its name, or a body what its frame follows.
     fn tie(&self, name: &str) -> (Option<Area>, &'static str) {
         let Some(item) = self.names.get(name) else {
             return (None, "the joint");
@@ -137,11 +137,15 @@ impl Check<'_> {
         let ItemKind::Body { statements, .. } = &item.kind else {
             return (Some(item.name.span.into()), "the joint");
         };
-        let area = statements.iter().find_map(|statement| match statement {
-            Statement::MeanAxes { area } => Some(*area),
+        let word = statements.iter().find_map(|statement| match statement {
+            Statement::FrameTie { word } => Some(word),
             _ => None,
         });
-        (area, "the mean axes of")
+        let what = match word {
+            Some(word) if word.text == FrameTie::Chord.word() => "the chord of",
+            _ => "the mean axes of",
+        };
+        (word.map(|word| word.span.into()), what)
     }
 }
 
@@ -288,7 +292,7 @@ impl<'m> Frame<'m> {
         row
     }
 
-    /// Conditions on the nodal vectors of its bodies: joints to the frame itself, mean axes.
+    /// Conditions on the nodal vectors of its bodies: joints to the frame itself, what it follows.
     fn joints(&self, scales: &Row) -> Vec<Tie> {
         let model = self.start.model;
         let flexible = |body: BodyId| {
@@ -301,7 +305,7 @@ impl<'m> Frame<'m> {
             .filter(|joint| joint.frame == self.id && flexible(joint.body));
         let mut ties: Vec<Tie> = joints.map(|joint| self.joint(joint, scales)).collect();
         for (body, id) in self.bodies() {
-            if body.mean_axes && flexible(id) {
+            if body.tie != FrameTie::Joints && flexible(id) {
                 let rows = (0..self.modes.len()).map(|k| std::array::from_fn(|j| f64::from(j == k)));
                 ties.push(Tie {
                     name: body.name.clone(),

@@ -6,7 +6,7 @@ use crate::lower::constraints::members;
 use crate::lower::joints::JointKernels;
 use crate::lower::markers::list;
 use crate::lower::motions;
-use crate::model::{Body, Fidelity, INERTIAL, Joint, Model, Motions, Space};
+use crate::model::{Body, Fidelity, FrameTie, INERTIAL, Joint, Model, Motions, Space};
 
 /// What was chosen and left out, and why.
 pub fn notes(model: &Model, library: &Library, equations: &Equations) -> Vec<String> {
@@ -153,10 +153,10 @@ fn placed(model: &Model, body: &Body) -> String {
             frame.name
         );
     }
-    let follows = if body.mean_axes {
-        ", which follows the body's mean axes"
-    } else {
-        ""
+    let follows = match body.tie {
+        FrameTie::Joints => "",
+        FrameTie::MeanAxes => ", which follows the body's mean axes",
+        FrameTie::Chord => ", which follows the body's chord",
     };
     format!(
         "Body `{name}` moves in the free frame `{}`{follows}: force and moment of its inertia on the frame, and their \

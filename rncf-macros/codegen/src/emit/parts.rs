@@ -9,7 +9,8 @@ use crate::lower::camel_case;
 use crate::lower::joints::LEVELS;
 use crate::lower::motions::Time;
 use crate::model::{
-    Body, Expr, Fidelity, Held, INERTIAL, JointKind, Line, LoadKind, Location, Model, Observable, PointQuantity,
+    About, BalanceQuantity, Body, Expr, Fidelity, Held, INERTIAL, JointKind, Line, LoadKind, Location, Model,
+    Observable, Owner, PointQuantity,
 };
 
 /// The struct with the constants of all bodies and its implementation.
@@ -182,7 +183,7 @@ impl Parts<'_> {
                 "None"
             };
             let entry = format!(
-                "::rncf::mesh::BodySpec {{ name: {:?}, kind: {index}, instance: {instance}, frame: {}, axes: &{:?}, line: {}, count: {count}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {}, fidelity: ::rncf::mesh::Fidelity::{}, mean_axes: {} }}",
+                "::rncf::mesh::BodySpec {{ name: {:?}, kind: {index}, instance: {instance}, frame: {}, axes: &{:?}, line: {}, count: {count}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {}, fidelity: ::rncf::mesh::Fidelity::{}, tie: ::rncf::mesh::FrameTie::{:?} }}",
                 body.name,
                 body.frame.0,
                 body.space.axes(),
@@ -192,7 +193,7 @@ impl Parts<'_> {
                 connectivity.stride,
                 self.expr(&body.twist),
                 self.fidelity(body),
-                body.mean_axes,
+                body.tie,
             );
             entries.push((body.repeat, entry));
         }
@@ -341,6 +342,21 @@ impl Parts<'_> {
                     constraint.0
                 )
             }
+            Observable::Balance { of, what, component } => {
+                let what = match what {
+                    BalanceQuantity::AngularMomentum(about) => {
+                        let about = match about {
+                            About::Origin => "Origin".to_string(),
+                            About::Marker(marker) => format!("Marker({})", marker.0),
+                            About::CenterOf(of) => format!("CenterOf({})", self.owner(*of)),
+                        };
+                        format!("AngularMomentum(::rncf::mesh::About::{about})")
+                    }
+                    what => format!("{what:?}"),
+                };
+                let of = self.owner(*of);
+                format!("Balance {{ of: {of}, what: ::rncf::mesh::BalanceQuantity::{what}, component: {component} }}")
+            }
             Observable::Multiplier { constraint, row } => {
                 format!("Multiplier {{ constraint: {}, row: {row} }}", constraint.0)
             }
@@ -363,6 +379,15 @@ impl Parts<'_> {
             }
         };
         Some(format!("::rncf::mesh::ObservedSpec::{spec}"))
+    }
+
+    fn owner(&self, of: Owner) -> String {
+        let of = match of {
+            Owner::All => "All".to_string(),
+            Owner::Body(body) => format!("Body({})", self.first_of(body)),
+            Owner::Frame(frame) => format!("Frame({})", frame.0),
+        };
+        format!("::rncf::mesh::Owner::{of}")
     }
 
     fn facts(&self) -> String {

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::kernel::Kernel;
-use crate::model::{Binary, Expr, Frame, FrameId, INERTIAL, Model, Motions, Observable, RepeatId};
+use crate::model::{Binary, Expr, Frame, FrameId, FrameTie, INERTIAL, Model, Motions, Observable, RepeatId};
 use crate::symbolic::linear::{Matrix3, Vector};
 use crate::symbolic::{Graph, Id, Node};
 
@@ -240,9 +240,9 @@ pub(super) fn unit(axis: [f64; 3]) -> [f64; 3] {
 }
 
 /// How often what moves in a prescribed way is differentiated: the jerk is read by constraints on markers, on their
-/// own jerk level, and by mean axes alone.
+/// own jerk level, and by ties of frames alone.
 pub fn highest_derivative(model: &Model) -> usize {
-    let constrained = !model.constraints.is_empty() || model.bodies.iter().any(|body| body.mean_axes);
+    let constrained = !model.constraints.is_empty() || model.bodies.iter().any(|body| body.tie != FrameTie::Joints);
     if constrained { 3 } else { 2 }
 }
 

@@ -1,6 +1,6 @@
 //! Resolved expressions in SI, and what of the simulated system they observe.
 
-use super::{BodyId, ConstraintId, JointId, MarkerId, MotionId, ParamId, RepeatId};
+use super::{BodyId, ConstraintId, FrameId, JointId, MarkerId, MotionId, ParamId, RepeatId};
 
 /// A resolved expression in SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -191,6 +191,15 @@ pub enum Observable {
         /// 0, 1, 2 for x, y, z.
         component: usize,
     },
+    /// Component of a sum over what moves, inertial axes; in outputs.
+    Balance {
+        /// Whose.
+        of: Owner,
+        /// What.
+        what: BalanceQuantity,
+        /// 0, 1, 2 for x, y, z; 0 of a scalar.
+        component: usize,
+    },
     /// What a body carries at a place: what the part beyond it exerts on the part before it; in outputs.
     Section {
         /// Which body.
@@ -210,6 +219,47 @@ pub enum Observable {
         /// 0, 1, 2 for x, y, z.
         component: usize,
     },
+}
+
+/// Whose mass, momentum or energy it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Owner {
+    /// All that moves.
+    All,
+    /// A meshed body with its fixtures.
+    Body(BodyId),
+    /// The rigid parts of a free frame.
+    Frame(FrameId),
+}
+
+/// The point that an angular momentum is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum About {
+    /// The inertial origin.
+    Origin,
+    /// A point.
+    Marker(MarkerId),
+    /// A centre of mass.
+    CenterOf(Owner),
+}
+
+/// A sum over what moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BalanceQuantity {
+    /// kg.
+    Mass,
+    /// kg m/s.
+    Momentum,
+    /// kg m^2/s, with velocities in the inertial frame.
+    AngularMomentum(About),
+    /// m.
+    CenterOfMass,
+    /// J.
+    KineticEnergy,
+    /// Of the elements, J.
+    StrainEnergy,
+    /// Potential of uniform gravity, zero in the inertial origin, J.
+    GravityEnergy,
 }
 
 /// What is observed at a point.

@@ -33,6 +33,7 @@ const STOP: &[&str] = &[
     "spatial",
     "plane",
     "mean_axes",
+    "chord",
     "modal",
     "small",
     "run",

@@ -328,6 +328,7 @@ const STATEMENTS: &[&str] = &[
     "mesh",
     "initial",
     "mean_axes",
+    "chord",
     "modal",
     "small",
     "rigid",
@@ -364,7 +365,7 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
             }
         }
         "spatial" => Statement::Space { area, plane: None },
-        "mean_axes" => Statement::MeanAxes { area },
+        "mean_axes" | "chord" => Statement::FrameTie { word },
         "rigid" | "point" => Statement::Fidelity { word, count: None },
         "modal" | "small" => {
             let call = expr::call(cursor, word.clone(), 0)?;

@@ -28,7 +28,7 @@
 //!             | "line" "from" vector "to" vector ";"
 //!             | "arc" "from" vector "direction" vector [ "normal" vector ] "radius" expr "angle" expr ";"
 //!             | "section_y" vector ";" | "twist" right ";"
-//!             | "mean_axes" ";"
+//!             | ("mean_axes" | "chord") ";"
 //!             | ( "modal" | "small" ) "(" expr ")" ";" | "rigid" ";" | "point" ";"
 //!             | "mesh" primary "*" call ";"     // element(section, material [, option = value])
 //! fixture     = "fixture" NAME "on" PLACE fields

@@ -321,10 +321,10 @@ pub enum Statement {
         /// Function of the arclength.
         value: Expr,
     },
-    /// `mean_axes;`
-    MeanAxes {
+    /// `mean_axes;` or `chord;`
+    FrameTie {
         /// The word.
-        area: Area,
+        word: Name,
     },
     /// `mesh count * element(..);`
     Mesh {

@@ -76,7 +76,7 @@ impl Parts for Arm {
             section_y: None,
             twist: 0.0,
             fidelity: self.fidelity,
-            mean_axes: false,
+            tie: FrameTie::Joints,
         }]
     }
     fn joints(&self) -> Vec<JointSpec> {

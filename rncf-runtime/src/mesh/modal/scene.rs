@@ -422,6 +422,10 @@ impl System for ModalScene {
         self.scene.describe_constraint(index)
     }
 
+    fn loose_tie(&self, worst: &str) -> Option<String> {
+        self.scene.loose_tie(worst)
+    }
+
     fn undefined(&mut self, state: &State) -> Option<String> {
         self.expand(state);
         self.scene.undefined(&self.full)

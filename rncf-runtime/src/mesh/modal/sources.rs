@@ -3,7 +3,7 @@
 use super::{Elements, Nodal};
 use crate::error::ModelError;
 use crate::mesh::assembly::Connectivity;
-use crate::mesh::parts::Parts;
+use crate::mesh::parts::{FrameTie, Parts};
 use crate::mesh::scene::MeshScene;
 
 /// Relative distance up to which a joint holds a body in its undeformed place.
@@ -39,9 +39,10 @@ impl MeshScene {
                 self.parts.frame_name(body.spec.frame)
             ));
         }
-        if body.spec.mean_axes {
+        if body.spec.tie != FrameTie::Joints {
             return refuse(format!(
-                "body `{name}` cannot have both `mean_axes` and modes: clamp it in its frame instead of `mean_axes`"
+                "body `{name}` cannot have both `{word}` and modes: clamp it in its frame instead of `{word}`",
+                word = body.spec.tie.word()
             ));
         }
         let first = self.layout.offset(body.first_vector);

@@ -3,9 +3,9 @@
 use super::super::assembly::{Scatter, evaluate};
 use super::super::evaluate::MAX_SIZE;
 use super::super::layout::Layout;
-use super::super::mean_axes::MeanAxes;
 use super::super::repeated::StartSpec;
 use super::super::scene::MeshScene;
+use super::super::ties::Tie;
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::vector::{Matrix, Vector, multiply, skew};
@@ -29,8 +29,8 @@ pub(super) struct Balance<'a> {
     pub square: f64,
     inertias: Vec<Inertia>,
     scatters: Vec<Scatter>,
-    pub mean_axes: Vec<MeanAxes>,
-    /// Of unknowns, then multipliers of mean axes.
+    pub ties: Vec<Tie>,
+    /// Of unknowns, then multipliers of ties.
     pub pattern: Pattern,
     /// On the pattern: mass, centrifugal forces' derivatives, and what else is constant.
     pub mass: Vec<f64>,
@@ -41,7 +41,7 @@ pub(super) struct Balance<'a> {
 
 impl<'a> Balance<'a> {
     pub(super) fn new(scene: &'a MeshScene, start: &StartSpec, spin: Vector) -> Result<Self, ModelError> {
-        let (q, layout) = scene.referenced(start)?;
+        let (q, layout, ties) = scene.referenced(start)?;
         let bodies: Vec<usize> = (0..scene.bodies.len())
             .filter(|&body| scene.bodies[body].spec.frame == start.frame)
             .collect();
@@ -64,7 +64,7 @@ impl<'a> Balance<'a> {
             mass: fixture.mass().to_vec(),
         }));
         let mut balance = Self {
-            mean_axes: mean_axes(scene, &bodies, &layout),
+            ties,
             turning: multiply(&skew(spin), &skew(spin)),
             square: spin.iter().map(|w| w * w).sum(),
             inverse_sizes: inverse_sizes(scene, &layout),
@@ -88,9 +88,9 @@ impl<'a> Balance<'a> {
         let (scene, layout) = (self.scene, &self.layout);
         let n = layout.unknowns();
         let rows = self
-            .mean_axes
+            .ties
             .iter()
-            .flat_map(|axes| axes.rows.iter().map(move |row| (axes.first, row)));
+            .flat_map(|tie| tie.rows.iter().map(move |row| (tie.first, row)));
         let mut borders = Vec::new();
         for (column, (first, row)) in rows.enumerate() {
             for (place, &value) in row.iter().enumerate() {
@@ -99,7 +99,7 @@ impl<'a> Balance<'a> {
                 }
             }
         }
-        let size = n + self.mean_axes.iter().map(|axes| axes.rows.len()).sum::<usize>();
+        let size = n + self.ties.iter().map(|tie| tie.rows.len()).sum::<usize>();
         let mut entries: Vec<(usize, usize)> = (0..size).map(|i| (i, i)).collect();
         for &body in &self.bodies {
             entries.extend(scene.bodies[body].connectivity.entries(layout));
@@ -261,9 +261,9 @@ impl<'a> Balance<'a> {
         self.results = results;
         self.layout.project(&full, &mut out[..n]);
         let mut row = n;
-        for axes in &self.mean_axes {
-            for (coefficients, wanted) in axes.rows.iter().zip(&axes.undeformed) {
-                let values = coefficients.iter().zip(&self.q[axes.first..]);
+        for tie in &self.ties {
+            for (coefficients, wanted) in tie.rows.iter().zip(&tie.reference) {
+                let values = coefficients.iter().zip(&self.q[tie.first..]);
                 out[row] = values.map(|(a, q)| a * q).sum::<f64>() - wanted;
                 row += 1;
             }
@@ -301,19 +301,6 @@ impl<'a> Balance<'a> {
             largest.max((force / inverse).abs())
         })
     }
-}
-
-/// Mean axes of the bodies, in absolute coordinates, too.
-fn mean_axes(scene: &MeshScene, bodies: &[usize], layout: &Layout) -> Vec<MeanAxes> {
-    let shape = scene.shape();
-    let own = bodies.iter().filter(|&&body| scene.bodies[body].spec.mean_axes);
-    let axes = own.map(|&index| {
-        let body = &scene.bodies[index];
-        let first = layout.offset(body.first_vector);
-        let count = body.spec.vectors() * body.spec.dimension();
-        MeanAxes::new(index, body, first, &shape[first..first + count])
-    });
-    axes.collect()
 }
 
 /// One over the sizes of the unknowns: lengths of bodies, and 1.

@@ -161,13 +161,13 @@ impl Balance<'_> {
         (foreseen > 0.0 && quality > ENOUGH).then_some((next, quality))
     }
 
-    /// `C^T lambda` of mean axes.
+    /// `C^T lambda` of ties.
     fn add_multipliers(&self, multipliers: &[f64], forces: &mut [f64]) {
         let mut column = 0;
-        for axes in &self.mean_axes {
-            for row in &axes.rows {
+        for tie in &self.ties {
+            for row in &tie.rows {
                 for (place, value) in row.iter().enumerate() {
-                    if let Some((unknown, factor)) = self.layout.unknown(axes.first + place) {
+                    if let Some((unknown, factor)) = self.layout.unknown(tie.first + place) {
                         forces[unknown] += factor * value * multipliers[column];
                     }
                 }

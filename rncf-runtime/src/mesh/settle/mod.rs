@@ -10,16 +10,17 @@ mod balance;
 mod flow;
 
 use super::build::numbering;
-use super::conditions::{Condition, condition, directions, joint_data};
+use super::conditions::{Condition, condition, directions, joint_data, vector_kinds};
 use super::frame::FrameMotion;
 use super::free::Motions;
 use super::layout::Layout;
 use super::linked::Marker;
 use super::markers::When;
-use super::parts::{BodySpec, Fidelity, JointSpec};
+use super::parts::{BodySpec, Fidelity, FrameTie, JointSpec};
 use super::repeated::StartSpec;
 use super::scene::MeshScene;
 use super::shared::Shared;
+use super::ties::{ChordEnds, Tie};
 use crate::error::ModelError;
 use crate::model::Joints;
 use crate::vector::{Vector, add, cross, norm, subtract};
@@ -168,7 +169,7 @@ impl MeshScene {
 
     /// Shapes of all bodies, and what is unknown of them, in their declared frames, with all joints of the start's
     /// bodies eliminated.
-    fn referenced(&self, start: &StartSpec) -> Result<(Vec<f64>, Layout), ModelError> {
+    fn referenced(&self, start: &StartSpec) -> Result<(Vec<f64>, Layout, Vec<Tie>), ModelError> {
         let frames = self.motions(0.0);
         let mut conditions: Vec<Condition> = Vec::new();
         for (index, joint) in self.joints.iter().enumerate() {
@@ -192,8 +193,17 @@ impl MeshScene {
         let specs: Vec<BodySpec> = self.bodies.iter().map(|body| body.spec.clone()).collect();
         let firsts: Vec<usize> = self.bodies.iter().map(|body| body.first_vector).collect();
         let shared = Shared::new(&*self.parts, &specs, &firsts)?;
-        let layout = numbering(&specs, &conditions, &shared, 0);
+        let mut kinds = vector_kinds(shared.leaders.len(), &conditions);
+        let mut chords = Vec::new();
+        for (index, spec) in specs.iter().enumerate() {
+            if spec.frame == start.frame && spec.tie == FrameTie::Chord {
+                let ends = ChordEnds::new(&*self.parts, index, spec, firsts[index])?;
+                chords.push((index, ends.eliminate(&mut kinds, |vector| !shared.is_shared(vector))));
+            }
+        }
+        let layout = numbering(&specs, kinds, &shared, 0);
         let [mut q, _] = self.initial_shape();
+        let ties = self.ties_of(start, &layout, &q, &chords)?;
         let shape = self.shape();
         for condition in &conditions {
             let axes = self.bodies[self.joints[condition.joint].body].spec.axes;
@@ -217,6 +227,32 @@ impl MeshScene {
                 q[place] = shape[place];
             }
         }
-        Ok((q, layout))
+        Ok((q, layout, ties))
+    }
+
+    /// What the frame follows, in absolute coordinates, too.
+    fn ties_of(
+        &self,
+        start: &StartSpec,
+        layout: &Layout,
+        shape: &[f64],
+        chords: &[(usize, [bool; 2])],
+    ) -> Result<Vec<Tie>, ModelError> {
+        let follows = |spec: &BodySpec| spec.frame == start.frame && spec.tie != FrameTie::Joints;
+        let bodies = self.bodies.iter().enumerate();
+        let bodies = bodies.filter(|(_, body)| follows(&body.spec));
+        let ties = bodies.map(|(index, body)| {
+            let eliminated = chords.iter().find(|(chord, _)| *chord == index);
+            let eliminated = eliminated.map_or([false; 2], |&(_, ends)| ends);
+            Tie::new(
+                index,
+                body,
+                layout,
+                shape,
+                eliminated,
+                self.parts.frame_name(start.frame),
+            )
+        });
+        ties.collect()
     }
 }

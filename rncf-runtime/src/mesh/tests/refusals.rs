@@ -2,6 +2,7 @@
 
 use super::super::MeshScene;
 use super::super::free::Motions;
+use super::super::parts::FrameTie;
 use super::model::Hand;
 use super::scenery::everything;
 use crate::model::{Formulation, Joints};
@@ -40,10 +41,10 @@ fn what_does_not_fit_is_refused_by_name() {
     assert!(message.contains("gravity"), "{message}");
     let message = with(&|hand| hand.joints[0].frame = 0);
     assert!(message.contains("`step`"), "{message}");
-    let message = with(&|hand| hand.bodies[0].mean_axes = true);
+    let message = with(&|hand| hand.bodies[0].tie = FrameTie::MeanAxes);
     assert!(message.contains("`mast`") && message.contains("straight"), "{message}");
     let message = with(&|hand| {
-        hand.bodies[1].mean_axes = true;
+        hand.bodies[1].tie = FrameTie::MeanAxes;
         hand.free[3].motions = Motions::Hinged { axis: [0.0, 0.0, 1.0] };
     });
     assert!(

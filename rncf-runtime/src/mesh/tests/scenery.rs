@@ -2,7 +2,7 @@
 
 use super::super::free::{FreeSpec, Motions, RigidSpec};
 use super::super::parts::{
-    BodySpec, Fidelity, Interpolant, JointKind, JointSpec, LoadKind, LoadSpec, NodalSpec, Place,
+    BodySpec, Fidelity, FrameTie, Interpolant, JointKind, JointSpec, LoadKind, LoadSpec, NodalSpec, Place,
 };
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, When};
 use super::law::Law;
@@ -58,7 +58,7 @@ pub fn body(name: &'static str, frame: usize, axes: &'static [usize], to: Vector
         section_y: None,
         twist: 0.0,
         fidelity: Fidelity::Full,
-        mean_axes: false,
+        tie: FrameTie::Joints,
     }
 }
 

@@ -1,7 +1,9 @@
 //! Bodies with sections, by hand: interpolants of THEORY 5.2, simple strains between all vectors.
 
 use super::super::linked::Marker;
-use super::super::parts::{BodySpec, Interpolant, JointKind, LoadKind, LoadSpec, NodalSpec, ObservedSpec, Place};
+use super::super::parts::{
+    BodySpec, FrameTie, Interpolant, JointKind, LoadKind, LoadSpec, NodalSpec, ObservedSpec, Place,
+};
 use super::super::scene::MeshScene;
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, Motions, SectionQuantity, When};
 use super::law::Law;
@@ -402,7 +404,7 @@ fn directions_that_leave_a_section_open_are_refused() {
 #[test]
 fn mean_axes_tie_the_turning_of_a_straight_body_with_a_section() {
     let rod = BodySpec {
-        mean_axes: true,
+        tie: FrameTie::MeanAxes,
         section_y: None,
         twist: 0.0,
         ..beam("rod", 1, &[0, 1, 2], [2.0, 0.0, 0.0])

@@ -4,8 +4,8 @@ use super::model;
 use crate::check::ties::{self, Untied};
 use crate::elements::Library;
 use crate::model::{
-    BodyId, Constraint, Expr, Fidelity, FrameId, Free, Held, INERTIAL, Joint, JointKind, Location, Marker, MarkerId,
-    Model, Motions, Observable, ParamId,
+    BodyId, Constraint, Expr, Fidelity, FrameId, FrameTie, Free, Held, INERTIAL, Joint, JointKind, Location, Marker,
+    MarkerId, Model, Motions, Observable, ParamId,
 };
 use Expr::{Number, Param};
 
@@ -125,14 +125,14 @@ fn rigid_bodies_are_frames_with_parts() {
         Fidelity::Full,
     ];
     assert_eq!(fidelity, want);
-    let mean_axes: Vec<bool> = model.bodies.iter().map(|body| body.mean_axes).collect();
-    assert_eq!(mean_axes, [true, false, false, false, false]);
+    let ties: Vec<bool> = model.bodies.iter().map(|body| body.tie == FrameTie::MeanAxes).collect();
+    assert_eq!(ties, [true, false, false, false, false]);
 }
 
 /// The first body of [`FREE`] with other ties than its mean axes.
 fn tied_by(joints: &[(JointKind, Location)]) -> Model {
     let mut model = model(FREE);
-    model.bodies[0].mean_axes = false;
+    model.bodies[0].tie = FrameTie::Joints;
     let frame = model.bodies[0].frame;
     for (at, (kind, place)) in joints.iter().enumerate() {
         model.joints.push(Joint {

@@ -179,3 +179,61 @@ fn properties_that_no_element_reads_are_told() {
         );
     }
 }
+
+/// A cable in a free frame with what ties the frame to it, and other items.
+fn flyer(statement: &str, items: &str) -> Vec<(String, String)> {
+    found(&format!(
+        "model Flyer {{
+            material steel {{ density = 7850 kg/m^3; young = 210 GPa; }}
+            section wire {{ area = 1 mm^2; second_moment = 0.08 mm^4; }}
+            frame f = free(plane = xy);
+            body rod in f {{ planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 4 * cable(wire, steel); {statement} }}
+            output tip = rod.end;
+            {items}
+        }}"
+    ))
+}
+
+#[test]
+fn a_frame_that_turns_with_a_slope_without_inertia_is_told_at_the_joint() {
+    let told = flyer("", "joint tie = clamp(rod.start, f);");
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert_eq!(told[0].0, "tie");
+    let text = "`tie` turns `f`, which has no mass of its own, with the slope at an end of `rod`";
+    assert!(
+        told[0].1.contains(text) && told[0].1.contains("write `chord;` or `mean_axes;` in `rod`"),
+        "{}",
+        told[0].1
+    );
+    let hold = "joint foot = pin(rod.start, f); joint turn = hold(rod.end.slope.y);";
+    assert_eq!(words(flyer("", hold)), ["turn"]);
+    // What has inertia, what follows all of the body, and what is meant.
+    for (statement, items) in [
+        ("chord;", ""),
+        ("mean_axes;", ""),
+        ("", "joint foot = pin(rod.start, f); joint line = hold(rod.end.y);"),
+        (
+            "",
+            "joint tie = clamp(rod.start, f); fixture hub on f { mass = 1 kg; inertia = 1 kg*m^2; }",
+        ),
+        (
+            "",
+            "joint tie = clamp(rod.start, f); fixture hub on rod.start { mass = 1 kg; gyration = 10 cm; }",
+        ),
+        ("", "joint _tie = clamp(rod.start, f);"),
+        ("modal(2);", "joint tie = clamp(rod.start, f);"),
+    ] {
+        assert_eq!(words(flyer(statement, items)), [""; 0], "{statement} {items}");
+    }
+    let weight = "joint tie = clamp(rod.start, f); fixture ball on rod.start { mass = 1 kg; }";
+    assert_eq!(words(flyer("", weight)), ["tie"]);
+}
+
+#[test]
+fn what_is_asked_of_all_sees_all_that_moves() {
+    assert_eq!(
+        beside("rigid ball { mass = 1 kg; } output p = total.momentum;"),
+        [""; 0]
+    );
+    assert_eq!(beside("rigid ball { mass = 1 kg; } output p = bob.momentum;"), ["ball"]);
+}

@@ -134,7 +134,7 @@ pub fn moving() -> Model {
         hub.parts.push(part("ball", number(3.0), [-0.5, 0.0, 0.4], [0.0; 6]));
     }
     model.bodies[0].fidelity = Fidelity::Small(number(3.0));
-    model.bodies[1].mean_axes = true;
+    model.bodies[1].tie = FrameTie::MeanAxes;
     model.markers = vec![
         Marker::Point {
             frame: FrameId(2),

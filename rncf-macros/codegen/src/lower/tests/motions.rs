@@ -5,13 +5,13 @@ use super::{Inputs, evaluate, fill};
 use crate::lower::joints::joint_kernels;
 use crate::lower::motions::frame_kernel;
 use crate::lower::{Kernel, tests::Random};
-use crate::model::{Expr, FrameId, Function, Model};
+use crate::model::{Expr, FrameId, FrameTie, Function, Model};
 
 /// The rotor swings on an origin that swings, too.
 fn swinging() -> Model {
     let mut model = base();
     // Mean axes read third derivatives.
-    model.bodies[0].mean_axes = true;
+    model.bodies[0].tie = FrameTie::MeanAxes;
     let swing = |rate: f64| Expr::Call(Function::Sin, vec![times(number(rate), Expr::Time)]);
     model.motions[0].value = swing(1.7);
     model.frames[1].origin = [swing(0.9), number(0.2), swing(1.3)];
@@ -75,7 +75,7 @@ fn third_derivatives_of_what_joints_prescribe() {
 #[test]
 fn third_derivatives_are_left_out_where_nothing_reads_them() {
     let mut model = swinging();
-    model.bodies[0].mean_axes = false;
+    model.bodies[0].tie = FrameTie::Joints;
     let jerks = |kernel: &Kernel, word: &str| kernel.outputs.iter().any(|(place, _)| place.contains(word));
     let frame = frame_kernel(&model, FrameId(1));
     assert!(jerks(&frame, "spin_rate") && !jerks(&frame, "jerk"));
