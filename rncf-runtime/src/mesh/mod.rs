@@ -37,6 +37,7 @@ mod observed;
 mod one_by_one;
 mod outputs;
 mod parts;
+mod point_forces;
 mod points;
 mod repeated;
 mod sampling;
