@@ -41,7 +41,7 @@ fn the_spin_up_at_100_rad_s_has_885_mpa_at_its_root() {
 /// in the clamp the shaft is bent more than twice as much, and stretched besides.
 #[test]
 fn the_motor_at_20000_rpm_breaks_in_its_clamp() {
-    for (elements, wanted) in [(4, 11.09e9), (8, 11.37e9)] {
+    for (elements, wanted) in [(4, 11.467e9), (8, 11.474e9)] {
         let model = Motor {
             speed: 20000.0 * std::f64::consts::PI / 30.0,
             elements,
@@ -61,7 +61,7 @@ fn the_motor_at_20000_rpm_breaks_in_its_clamp() {
         let by_hand = largest.forces[0] / area + largest.bending_moment() * 0.05 / second_moment;
         assert!((largest.stress.unwrap() / by_hand - 1.0).abs() < 1e-5, "{largest:?}");
         assert!(
-            largest.x == 0.0 && (largest.stress.unwrap() - wanted).abs() < 0.1e9,
+            largest.x == 0.0 && (largest.stress.unwrap() - wanted).abs() < 0.01e9,
             "{largest:?}"
         );
     }

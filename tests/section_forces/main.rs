@@ -1,5 +1,6 @@
 //! What sections carry, against closed forms and equilibrium of cut parts.
 
+mod balance;
 mod broken;
 mod cut;
 mod envelopes;

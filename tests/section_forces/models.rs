@@ -11,6 +11,15 @@ rncf::model! {
         param pull_y = 0 N;
         /// Moment on each tip.
         param twist = 0 N*m;
+        /// Gravity across the blades.
+        param fall = 0 m/s^2;
+        /// Load per length on the blade.
+        param snow = 0 N/m;
+        /// Force on the rope at a place of it, across it.
+        param poke = 0 N;
+        param poked_at = 0.3 m;
+        /// Where sections are read.
+        param place = 0.5 m;
         /// Number of elements of each blade.
         param elements: count = 8;
 
@@ -39,11 +48,21 @@ rncf::model! {
         load blade_twist = moment(blade.end, [0 [N m], 0 [N m], twist], in = hub);
         load rope_twist = moment(rope.end, [0 [N m], 0 [N m], twist], in = hub);
 
+        load weight = gravity([0, -fall, 0]);
+        load cover = density(blade, [0, -snow, 0]);
+        load rope_poke = force(rope.at(poked_at), [0 N, poke, 0 N], in = hub);
+
         /// Deflection of the tips.
         output v_blade = blade.end.y;
         output v_rope = rope.end.y;
         output root_force = blade.start.axial_force;
         output root_stress = blade.start.stress;
+        output rope_force = rope.at(place).axial_force;
+        output rope_moment = rope.at(place).moment;
+        output rope_start = rope.start.axial_force;
+        output rope_start_moment = rope.start.moment;
+        output grip = rope_root.force;
+        output grip_moment = rope_root.moment.z;
 
         run { t_end = 1 s; every = 0.1 s; }
     }

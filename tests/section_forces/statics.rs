@@ -51,12 +51,20 @@ fn a_slightly_bent_cantilever_has_the_forces_of_the_textbook() {
     assert!(worst[0] < 1e-5 && worst[1] < 3e-4 && worst[2] < 1e-4, "{worst:?}");
 }
 
+/// Sections balance with the loads beyond them whatever the mesh; what is left is that of Newton's iteration.
+const BALANCED: f64 = 1e-7;
+
+#[track_caller]
+fn balanced(found: &Errors) {
+    let all = [found.axial, found.shear, found.torque, found.moment];
+    assert!(all.iter().all(|&error| error < BALANCED), "{found:?}");
+}
+
 #[test]
 fn cut_parts_of_strongly_bent_blades_are_in_equilibrium() {
     // The tip is turned by more than a right angle.
     let scale = YOUNG * second_moment() / (LENGTH * LENGTH);
-    let mut last: Option<[Errors; 2]> = None;
-    for elements in [8, 16, 32] {
+    for elements in [4, 8, 16] {
         let model = Blades {
             pull_x: -0.8 * scale,
             pull_y: 1.5 * scale,
@@ -66,22 +74,13 @@ fn cut_parts_of_strongly_bent_blades_are_in_equilibrium() {
         };
         let found = blades(&model);
         println!("{elements} elements: {found:?}");
-        if let Some(coarse) = last {
-            for (fine, coarse) in found.iter().zip(&coarse) {
-                assert!(fine.axial < 0.5 * coarse.axial.max(1e-6), "{fine:?} {coarse:?}");
-                assert!(fine.moment < 0.5 * coarse.moment.max(1e-6), "{fine:?} {coarse:?}");
-            }
-        }
-        last = Some(found);
+        found.iter().for_each(balanced);
     }
-    let [beam, cable] = last.unwrap();
-    assert!(beam.axial < 5e-4 && beam.shear < 3e-4 && beam.moment < 2e-4, "{beam:?}");
-    assert!(cable.axial < 1e-8 && cable.moment < 1e-3, "{cable:?}");
 }
 
 #[test]
 fn a_strip_bent_about_both_axes_is_in_equilibrium() {
-    for elements in [8, 16] {
+    for elements in [4, 16] {
         let model = PrincetonBeam {
             elements,
             ..PrincetonBeam::default()
@@ -92,10 +91,7 @@ fn a_strip_bent_about_both_axes_is_in_equilibrium() {
         let sections = sections(Kind::SpatialBeam, elements, 0.508, &q);
         let found = errors(Kind::SpatialBeam, &sections, &states, [force, [0.0; 3]]);
         println!("{elements} elements: {found:?}");
-        if elements == 16 {
-            assert!(found.moment < 1e-3 && found.torque < 1e-3, "{found:?}");
-            assert!(found.shear < 1e-4 && found.axial < 1e-4, "{found:?}");
-        }
+        balanced(&found);
     }
 }
 
@@ -129,7 +125,7 @@ fn a_strip_under_a_small_load_has_the_stress_of_the_handbook() {
 
 #[test]
 fn a_bend_is_twisted_by_its_load() {
-    for elements in [8, 16] {
+    for elements in [4, 16] {
         let model = Bend45 {
             elements,
             ..Bend45::default()
@@ -141,9 +137,6 @@ fn a_bend_is_twisted_by_its_load() {
         let loads = [[0.0, 0.0, model.load], [0.0; 3]];
         let found = errors(Kind::SpatialBeam, &sections, &states, loads);
         println!("{elements} elements: {found:?}");
-        if elements == 16 {
-            assert!(found.moment < 3e-3 && found.torque < 3e-3, "{found:?}");
-            assert!(found.shear < 3e-3 && found.axial < 3e-3, "{found:?}");
-        }
+        balanced(&found);
     }
 }

@@ -7,9 +7,10 @@ use std::fmt;
 use super::evaluate::{MAX_SIZE, weighted};
 use super::parts::{Fidelity, Interpolant};
 use super::scene::MeshScene;
-use super::section::{THREE, weights};
 use crate::vector::norm;
 
+/// Points of integration in [0, 1], at which strains are most accurate.
+const THREE: [f64; 3] = [0.112_701_665_379_258_31, 0.5, 0.887_298_334_620_741_7];
 /// `1/sqrt 3`.
 const LEAST_STRETCH: f64 = 0.577_350_269_189_625_8;
 /// Relative change of the slope for the derivative of the axial force.
@@ -32,6 +33,16 @@ impl fmt::Display for GivesWay {
             "body `{body}`: its axis is compressed to {stretch:.3} of its length at x = {x:.4} m, below 1/sqrt 3 = 0.577, where the axial force of its material law grows weaker with further compression: what follows is the law's, not a material's; lower the load or give the body a greater `area` or `young`"
         )
     }
+}
+
+/// Weights of the nodal vectors in every field at a place of an element, one field after the other.
+fn weights(scene: &MeshScene, body: usize, of: &[(Interpolant, usize)], xi: f64) -> Vec<f64> {
+    let count = scene.bodies[body].spec.nodal.len();
+    let mut weights = vec![0.0; of.len() * count];
+    for (&(of, order), weights) in of.iter().zip(weights.chunks_exact_mut(count)) {
+        scene.parts.shapes(body, of, order, xi, weights);
+    }
+    weights
 }
 
 impl MeshScene {

@@ -4,7 +4,7 @@
 
 use super::batches::in_order;
 use super::density_lanes::Batches;
-use super::density_sums::{Axes, ROWS, Total, on_frame};
+use super::density_sums::{Axes, ROWS, Total};
 use super::evaluate::MAX_SIZE;
 use super::parts::Fidelity;
 use super::repeated::{DensitySpec, LANES};
@@ -12,7 +12,7 @@ use super::scene::{MeshBody, MeshScene};
 use super::units::Units;
 use crate::error::ModelError;
 use crate::system::Sums;
-use crate::vector::{Vector, add, cross, dot, scale};
+use crate::vector::{Vector, cross, dot, scale};
 
 /// Unknowns that are dealt with at a time; a frame has fewer.
 const TOGETHER: usize = 8;
@@ -370,11 +370,11 @@ impl MeshScene {
         self.buffers.density_scale = load_scale;
     }
 
-    /// Whole force of all densities on one element, axes of the frame that its vectors live in; the state's values
-    /// are remembered.
-    pub(super) fn density_on(&self, body: usize, element: usize) -> Vector {
+    /// Generalised forces of all densities on the nodal vectors of one element, axes of the frame that they live in;
+    /// the state's values are remembered.
+    pub(super) fn densities_on(&self, body: usize, element: usize) -> [f64; MAX_SIZE] {
         let (at, n) = (&self.bodies[body], self.bodies[body].spec.element_size());
-        let mut sum = [0.0; 3];
+        let mut sum = [0.0; MAX_SIZE];
         for (index, values) in self.buffers.density_values.iter().enumerate() {
             if self.densities[index].spec.body != body {
                 continue;
@@ -393,7 +393,7 @@ impl MeshScene {
                     .chunks_exact_mut(axes.d)
                     .for_each(|vector| axes.vector(vector, false));
             }
-            sum = add(sum, on_frame(at, &q, &force[..n])[0]);
+            sum.iter_mut().zip(force).for_each(|(sum, value)| *sum += value);
         }
         sum
     }

@@ -2,8 +2,7 @@
 
 use super::density_lanes::Evaluated;
 use super::repeated::LANES;
-use super::scene::MeshBody;
-use crate::vector::{Vector, add, cross};
+use crate::vector::Vector;
 
 /// Rows of force and moment, frame axes.
 pub(super) const ROWS: usize = 6;
@@ -19,25 +18,6 @@ pub(super) struct Total {
     pub frame_by_q: Vec<[f64; ROWS]>,
     /// d(force, moment)/dvalues for every value.
     pub frame_by_values: Vec<[f64; ROWS]>,
-}
-
-/// Force and moment of generalised forces on the frame, frame axes.
-pub(super) fn on_frame(body: &MeshBody, q: &[f64], force: &[f64]) -> [Vector; 2] {
-    let mut rows = [[0.0; 3]; 2];
-    for (a, nodal) in body.spec.nodal.iter().enumerate() {
-        let [at, force] = [q, force].map(|all| vector_of(body, all, a));
-        if nodal.is_position() {
-            rows[0] = add(rows[0], force);
-        }
-        rows[1] = add(rows[1], cross(at, force));
-    }
-    rows
-}
-
-/// Vector `a` of an element's components, frame axes.
-fn vector_of(body: &MeshBody, all: &[f64], a: usize) -> Vector {
-    let d = body.spec.dimension();
-    body.spread(std::array::from_fn(|c| if c < d { all[a * d + c] } else { 0.0 }))
 }
 
 impl Total {

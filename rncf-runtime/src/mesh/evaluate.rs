@@ -6,6 +6,7 @@ use super::batches::Blocks;
 use super::conditions::Condition;
 use super::inertia::Transport;
 use super::inertia_tangent::Combination;
+use super::modal::Kernels;
 use super::moments::turned_by_moments;
 use super::parts::{LoadKind, Prescribed};
 use super::scene::{Buffers, MeshBody, MeshScene, PlaceVector, Regime};
@@ -203,19 +204,31 @@ impl MeshScene {
     fn add_elastic_forces(&mut self) {
         let Buffers { q, v, force, lanes, .. } = &mut self.buffers;
         for group in &self.groups {
-            if !(self.in_modes && self.bodies[group.body].modes.is_some()) {
-                group.add_forces(&*self.parts, [q, v], lanes, force);
+            let body = &self.bodies[group.body];
+            match &body.modes {
+                Some(_) if self.in_modes => {}
+                // What the description that runs is made of, not what the elements make of its shape.
+                Some(modes) if modes.is_linear() => {
+                    let first = self.layout.offset(body.first_vector);
+                    let own = first..first + modes.shape().len();
+                    let elements = Kernels {
+                        parts: &*self.parts,
+                        body: group.body,
+                    };
+                    modes.add_linear_forces(&elements, [&q[own.clone()], &v[own.clone()]], &mut force[own]);
+                }
+                _ => group.add_forces(&*self.parts, [q, v], lanes, force),
             }
         }
     }
 
     /// Whether a load acts through a marker, since a free frame feels it.
-    fn is_marked(&self, load: usize) -> bool {
+    pub(super) fn is_marked(&self, load: usize) -> bool {
         self.marked_loads.iter().any(|marked| marked.load == load)
     }
 
     /// Force or moment of a load in the axes of its body, in their order.
-    fn load_in_body(&self, index: usize, t: f64, body: &MeshBody) -> [f64; 3] {
+    pub(super) fn load_in_body(&self, index: usize, t: f64, body: &MeshBody) -> [f64; 3] {
         let load = &self.loads[index];
         let mut value = self.parts.load(index, t);
         if load.frame != body.frame {

@@ -46,7 +46,7 @@ impl Fixture {
     }
 
     /// Masses of the vectors of the place (THEORY 5.4): mass, first and second moments.
-    fn block(&self) -> [[f64; 4]; 4] {
+    pub fn block(&self) -> [[f64; 4]; 4] {
         let [mass, x, y, z, xx, yy, zz, xy, xz, yz] = self.spec.constants;
         [[mass, x, y, z], [x, xx, xy, xz], [y, xy, yy, yz], [z, xz, yz, zz]]
     }

@@ -333,16 +333,31 @@ impl MeshScene {
             let transport = Transport::new(&frames[body.frame], axes, gravity);
             let first = self.layout.offset(body.first_vector);
             let own = first..first + mass.vectors() * axes.len();
-            let at = [&q[own.clone()], &v[own.clone()], &a[own.clone()]];
-            let forces = Forces {
-                mass,
-                axes,
-                transport: &transport,
-                at,
-                scratch: nodal,
-                out: &mut force[own],
+            let [places, rates, accelerations] = [&*q, &*v, &*a].map(|full| &full[own.clone()]);
+            let mut forces_of = |mass: &NodalMass, at: [&[f64]; 3], out: &mut [f64]| {
+                let forces = Forces {
+                    mass,
+                    axes,
+                    transport: &transport,
+                    at,
+                    scratch: &mut *nodal,
+                    out,
+                };
+                dispatch(Arch::new(), forces)
             };
-            let sums = dispatch(Arch::new(), forces);
+            let small = body.modes.as_ref().filter(|modes| !self.in_modes && modes.is_linear());
+            let sums = match small {
+                // Inertia of small deformations is that of the undeformed shape; fixtures follow the deformed one.
+                Some(modes) => {
+                    let mut undeformed = vec![0.0; places.len()];
+                    forces_of(&body.fixed_mass, [modes.shape(), rates, accelerations], &mut undeformed);
+                    let out = &mut force[own.clone()];
+                    out.iter_mut().zip(undeformed).for_each(|(sum, value)| *sum -= value);
+                    forces_of(&body.fixed_mass, [places, rates, accelerations], out);
+                    forces_of(mass, [modes.shape(), rates, accelerations], out)
+                }
+                None => forces_of(mass, [places, rates, accelerations], &mut force[own.clone()]),
+            };
             if let Some(free) = self.free_of[body.frame] {
                 for (sum, value) in on_frames[free].iter_mut().zip(sums) {
                     *sum = add(*sum, value);

@@ -39,6 +39,7 @@ mod observed;
 mod one_by_one;
 mod outputs;
 mod parts;
+mod point_forces;
 mod points;
 mod relaxed;
 mod repeated;

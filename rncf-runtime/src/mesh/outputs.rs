@@ -216,22 +216,36 @@ impl MeshScene {
         }
     }
 
-    /// Remembers the gravity that acts at the loaded state.
-    pub(super) fn set_gravity(&mut self, t: f64, load_scale: f64) {
-        self.buffers.gravity = self.gravity(t).map(|g| load_scale * g);
-        self.set_fields(t, load_scale);
-        self.set_densities(t, load_scale);
+    /// Forces of all components at the loaded state as joints on nodes supply them: what constraints on markers do is
+    /// part of them, and bodies in modes carry what their modes leave unbalanced to their joints.
+    fn evaluate_reactions(&mut self, t: f64, load_scale: f64, lambda: &[f64]) {
+        self.full_force(t, load_scale);
+        self.add_marker_constraint_forces(t, lambda);
+        self.hold_modes();
+    }
+
+    /// Prepares the loaded state for what sections carry.
+    pub(super) fn evaluate_sections(&mut self, t: f64, load_scale: f64, lambda: &[f64]) {
+        if self.has_modes() {
+            self.evaluate_reactions(t, load_scale, lambda);
+        }
+        self.set_sections(t, load_scale, lambda);
+    }
+
+    fn has_modes(&self) -> bool {
+        self.bodies.iter().any(|body| body.modes.is_some())
     }
 
     /// Output columns at the loaded state.
     pub(super) fn evaluate_outputs(&mut self, t: f64, load_scale: f64, lambda: &[f64], out: &mut [f64]) {
-        if self.outputs_need_acceleration() {
-            self.full_force(t, load_scale);
-            // Joints on a node do not supply what constraints on markers do.
-            self.add_marker_constraint_forces(t, lambda);
-            self.hold_modes();
+        let is_section = |observed: &ObservedSpec| matches!(observed, ObservedSpec::Section { .. });
+        let has_sections = self.observed.iter().any(is_section);
+        if self.outputs_need_acceleration() || has_sections && self.has_modes() {
+            self.evaluate_reactions(t, load_scale, lambda);
         }
-        self.set_gravity(t, load_scale);
+        if has_sections {
+            self.set_sections(t, load_scale, lambda);
+        }
         let observed: Vec<f64> = (0..self.observed.len())
             .map(|index| self.observe(index, t, lambda))
             .collect();

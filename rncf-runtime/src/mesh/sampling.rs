@@ -1,11 +1,9 @@
 //! What the sections of all flexible bodies carry, for envelopes: both ends and the middle of every element.
 
-use super::parts::Fidelity;
 use super::scene::MeshScene;
 use super::section::{Reader, SectionState};
 
-/// Where an element is sampled. Forces and moments are polynomials of at most second degree there, so that
-/// what is largest lies at an end or, under a distributed load, near the middle.
+/// Where an element is sampled: what is largest lies at an end or, under a distributed load, near the middle.
 const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
 
 /// A flexible body of a scene, as far as its section states need it.
@@ -32,11 +30,9 @@ pub struct SectionBody {
 }
 
 impl MeshScene {
-    /// The bodies that [`MeshScene::sample_sections`] samples. In modes of small deformations the strains of
-    /// second order are not those of the elements: such a body has no section states, as a rigid one.
+    /// The bodies that [`MeshScene::sample_sections`] samples.
     fn sampled(&self) -> impl Iterator<Item = usize> {
-        let told = |&body: &usize| matches!(self.bodies[body].spec.fidelity, Fidelity::Full | Fidelity::Modal(_));
-        (0..self.bodies.len()).filter(told)
+        (0..self.bodies.len()).filter(|&body| self.knows_sections(body))
     }
 
     /// What there is to sample.

@@ -18,6 +18,7 @@ use super::linked::{Linked, MarkedLoad, Marker};
 use super::markers::ForceSpec;
 use super::modal::ModalBody;
 use super::parts::{BodySpec, Interpolant, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, PointQuantity};
+use super::point_forces::PointForce;
 use super::repeated::{LANES, label};
 use super::ties::Tie;
 use crate::error::ModelError;
@@ -138,6 +139,10 @@ pub(super) struct Buffers {
     pub nodal_rates: Vec<[Padded; 3]>,
     /// Gravity of the loads that are applied, m/s^2, inertial axes; for section forces.
     pub gravity: Vector,
+    /// What acts inside the elements of every body, for section forces.
+    pub point_forces: Vec<Vec<PointForce>>,
+    /// What is added to the forces of the elements of every body in modes, for section forces; else nothing.
+    pub held: Vec<Vec<f64>>,
     /// Values of densities and the part of them that is applied, for section forces.
     pub density_values: Vec<Vec<f64>>,
     pub density_scale: f64,
@@ -161,6 +166,8 @@ impl Buffers {
             nodal: Vec::new(),
             nodal_rates: Vec::new(),
             gravity: [0.0; 3],
+            point_forces: Vec::new(),
+            held: Vec::new(),
             density_values: Vec::new(),
             density_scale: 0.0,
             field_changes: Vec::new(),
@@ -293,6 +300,7 @@ impl MeshScene {
         match *observed {
             ObservedSpec::Point { body, at, .. } => self.point(body, at, "an output").map(Some),
             ObservedSpec::Section { body, at, what } => {
+                self.check_sections(body)?;
                 self.check_stress(body, what)?;
                 self.point(body, at, "an output").map(Some)
             }
@@ -332,6 +340,14 @@ fn place_on(parts: &dyn Parts, spec: &BodySpec, body: usize, at: Place, user: &s
         Place::End => (spec.count - 1, 1.0),
         Place::At(x) if (0.0..=length).contains(&x) => {
             let place = x / length * spec.count as f64;
+            // What is a node but for the rounding of its place is one: it begins the element beyond it.
+            let nearest = place.round();
+            let round_off = 4.0 * f64::EPSILON * spec.count as f64;
+            let place = if (place - nearest).abs() <= round_off {
+                nearest
+            } else {
+                place
+            };
             let element = (place as usize).min(spec.count - 1);
             (element, place - element as f64)
         }

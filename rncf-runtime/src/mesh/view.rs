@@ -55,13 +55,13 @@ impl Scene for MeshScene {
 
     fn section_states(&mut self, state: &State, out: &mut Vec<SectionState>) {
         self.load_state(state);
-        self.set_gravity(state.t, 1.0);
+        self.evaluate_sections(state.t, 1.0, &state.lambda);
         self.sample_sections(out);
     }
 
     fn uniform_section_states(&mut self, at: &Uniform, state: &State, out: &mut Vec<SectionState>) {
         self.load_uniform(at, state);
-        self.set_gravity(at.t, at.load());
+        self.evaluate_sections(at.t, at.load(), &state.lambda);
         self.sample_sections(out);
     }
 

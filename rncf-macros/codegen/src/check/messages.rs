@@ -261,6 +261,7 @@ messages! {
     always_zero(axis, plane) = "the {axis} component is always zero for a body in the {plane} plane";
     moment_always_zero(axis, plane, normal) = "the {axis} component is always zero for a body in the {plane} plane: its moment is `{normal}`";
     pin_moment(name) = "`{name}` is a pin, and a pin carries no moment";
+    carried_by_point(body) = "`{body}` is described as a `point`: its mass is at one place, so that nothing is spread along it that a section could carry; write `rigid;` instead";
     after_component(word) = "nothing can follow a component: leave out `.{word}`";
     number_as_vector(what) = "`{what}` takes vectors, but this is a number";
     different_axes(first, second) = "these have components in the axes of `{first}` and of `{second}`: write `.in(..)` behind one of them";

@@ -8,7 +8,7 @@ use super::vector::{Quantity, Vectorial};
 use super::{Check, say};
 use crate::joints::algebra::observed;
 use crate::model::{
-    Body, BodyId, Expr as Value, FrameId, Location, Marker, Observable, SectionQuantity, SectionShape, Space,
+    Body, BodyId, Expr as Value, Fidelity, FrameId, Location, Marker, Observable, SectionQuantity, SectionShape, Space,
 };
 use crate::parse::tree::{Expr, Name};
 use crate::suggest;
@@ -155,6 +155,8 @@ impl<'a> Check<'a> {
             Some(say::section_axes_only(&word.text))
         } else if !words.contains(&word.text.as_str()) {
             Some(say::not_carried(&word.text, kind, &suggest::list(words)))
+        } else if body.fidelity == Fidelity::Point {
+            Some(say::carried_by_point(&body.name))
         } else {
             missing.filter(|_| *what == SectionQuantity::Stress)
         };

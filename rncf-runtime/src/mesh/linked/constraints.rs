@@ -208,6 +208,20 @@ impl MeshScene {
         }
     }
 
+    /// Calls with every marker of a constraint and what the constraint exerts on it, inertial axes.
+    pub(super) fn each_constraint_force(&self, t: f64, lambda: &[f64], mut call: impl FnMut(&Marker, Vector)) {
+        let mut first = self.first_linked();
+        for linked in &self.constraints {
+            let rows = linked.spec.rows.len();
+            let [z, _] = self.arguments(linked);
+            let pulls = self.pulls(linked, t, &z, &lambda[first..first + rows]);
+            for place in 0..z.len() {
+                call(self.constraint_marker(linked, place), scale(-1.0, part(&pulls, place)));
+            }
+            first += rows;
+        }
+    }
+
     /// First row of a constraint on markers among all constraints.
     pub(in super::super) fn first_row(&self, position: usize) -> usize {
         let before = self.constraints[..position].iter().map(|linked| linked.spec.rows.len());

@@ -44,6 +44,33 @@ impl MeshScene {
         }
     }
 
+    /// Calls with every marker that a force, a load or a constraint acts on at the loaded state, and what acts
+    /// there, inertial axes.
+    pub(in super::super) fn each_marker_force(
+        &self,
+        t: f64,
+        load_scale: f64,
+        lambda: &[f64],
+        mut call: impl FnMut(&Marker, Vector),
+    ) {
+        for (index, spec) in self.forces.iter().enumerate() {
+            let (z, velocity) = self.force_arguments(index);
+            let mut forces = vec![0.0; 3 * z.len()];
+            self.parts.marker_force(index, t, &z, &velocity, &mut forces);
+            self.apply_part(index, load_scale, &mut forces);
+            for (place, &marker) in spec.markers.iter().enumerate() {
+                call(&self.markers[marker], part(&forces, place));
+            }
+        }
+        for (index, marked) in self.marked_loads.iter().enumerate() {
+            let forces = self.on_markers(index, self.marked_value(index, t, load_scale));
+            for (marker, force) in marked.markers.iter().zip(forces) {
+                call(marker, self.marked_frame(index).direction_to_inertial(force));
+            }
+        }
+        self.each_constraint_force(t, lambda, call);
+    }
+
     /// Multiplies the forces of a load, or their derivatives, by a part of it.
     fn apply_part(&self, force: usize, load_scale: f64, values: &mut [f64]) {
         if load_scale != 1.0 && self.parts.is_load(force) {

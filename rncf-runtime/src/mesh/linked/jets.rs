@@ -122,7 +122,7 @@ impl MeshScene {
     }
 
     /// Vector of a marker in its frame, with derivatives there.
-    pub(super) fn within(&self, marker: &Marker) -> [Vector; 4] {
+    pub(in super::super) fn within(&self, marker: &Marker) -> [Vector; 4] {
         match marker {
             Marker::Fixed { at, .. } => [*at, [0.0; 3], [0.0; 3], [0.0; 3]],
             Marker::Body { point, of } => {
@@ -160,6 +160,24 @@ impl MeshScene {
     pub(super) fn triad(&self, point: &MeshPoint) -> Triad {
         let plane = self.bodies[point.body].spec.plane_normal();
         Triad::new(self.section_axes(point, &self.buffers.q), plane)
+    }
+
+    /// Forces on the axes of a section that do the work of a moment (frame axes) on its turning.
+    pub(in super::super) fn on_section_axes(&self, point: &MeshPoint, moment: Vector) -> Vec<(PlaceVector, Vector)> {
+        let triad = self.triad(point);
+        let vectors = PlaceVector::section(self.bodies[point.body].spec.dimension());
+        let force = |axis: usize| {
+            std::array::from_fn(|component| {
+                let mut change = [[0.0; 3]; 2];
+                change[axis][component] = 1.0;
+                dot(moment, triad.turn(change))
+            })
+        };
+        vectors
+            .iter()
+            .enumerate()
+            .map(|(axis, &of)| (of, force(axis)))
+            .collect()
     }
 
     /// The same, and its angular velocity in the frame with two derivatives.

@@ -4,6 +4,7 @@
 #[cfg(test)]
 mod arm;
 mod elastic;
+mod held;
 mod invariants;
 mod locking;
 mod reduction;
@@ -16,6 +17,7 @@ mod sources;
 mod tests;
 
 pub use scene::{build, build_as};
+pub(super) use sources::Kernels;
 
 use elastic::Elastic;
 use invariants::{Action, Invariants, Motion};
@@ -272,26 +274,6 @@ impl ModalBody {
         }
         let undeformed = vec![0.0; p.len()];
         call(Motion { p: &undeformed, v, a })
-    }
-
-    /// Generalised forces on all nodal vectors that balance the given ones except where joints hold
-    /// the body: the modes left out take their share as in a static load (mode acceleration).
-    /// Afterwards only eliminated freedoms carry a force, that of their joints.
-    pub fn held(&self, elements: &dyn Elements, force: &mut [f64]) {
-        let Some(factor) = &self.stiffness else {
-            return;
-        };
-        let mut moved = self.nodal.reduced(force);
-        factor.solve(&mut moved);
-        let displacement = self.nodal.expanded(&[moved]);
-        let connectivity = &self.nodal.connectivity;
-        self.nodal
-            .each_stiffness(elements, &self.nodal.shape, |components, matrix| {
-                for (row, entries) in components.iter().zip(matrix.chunks_exact(connectivity.size)) {
-                    let pull = entries.iter().zip(components).map(|(k, &c)| k * displacement[c]);
-                    force[*row] -= pull.sum::<f64>();
-                }
-            });
     }
 }
 

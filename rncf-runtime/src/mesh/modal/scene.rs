@@ -92,6 +92,7 @@ impl ModalScene {
             blocks.push(Block::new(&modes, first));
             bodies.push(index);
             scene.bodies[index].modes = Some(modes);
+            scene.check_loose(index)?;
         }
         scene.in_modes = true;
         scene.assemble_mass();

@@ -1,9 +1,9 @@
 //! What modal bodies are made of, from the scene with all nodal vectors.
 
-use super::{Elements, Nodal};
+use super::{Elements, ModalBody, Nodal};
 use crate::error::ModelError;
 use crate::mesh::assembly::Connectivity;
-use crate::mesh::parts::{FrameTie, Parts};
+use crate::mesh::parts::{FrameTie, ObservedSpec, Parts};
 use crate::mesh::scene::MeshScene;
 
 /// Relative distance up to which a joint holds a body in its undeformed place.
@@ -120,17 +120,40 @@ impl MeshScene {
         (nodal, first)
     }
 
-    /// Lets the joints of modal bodies take what their modes leave unbalanced in the evaluated forces.
+    /// Lets the joints of modal bodies take what their modes leave unbalanced in the evaluated forces, and remembers
+    /// what their elements carry to them.
     pub(in crate::mesh) fn hold_modes(&mut self) {
+        self.buffers.held.resize(self.bodies.len(), Vec::new());
         for (index, body) in self.bodies.iter().enumerate() {
             if let Some(modes) = &body.modes {
                 let first = self.layout.offset(body.first_vector);
+                let own = first..first + modes.shape().len();
                 let elements = Kernels {
                     parts: &*self.parts,
                     body: index,
                 };
-                modes.held(&elements, &mut self.buffers.force[first..first + modes.shape().len()]);
+                let (q, force) = (&self.buffers.q[own.clone()], &mut self.buffers.force[own]);
+                self.buffers.held[index] = modes.held(&elements, q, force);
             }
         }
+    }
+
+    /// Refuses to tell what a body carries that its joints alone do not hold.
+    pub(super) fn check_loose(&self, index: usize) -> Result<(), ModelError> {
+        let body = &self.bodies[index];
+        let loose = body.modes.as_ref().is_some_and(ModalBody::is_loose);
+        let reads = |observed: &ObservedSpec| match *observed {
+            ObservedSpec::Section { body, .. } => body == index,
+            ObservedSpec::Reaction { joint, .. } => self.joints[joint].body == index,
+            _ => false,
+        };
+        if !loose || !self.observed.iter().any(reads) {
+            return Ok(());
+        }
+        Err(ModelError::new(format!(
+            "an output reads what body `{}` carries or what a joint exerts on it, but `{}` alone keeps it in its frame where its joints leave it free, so that nothing says where its loads go: clamp it in its frame",
+            body.spec.label(),
+            body.spec.fidelity
+        )))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::linked::Marker;
 use super::super::parts::{
-    BodySpec, FrameTie, Interpolant, JointKind, LoadKind, LoadSpec, NodalSpec, ObservedSpec, Place,
+    BodySpec, FrameTie, Interpolant, JointKind, LoadKind, LoadSpec, NodalSpec, ObservedSpec, Parts, Place,
 };
 use super::super::scene::MeshScene;
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, Motions, SectionQuantity, When};
@@ -437,7 +437,7 @@ fn mean_axes_tie_the_turning_of_a_straight_body_with_a_section() {
 }
 
 #[test]
-fn a_centre_line_carries_what_its_energy_says() {
+fn a_centre_line_carries_what_its_nodes_exert() {
     let what = |what, at| ObservedSpec::Section { body: 0, at, what };
     let hand = Hand {
         frames: vec!["inertial"],
@@ -446,28 +446,35 @@ fn a_centre_line_carries_what_its_energy_says() {
             what(SectionQuantity::AxialForce, Place::At(0.5)),
             what(SectionQuantity::Moment, Place::At(0.5)),
             what(SectionQuantity::Stress, Place::At(0.5)),
-            what(SectionQuantity::Moment, Place::End),
+            what(SectionQuantity::Moment, Place::Start),
+            what(SectionQuantity::AxialForce, Place::Start),
         ],
         ..Hand::default()
     };
-    let mut scene = MeshScene::new(Box::new(hand), Formulation::Rncf, Joints::Eliminated).unwrap();
-    // r = (x, c x^2/2), which the shape functions contain: r_x = (1, c x), r_xx = (0, c).
+    let mut scene = MeshScene::new(Box::new(hand.clone()), Formulation::Rncf, Joints::Eliminated).unwrap();
+    // r = (x, c x^2/2), which the shape functions contain: r_x = (1, c x).
     let c: f64 = -0.4;
     let mut state = scene.rest(0.0);
     for node in 0..3 {
         let x = node as f64;
         state.x[4 * node..4 * node + 4].copy_from_slice(&[x, 0.5 * c * x * x, 1.0, c * x]);
     }
-    let mut found = vec![0.0; 4];
+    let mut found = vec![0.0; 5];
     scene.outputs(&state, &mut found);
-    // dU/dr_x = 6 (r_x . r_x - 1) r_x = 6 (c x)^2 (1, c x), dU/dr_xx = 2 r_xx (the kernels' energy). The force is the
-    // mean over the first element with the weight 6 x (1 - x): nothing accelerates or acts within it.
+    // Nothing accelerates or acts within the first element: what its first node exerts on it, and the lever of it.
+    let mut force = [0.0; 8];
+    let mut hand = hand;
+    hand.prepare(0, 1.0, &[]).unwrap();
+    hand.elastic_force(0, 0, &state.x[..8], &[0.0; 8], &mut force);
     let slope = 1.0f64.hypot(0.5 * c);
-    let mean = [36.0 * c * c / 20.0, 36.0 * c * c * c / 30.0];
-    let axial = (mean[0] + mean[1] * 0.5 * c) / slope;
-    let moment: f64 = 2.0 * c;
+    let axial = -(force[0] + force[1] * 0.5 * c) / slope;
+    let start = -force[3];
+    let moment = start + (0.5 * force[1] - 0.125 * c * force[0]);
     let stress = axial / 0.03 + moment.abs() * 0.1 / 7e-5;
-    for (found, wanted) in found.iter().zip([axial, moment, stress, moment]) {
-        assert!((found / wanted - 1.0).abs() < 1e-12, "{found} instead of {wanted}");
+    for (found, wanted) in found.iter().zip([axial, moment, stress, start, -force[0]]) {
+        assert!(
+            (found - wanted).abs() < 1e-12 * wanted.abs().max(1.0),
+            "{found} instead of {wanted}"
+        );
     }
 }
