@@ -126,6 +126,8 @@ fn flyball_governor() {
     ];
     let rows = rows(&FlyballGovernor::default(), Method::Radau, adaptive(1e-8), &[1.0, 5.0]);
     for (row, expected) in rows.iter().zip(expected) {
-        agree("governor", row, &expected, 2e-7);
+        // Angle and slide come to the digits of the reference; a velocity is measured by the step, `h v`.
+        agree("governor", &row[..2], &expected[..2], 1e-9);
+        agree("governor", &row[2..], &expected[2..], 1e-6);
     }
 }

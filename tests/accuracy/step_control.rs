@@ -52,8 +52,9 @@ fn errors_fall_over_six_decades_of_the_tolerance() {
             switched(method, adaptive(rtol))
         });
     }
-    for stabilised in [false, true] {
-        check("top", Method::Radau, &rtols, 0.95..1.4, |rtol| {
+    // Stabilised, 1e-3 is as exact as 1e-4.
+    for (stabilised, loosest) in [(false, 3), (true, 4)] {
+        check("top", Method::Radau, &decades(loosest, 9), 0.95..1.4, |rtol| {
             let options = Options {
                 stabilised,
                 ..adaptive(rtol)

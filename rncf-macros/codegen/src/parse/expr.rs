@@ -33,7 +33,6 @@ const STOP: &[&str] = &[
     "spatial",
     "plane",
     "mean_axes",
-    "chord",
     "modal",
     "small",
     "run",
