@@ -109,7 +109,7 @@ mod redundant {
                 line from [0, 0, 0] m to [length, 0, 0];
                 mesh 4 * cable(round, soft, bending = exact);
             }
-            joint root = clamp(beam.start, rod);
+            joint _root = clamp(beam.start, rod);
             constraint cross_axis = dot([sin(tilt), cos(tilt) * cos(theta(t)), cos(tilt) * sin(theta(t))], rod.ez);
             fixture slider on beam.end { mass = 0.08 kg; }
             constraint guide_y = beam.end.in(inertial).y;

@@ -191,7 +191,8 @@ impl Local {
                 return factor.solve(right);
             }
             shift = if shift == 0.0 { 1e-3 * largest } else { 4.0 * shift };
-            if !(shift < 1e6 * largest) {
+            // What is no number ends here, too.
+            if shift.is_nan() || shift >= 1e6 * largest {
                 return [0.0; 3];
             }
         }
@@ -206,10 +207,10 @@ impl Local {
             for (&i, part) in free.iter().zip(step) {
                 state[i] += share * part;
             }
-            if let Some(next) = Self::new(law, &state) {
-                if size < SURE_STEP || next.energy <= self.energy + 1e-4 * share * slope {
-                    return Some(next);
-                }
+            if let Some(next) = Self::new(law, &state)
+                && (size < SURE_STEP || next.energy <= self.energy + 1e-4 * share * slope)
+            {
+                return Some(next);
             }
             share *= 0.5;
         }
@@ -387,8 +388,8 @@ impl Factor {
             for j in 0..=i {
                 let rest = matrix[i][j] - (0..j).map(|k| lower[i][k] * lower[j][k]).sum::<f64>();
                 if i == j {
-                    // A pivot that is left over by round-off is none.
-                    if !(rest > 1e-13 * matrix[i][i].abs()) {
+                    // A pivot that is left over by round-off is none, nor is what is no number.
+                    if rest.is_nan() || rest <= 1e-13 * matrix[i][i].abs() {
                         return None;
                     }
                     lower[i][i] = rest.sqrt();

@@ -85,9 +85,9 @@ impl<'a> Structure<'a> {
             units.to_vec()
         } else {
             // About its own chord a centre line does not resist: a slightly bent one would lose the stiffness of its bend.
-            let ends = vectors().filter(|vector| nodal.is_position(vector[0]));
+            let mut ends = vectors().filter(|vector| nodal.is_position(vector[0]));
             let end: Vec<f64> = ends
-                .last()
+                .next_back()
                 .map_or(Vec::new(), |end| end.iter().map(|&c| q[c]).collect());
             let chord = subtract(spread(&end), spread(&origin));
             let least = (0..3).min_by(|&i, &j| chord[i].abs().total_cmp(&chord[j].abs()));
