@@ -336,7 +336,8 @@ fn numbers_in_front_of_a_border_are_second_order() {
             }
             let (state, counts) = swarm(held, method, Options::default());
             assert!(far(&state)[0] < 1e-3, "{method:?}: {:?}", far(&state));
-            assert!(counts.newton_iterations < 4 * counts.steps, "{counts:?}");
+            // One of them is for the core, whose velocity lasts.
+            assert!(counts.newton_iterations < 5 * counts.steps, "{counts:?}");
         }
     }
 }

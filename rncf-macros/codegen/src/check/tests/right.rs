@@ -119,7 +119,7 @@ fn properties_are_exact_to_the_last_bit() {
     );
     assert_eq!(
         (body.quadrature, body.evaluation, &body.options),
-        (Quadrature::Exact, Evaluation::Automatic, &vec![0, 0])
+        (Quadrature::Exact, Evaluation::Automatic, &vec![0, 0, 0])
     );
     let Line::Straight { from, to } = &body.line else {
         panic!("straight")
@@ -221,7 +221,7 @@ fn the_rest_of_the_language() {
     assert_eq!(model.bodies[0].frame, FrameId(2));
     assert_eq!(
         (model.bodies[0].options.as_slice(), model.bodies[0].quadrature),
-        (&[1, 0][..], Quadrature::Gauss(3))
+        (&[1, 0, 0][..], Quadrature::Gauss(3))
     );
     assert_eq!(
         (model.bodies[0].evaluation, &model.bodies[0].count),

@@ -167,7 +167,7 @@ fn blocks_keep_what_they_give() {
         panic!("one extent")
     };
     assert_eq!(y, &Expr::Number(0.02));
-    assert_eq!(model.bodies[1].options, [1]);
+    assert_eq!(model.bodies[1].options, [1, 0]);
 }
 
 /// In a plane the section's y axis lies in it, and only what acts there is needed.
