@@ -1,10 +1,7 @@
 //! Materials that are given by their energy: one that is linear against the beam by its moduli, a hyperelastic one
 //! against its closed forms.
 
-use rncf::equilibrium::{Uniform, static_load};
-use rncf::prelude::*;
-
-use crate::running::{WAYS, apart, build, rows, run};
+use crate::running::{WAYS, apart, at_rest, build, rows, run};
 
 rncf::model! {
     /// Two cantilevers of the same linear material, and a bar of a compressible neo-Hookean one.
@@ -86,14 +83,6 @@ fn stretches(stress: f64) -> [f64; 2] {
     };
     let along = root(0.5, 3.0, |along| nominal(along) - stress);
     [along, across(along)]
-}
-
-fn at_rest(model: &Materials, way: (Formulation, Joints)) -> Vec<f64> {
-    let mut scene = build(model, way);
-    let found = static_load(scene.as_mut(), 0.0).unwrap();
-    let mut row = vec![0.0; scene.output_columns()];
-    scene.uniform_outputs(&Uniform::at_rest(0.0), found.state().unwrap(), &mut row);
-    row
 }
 
 /// A linear material written as its energy bends and twists as the beam by its moduli, up to the square of slenderness.

@@ -109,7 +109,12 @@ pub fn build(model: &impl Model, way: (Formulation, Joints)) -> Box<dyn Scene> {
 
 /// Outputs at rest under the loads.
 pub fn loaded(model: &impl Model) -> Vec<f64> {
-    let mut scene = build(model, WAYS[0]);
+    at_rest(model, WAYS[0])
+}
+
+/// Outputs at rest under the loads of a model that is written in the given way.
+pub fn at_rest(model: &impl Model, way: (Formulation, Joints)) -> Vec<f64> {
+    let mut scene = build(model, way);
     let found = static_load(scene.as_mut(), 0.0).unwrap();
     let mut row = vec![0.0; scene.output_columns()];
     scene.uniform_outputs(&Uniform::at_rest(0.0), found.state().unwrap(), &mut row);

@@ -1,11 +1,11 @@
 //! Torque, bending and torsional vibrations through every condition on a section, against closed forms, on meshes from
 //! one element to 64 a half.
 
-use rncf::equilibrium::{Uniform, static_load};
+use rncf::equilibrium::Uniform;
 use rncf::modes::{Wanted, modes};
 use rncf::prelude::*;
 
-use crate::running::{WAYS, build};
+use crate::running::{WAYS, at_rest, build};
 
 rncf::model! {
     /// Steel shafts of 1 m, each of two halves that another joint connects, twisted and bent at the end.
@@ -100,14 +100,6 @@ const SHEAR: f64 = YOUNG / 2.6;
 
 fn polar() -> f64 {
     std::f64::consts::PI * RADIUS.powi(4) / 2.0
-}
-
-fn at_rest(model: &Shafts, way: (Formulation, Joints)) -> Vec<f64> {
-    let mut scene = build(model, way);
-    let found = static_load(scene.as_mut(), 0.0).unwrap();
-    let mut row = vec![0.0; scene.output_columns()];
-    scene.uniform_outputs(&Uniform::at_rest(0.0), found.state().unwrap(), &mut row);
-    row
 }
 
 /// Twist over the closed form for every connection.

@@ -1,9 +1,6 @@
 //! What joints do does not depend on how the scene lies in space.
 
-use rncf::equilibrium::{Uniform, static_load};
-use rncf::prelude::*;
-
-use crate::running::{WAYS, build};
+use crate::running::{WAYS, at_rest};
 
 rncf::model! {
     /// Soft rods, each joined in its own way to what springs hold, all in a frame that is turned by `tilt`.
@@ -124,14 +121,6 @@ rncf::model! {
         output pair_torque = pair_rod.start.torque;
         output pair_at = pair_rod.end;
     }
-}
-
-fn at_rest(model: &Turned, way: (Formulation, Joints)) -> Vec<f64> {
-    let mut scene = build(model, way);
-    let found = static_load(scene.as_mut(), 0.0).unwrap();
-    let mut row = vec![0.0; scene.output_columns()];
-    scene.uniform_outputs(&Uniform::at_rest(0.0), found.state().unwrap(), &mut row);
-    row
 }
 
 /// Turned copies of the scene have the same forces, moments and angles in their own axes.
