@@ -4,7 +4,7 @@
 ///
 /// # Chosen and left out
 ///
-/// * Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).
+/// * Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).
 /// * Body `bend` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
 /// * Body `bend`: its material has no damping: no rates of strain and no damping matrix.
 /// * Body `bend` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
@@ -56,7 +56,7 @@ impl ::rncf::Model for Bend45 {
     run { t_end = 100 s; every = 0.5 s; }
 }"#;
     const NOTES: &'static [&'static str] = &[
-        "Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).",
+        "Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).",
         "Body `bend` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `bend`: its material has no damping: no rates of strain and no damping matrix.",
         "Body `bend` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
@@ -158,7 +158,7 @@ pub mod bend45_equations {
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
     ///
-    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).
     ///
     /// The energy is integrated with 3 Gauss points.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -171,8 +171,8 @@ pub mod bend45_equations {
         pub kyGA: f64,
         /// shear_factor_z * shear_modulus * area, N.
         pub kzGA: f64,
-        /// shear_modulus * area, N.
-        pub GA: f64,
+        /// half_young * area, N.
+        pub halfEA: f64,
         /// young * second_moment_z, N m^2.
         pub EIz: f64,
         /// young * second_moment_y, N m^2.
@@ -183,6 +183,8 @@ pub mod bend45_equations {
         pub GIz: f64,
         /// shear_modulus * second_moment_y, N m^2.
         pub GIy: f64,
+        /// shear_modulus * quarter_polar_moment, N m^2.
+        pub GIyz: f64,
         /// density * area, kg/m.
         pub rhoA: f64,
         /// density * second_moment_z, kg m.
@@ -331,12 +333,13 @@ pub mod bend45_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
@@ -347,7 +350,7 @@ pub mod bend45_equations {
         let t36 = length * kzGA * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]);
         let t37 = t32 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1]);
         let t38 = 0.5 * t37;
-        let t39 = length * GA * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
+        let t39 = length * halfEA * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
         let t40 = t32 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2]);
         let t41 = 0.5 * t40;
         forces[0][0] = t34 * (a_x * 2.0) + b_x * t35 + c_x * t36;
@@ -374,19 +377,20 @@ pub mod bend45_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
         let t32 = length * EA;
         let t33 = length * kyGA;
         let t34 = length * kzGA;
-        let t35 = length * GA;
+        let t35 = length * halfEA;
         let t36 = 0.5 * (0.5 * t32);
         let t37 = t32 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0]);
         let t38 = t33 * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]);
@@ -506,12 +510,13 @@ pub mod bend45_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
@@ -526,16 +531,16 @@ pub mod bend45_equations {
             * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]).powi(2);
         let t37 = 0.5 * (length * kzGA)
             * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]).powi(2);
-        let t38 = 0.5 * (length * GA)
+        let t38 = 0.5 * (length * halfEA)
             * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]).powi(2);
         *energy = t32 * t33 + t32 * t34 + t32 * t35 + t36 + t37 + t38;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 39 additions, 79 multiplications, 1 divisions.
+    /// Operations: 43 additions, 81 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_force(
         row: &BeamSpatialCurved,
-        reference: &[f64; 5],
+        reference: &[f64; 6],
         fields: &[[f64; 3]; 5],
         forces: &mut [[f64; 3]; 5],
     ) {
@@ -544,12 +549,13 @@ pub mod bend45_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
@@ -561,41 +567,42 @@ pub mod bend45_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t45 = c_x * db_x + c_y * db_y + c_z * db_z
-            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t46 = length * GJ * (0.5 * t45 - reference[2]);
-        let t47 = inverse_length
+        let t47 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
+        let t48 = c_x * db_x + c_y * db_y + c_z * db_z;
+        let t49 = length * GJ * (0.5 * (t48 - t47) - reference[2]);
+        let t50 = length * GIyz * (t47 + t48 - reference[5]);
+        let t51 = inverse_length
             * (length * EIz * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]));
-        let t48 = inverse_length
-            * (length * EIy * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]));
-        let t49 = inverse_length
-            * (length * GIz * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
-        let t50 = inverse_length * (-0.5 * t46);
-        let t51 = inverse_length * (0.5 * t46);
         let t52 = inverse_length
+            * (length * EIy * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]));
+        let t53 = inverse_length
+            * (length * GIz * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
+        let t54 = inverse_length * (-0.5 * t49 + t50);
+        let t55 = inverse_length * (t50 + 0.5 * t49);
+        let t56 = inverse_length
             * (length * GIy * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]));
-        forces[0][0] = unit_db_x * t47 + unit_dc_x * t48;
-        forces[0][1] = unit_db_y * t47 + unit_dc_y * t48;
-        forces[0][2] = unit_db_z * t47 + unit_dc_z * t48;
-        forces[1][0] = unit_db_x * t49 + unit_dc_x * t50;
-        forces[1][1] = unit_db_y * t49 + unit_dc_y * t50;
-        forces[1][2] = unit_db_z * t49 + unit_dc_z * t50;
-        forces[2][0] = unit_db_x * t51 + unit_dc_x * t52;
-        forces[2][1] = unit_db_y * t51 + unit_dc_y * t52;
-        forces[2][2] = unit_db_z * t51 + unit_dc_z * t52;
-        forces[3][0] = a_x * t47 + b_x * t49 + c_x * t51;
-        forces[3][1] = a_y * t47 + b_y * t49 + c_y * t51;
-        forces[3][2] = a_z * t47 + b_z * t49 + c_z * t51;
-        forces[4][0] = a_x * t48 + b_x * t50 + c_x * t52;
-        forces[4][1] = a_y * t48 + b_y * t50 + c_y * t52;
-        forces[4][2] = a_z * t48 + b_z * t50 + c_z * t52;
+        forces[0][0] = unit_db_x * t51 + unit_dc_x * t52;
+        forces[0][1] = unit_db_y * t51 + unit_dc_y * t52;
+        forces[0][2] = unit_db_z * t51 + unit_dc_z * t52;
+        forces[1][0] = unit_db_x * t53 + unit_dc_x * t54;
+        forces[1][1] = unit_db_y * t53 + unit_dc_y * t54;
+        forces[1][2] = unit_db_z * t53 + unit_dc_z * t54;
+        forces[2][0] = unit_db_x * t55 + unit_dc_x * t56;
+        forces[2][1] = unit_db_y * t55 + unit_dc_y * t56;
+        forces[2][2] = unit_db_z * t55 + unit_dc_z * t56;
+        forces[3][0] = a_x * t51 + b_x * t53 + c_x * t55;
+        forces[3][1] = a_y * t51 + b_y * t53 + c_y * t55;
+        forces[3][2] = a_z * t51 + b_z * t53 + c_z * t55;
+        forces[4][0] = a_x * t52 + b_x * t54 + c_x * t56;
+        forces[4][1] = a_y * t52 + b_y * t54 + c_y * t56;
+        forces[4][2] = a_z * t52 + b_z * t54 + c_z * t56;
     }
     /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 141 additions, 340 multiplications, 1 divisions.
+    /// Operations: 149 additions, 342 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_tangent(
         row: &BeamSpatialCurved,
-        reference: &[f64; 5],
+        reference: &[f64; 6],
         fields: &[[f64; 3]; 5],
         stiffness: &mut [[f64; 9]; 15],
     ) {
@@ -604,12 +611,13 @@ pub mod bend45_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
@@ -621,225 +629,227 @@ pub mod bend45_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t45 = length * EIz;
-        let t46 = length * EIy;
-        let t47 = length * GJ;
-        let t48 = 0.5 * t47;
-        let t49 = length * GIz;
-        let t50 = length * GIy;
-        let t51 = t47 * (-0.5);
-        let t52 = c_x * db_x + c_y * db_y + c_z * db_z
-            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t53 = t47 * (0.5 * t52 - reference[2]);
-        let t54 = inverse_length
-            * (t45 * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]));
-        let t55 = inverse_length * inverse_length;
-        let t56 = t45 * t55;
-        let t57 = inverse_length
-            * (t46 * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]));
-        let t58 = t46 * t55;
+        let t47 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
+        let t48 = c_x * db_x + c_y * db_y + c_z * db_z;
+        let t49 = length * EIz;
+        let t50 = length * EIy;
+        let t51 = length * GJ;
+        let t52 = 0.5 * t51;
+        let t53 = length * GIz;
+        let t54 = length * GIy;
+        let t55 = length * GIyz;
+        let t56 = t51 * (-0.5);
+        let t57 = t51 * (0.5 * (t48 - t47) - reference[2]);
+        let t58 = t55 * (t47 + t48 - reference[5]);
         let t59 = inverse_length
-            * (t49 * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
-        let t60 = t49 * t55;
-        let t61 = inverse_length * (-0.5 * t53);
-        let t62 = -0.5 * t51 * t55;
-        let t63 = -0.5 * t48 * t55;
-        let t64 = inverse_length * (0.5 * t53);
-        let t65 = 0.5 * t51 * t55;
-        let t66 = 0.5 * t48 * t55;
-        let t67 = inverse_length
-            * (t50 * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]));
-        let t68 = t50 * t55;
-        let t69 = unit_db_x * t56;
-        let t70 = unit_db_y * t56;
-        let t71 = unit_db_z * t56;
-        let t72 = a_x * t56;
-        let t73 = a_y * t56;
-        let t74 = a_z * t56;
-        let t75 = unit_dc_x * t58;
-        let t76 = unit_dc_y * t58;
-        let t77 = unit_dc_z * t58;
-        let t78 = a_x * t58;
-        let t79 = a_y * t58;
-        let t80 = a_z * t58;
-        let t81 = unit_db_x * t60;
-        let t82 = unit_db_y * t60;
-        let t83 = unit_db_z * t60;
-        let t84 = b_x * t60;
-        let t85 = b_y * t60;
-        let t86 = b_z * t60;
-        let t87 = unit_dc_x * t62;
-        let t88 = unit_dc_y * t62;
-        let t89 = unit_dc_z * t62;
-        let t90 = unit_db_x * t63;
-        let t91 = unit_db_y * t63;
-        let t92 = unit_db_z * t63;
-        let t93 = c_x * t63;
-        let t94 = c_y * t63;
-        let t95 = c_z * t63;
-        let t96 = b_x * t62;
-        let t97 = b_y * t62;
-        let t98 = b_z * t62;
-        let t99 = unit_dc_x * t65;
-        let t100 = unit_dc_y * t65;
-        let t101 = unit_dc_z * t65;
-        let t102 = unit_db_x * t66;
-        let t103 = unit_db_y * t66;
-        let t104 = unit_db_z * t66;
-        let t105 = c_x * t66;
-        let t106 = c_y * t66;
-        let t107 = c_z * t66;
-        let t108 = b_x * t65;
-        let t109 = b_y * t65;
-        let t110 = b_z * t65;
-        let t111 = unit_dc_x * t68;
-        let t112 = unit_dc_y * t68;
-        let t113 = unit_dc_z * t68;
-        let t114 = c_x * t68;
-        let t115 = c_y * t68;
-        let t116 = c_z * t68;
-        stiffness[0][0] = unit_db_x * t69 + unit_dc_x * t75;
-        stiffness[0][1] = unit_db_x * t70 + unit_dc_x * t76;
-        stiffness[0][2] = unit_db_x * t71 + unit_dc_x * t77;
-        stiffness[0][3] = unit_db_y * t69 + unit_dc_y * t75;
-        stiffness[0][4] = unit_db_y * t70 + unit_dc_y * t76;
-        stiffness[0][5] = unit_db_y * t71 + unit_dc_y * t77;
-        stiffness[0][6] = unit_db_z * t69 + unit_dc_z * t75;
-        stiffness[0][7] = unit_db_z * t70 + unit_dc_z * t76;
-        stiffness[0][8] = unit_db_z * t71 + unit_dc_z * t77;
-        stiffness[1][0] = t54 + unit_db_x * t72;
-        stiffness[1][1] = unit_db_x * t73;
-        stiffness[1][2] = unit_db_x * t74;
-        stiffness[1][3] = unit_db_y * t72;
-        stiffness[1][4] = t54 + unit_db_y * t73;
-        stiffness[1][5] = unit_db_y * t74;
-        stiffness[1][6] = unit_db_z * t72;
-        stiffness[1][7] = unit_db_z * t73;
-        stiffness[1][8] = t54 + unit_db_z * t74;
-        stiffness[2][0] = t57 + unit_dc_x * t78;
-        stiffness[2][1] = unit_dc_x * t79;
-        stiffness[2][2] = unit_dc_x * t80;
-        stiffness[2][3] = unit_dc_y * t78;
-        stiffness[2][4] = t57 + unit_dc_y * t79;
-        stiffness[2][5] = unit_dc_y * t80;
-        stiffness[2][6] = unit_dc_z * t78;
-        stiffness[2][7] = unit_dc_z * t79;
-        stiffness[2][8] = t57 + unit_dc_z * t80;
-        stiffness[3][0] = unit_db_x * t81 + unit_dc_x * t87;
-        stiffness[3][1] = unit_db_x * t82 + unit_dc_x * t88;
-        stiffness[3][2] = unit_db_x * t83 + unit_dc_x * t89;
-        stiffness[3][3] = unit_db_y * t81 + unit_dc_y * t87;
-        stiffness[3][4] = unit_db_y * t82 + unit_dc_y * t88;
-        stiffness[3][5] = unit_db_y * t83 + unit_dc_y * t89;
-        stiffness[3][6] = unit_db_z * t81 + unit_dc_z * t87;
-        stiffness[3][7] = unit_db_z * t82 + unit_dc_z * t88;
-        stiffness[3][8] = unit_db_z * t83 + unit_dc_z * t89;
-        stiffness[4][0] = t59 + (unit_db_x * t84 + unit_dc_x * t93);
-        stiffness[4][1] = unit_db_x * t85 + unit_dc_x * t94;
-        stiffness[4][2] = unit_db_x * t86 + unit_dc_x * t95;
-        stiffness[4][3] = unit_db_y * t84 + unit_dc_y * t93;
-        stiffness[4][4] = t59 + (unit_db_y * t85 + unit_dc_y * t94);
-        stiffness[4][5] = unit_db_y * t86 + unit_dc_y * t95;
-        stiffness[4][6] = unit_db_z * t84 + unit_dc_z * t93;
-        stiffness[4][7] = unit_db_z * t85 + unit_dc_z * t94;
-        stiffness[4][8] = t59 + (unit_db_z * t86 + unit_dc_z * t95);
-        stiffness[5][0] = t59 + (b_x * t81 + c_x * t99);
-        stiffness[5][1] = b_x * t82 + c_x * t100;
-        stiffness[5][2] = b_x * t83 + c_x * t101;
-        stiffness[5][3] = b_y * t81 + c_y * t99;
-        stiffness[5][4] = t59 + (b_y * t82 + c_y * t100);
-        stiffness[5][5] = b_y * t83 + c_y * t101;
-        stiffness[5][6] = b_z * t81 + c_z * t99;
-        stiffness[5][7] = b_z * t82 + c_z * t100;
-        stiffness[5][8] = t59 + (b_z * t83 + c_z * t101);
-        stiffness[6][0] = a_x * t72 + b_x * t84 + c_x * t105;
-        stiffness[6][1] = a_x * t73 + b_x * t85 + c_x * t106;
-        stiffness[6][2] = a_x * t74 + b_x * t86 + c_x * t107;
-        stiffness[6][3] = a_y * t72 + b_y * t84 + c_y * t105;
-        stiffness[6][4] = a_y * t73 + b_y * t85 + c_y * t106;
-        stiffness[6][5] = a_y * t74 + b_y * t86 + c_y * t107;
-        stiffness[6][6] = a_z * t72 + b_z * t84 + c_z * t105;
-        stiffness[6][7] = a_z * t73 + b_z * t85 + c_z * t106;
-        stiffness[6][8] = a_z * t74 + b_z * t86 + c_z * t107;
-        stiffness[7][0] = unit_dc_x * t90;
-        stiffness[7][1] = unit_dc_x * t91;
-        stiffness[7][2] = unit_dc_x * t92;
-        stiffness[7][3] = unit_dc_y * t90;
-        stiffness[7][4] = unit_dc_y * t91;
-        stiffness[7][5] = unit_dc_y * t92;
-        stiffness[7][6] = unit_dc_z * t90;
-        stiffness[7][7] = unit_dc_z * t91;
-        stiffness[7][8] = unit_dc_z * t92;
-        stiffness[8][0] = t61 + unit_dc_x * t96;
-        stiffness[8][1] = unit_dc_x * t97;
-        stiffness[8][2] = unit_dc_x * t98;
-        stiffness[8][3] = unit_dc_y * t96;
-        stiffness[8][4] = t61 + unit_dc_y * t97;
-        stiffness[8][5] = unit_dc_y * t98;
-        stiffness[8][6] = unit_dc_z * t96;
-        stiffness[8][7] = unit_dc_z * t97;
-        stiffness[8][8] = t61 + unit_dc_z * t98;
-        stiffness[9][0] = t64 + c_x * t102;
-        stiffness[9][1] = c_x * t103;
-        stiffness[9][2] = c_x * t104;
-        stiffness[9][3] = c_y * t102;
-        stiffness[9][4] = t64 + c_y * t103;
-        stiffness[9][5] = c_y * t104;
-        stiffness[9][6] = c_z * t102;
-        stiffness[9][7] = c_z * t103;
-        stiffness[9][8] = t64 + c_z * t104;
-        stiffness[10][0] = c_x * t108;
-        stiffness[10][1] = c_x * t109;
-        stiffness[10][2] = c_x * t110;
-        stiffness[10][3] = c_y * t108;
-        stiffness[10][4] = c_y * t109;
-        stiffness[10][5] = c_y * t110;
-        stiffness[10][6] = c_z * t108;
-        stiffness[10][7] = c_z * t109;
-        stiffness[10][8] = c_z * t110;
-        stiffness[11][0] = unit_db_x * t102 + unit_dc_x * t111;
-        stiffness[11][1] = unit_db_x * t103 + unit_dc_x * t112;
-        stiffness[11][2] = unit_db_x * t104 + unit_dc_x * t113;
-        stiffness[11][3] = unit_db_y * t102 + unit_dc_y * t111;
-        stiffness[11][4] = unit_db_y * t103 + unit_dc_y * t112;
-        stiffness[11][5] = unit_db_y * t104 + unit_dc_y * t113;
-        stiffness[11][6] = unit_db_z * t102 + unit_dc_z * t111;
-        stiffness[11][7] = unit_db_z * t103 + unit_dc_z * t112;
-        stiffness[11][8] = unit_db_z * t104 + unit_dc_z * t113;
-        stiffness[12][0] = t67 + (unit_db_x * t108 + unit_dc_x * t114);
-        stiffness[12][1] = unit_db_x * t109 + unit_dc_x * t115;
-        stiffness[12][2] = unit_db_x * t110 + unit_dc_x * t116;
-        stiffness[12][3] = unit_db_y * t108 + unit_dc_y * t114;
-        stiffness[12][4] = t67 + (unit_db_y * t109 + unit_dc_y * t115);
-        stiffness[12][5] = unit_db_y * t110 + unit_dc_y * t116;
-        stiffness[12][6] = unit_db_z * t108 + unit_dc_z * t114;
-        stiffness[12][7] = unit_db_z * t109 + unit_dc_z * t115;
-        stiffness[12][8] = t67 + (unit_db_z * t110 + unit_dc_z * t116);
-        stiffness[13][0] = t67 + (b_x * t90 + c_x * t111);
-        stiffness[13][1] = b_x * t91 + c_x * t112;
-        stiffness[13][2] = b_x * t92 + c_x * t113;
-        stiffness[13][3] = b_y * t90 + c_y * t111;
-        stiffness[13][4] = t67 + (b_y * t91 + c_y * t112);
-        stiffness[13][5] = b_y * t92 + c_y * t113;
-        stiffness[13][6] = b_z * t90 + c_z * t111;
-        stiffness[13][7] = b_z * t91 + c_z * t112;
-        stiffness[13][8] = t67 + (b_z * t92 + c_z * t113);
-        stiffness[14][0] = a_x * t78 + b_x * t96 + c_x * t114;
-        stiffness[14][1] = a_x * t79 + b_x * t97 + c_x * t115;
-        stiffness[14][2] = a_x * t80 + b_x * t98 + c_x * t116;
-        stiffness[14][3] = a_y * t78 + b_y * t96 + c_y * t114;
-        stiffness[14][4] = a_y * t79 + b_y * t97 + c_y * t115;
-        stiffness[14][5] = a_y * t80 + b_y * t98 + c_y * t116;
-        stiffness[14][6] = a_z * t78 + b_z * t96 + c_z * t114;
-        stiffness[14][7] = a_z * t79 + b_z * t97 + c_z * t115;
-        stiffness[14][8] = a_z * t80 + b_z * t98 + c_z * t116;
+            * (t49 * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]));
+        let t60 = inverse_length * inverse_length;
+        let t61 = t49 * t60;
+        let t62 = inverse_length
+            * (t50 * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]));
+        let t63 = t50 * t60;
+        let t64 = inverse_length
+            * (t53 * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
+        let t65 = t53 * t60;
+        let t66 = inverse_length * (-0.5 * t57 + t58);
+        let t67 = (t55 + (-0.5 * t56)) * t60;
+        let t68 = (t55 + (-0.5 * t52)) * t60;
+        let t69 = inverse_length * (t58 + 0.5 * t57);
+        let t70 = (t55 + 0.5 * t56) * t60;
+        let t71 = (t55 + 0.5 * t52) * t60;
+        let t72 = inverse_length
+            * (t54 * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]));
+        let t73 = t54 * t60;
+        let t74 = unit_db_x * t61;
+        let t75 = unit_db_y * t61;
+        let t76 = unit_db_z * t61;
+        let t77 = a_x * t61;
+        let t78 = a_y * t61;
+        let t79 = a_z * t61;
+        let t80 = unit_dc_x * t63;
+        let t81 = unit_dc_y * t63;
+        let t82 = unit_dc_z * t63;
+        let t83 = a_x * t63;
+        let t84 = a_y * t63;
+        let t85 = a_z * t63;
+        let t86 = unit_db_x * t65;
+        let t87 = unit_db_y * t65;
+        let t88 = unit_db_z * t65;
+        let t89 = b_x * t65;
+        let t90 = b_y * t65;
+        let t91 = b_z * t65;
+        let t92 = unit_dc_x * t67;
+        let t93 = unit_dc_y * t67;
+        let t94 = unit_dc_z * t67;
+        let t95 = unit_db_x * t68;
+        let t96 = unit_db_y * t68;
+        let t97 = unit_db_z * t68;
+        let t98 = c_x * t68;
+        let t99 = c_y * t68;
+        let t100 = c_z * t68;
+        let t101 = b_x * t67;
+        let t102 = b_y * t67;
+        let t103 = b_z * t67;
+        let t104 = unit_dc_x * t70;
+        let t105 = unit_dc_y * t70;
+        let t106 = unit_dc_z * t70;
+        let t107 = unit_db_x * t71;
+        let t108 = unit_db_y * t71;
+        let t109 = unit_db_z * t71;
+        let t110 = c_x * t71;
+        let t111 = c_y * t71;
+        let t112 = c_z * t71;
+        let t113 = b_x * t70;
+        let t114 = b_y * t70;
+        let t115 = b_z * t70;
+        let t116 = unit_dc_x * t73;
+        let t117 = unit_dc_y * t73;
+        let t118 = unit_dc_z * t73;
+        let t119 = c_x * t73;
+        let t120 = c_y * t73;
+        let t121 = c_z * t73;
+        stiffness[0][0] = unit_db_x * t74 + unit_dc_x * t80;
+        stiffness[0][1] = unit_db_x * t75 + unit_dc_x * t81;
+        stiffness[0][2] = unit_db_x * t76 + unit_dc_x * t82;
+        stiffness[0][3] = unit_db_y * t74 + unit_dc_y * t80;
+        stiffness[0][4] = unit_db_y * t75 + unit_dc_y * t81;
+        stiffness[0][5] = unit_db_y * t76 + unit_dc_y * t82;
+        stiffness[0][6] = unit_db_z * t74 + unit_dc_z * t80;
+        stiffness[0][7] = unit_db_z * t75 + unit_dc_z * t81;
+        stiffness[0][8] = unit_db_z * t76 + unit_dc_z * t82;
+        stiffness[1][0] = t59 + unit_db_x * t77;
+        stiffness[1][1] = unit_db_x * t78;
+        stiffness[1][2] = unit_db_x * t79;
+        stiffness[1][3] = unit_db_y * t77;
+        stiffness[1][4] = t59 + unit_db_y * t78;
+        stiffness[1][5] = unit_db_y * t79;
+        stiffness[1][6] = unit_db_z * t77;
+        stiffness[1][7] = unit_db_z * t78;
+        stiffness[1][8] = t59 + unit_db_z * t79;
+        stiffness[2][0] = t62 + unit_dc_x * t83;
+        stiffness[2][1] = unit_dc_x * t84;
+        stiffness[2][2] = unit_dc_x * t85;
+        stiffness[2][3] = unit_dc_y * t83;
+        stiffness[2][4] = t62 + unit_dc_y * t84;
+        stiffness[2][5] = unit_dc_y * t85;
+        stiffness[2][6] = unit_dc_z * t83;
+        stiffness[2][7] = unit_dc_z * t84;
+        stiffness[2][8] = t62 + unit_dc_z * t85;
+        stiffness[3][0] = unit_db_x * t86 + unit_dc_x * t92;
+        stiffness[3][1] = unit_db_x * t87 + unit_dc_x * t93;
+        stiffness[3][2] = unit_db_x * t88 + unit_dc_x * t94;
+        stiffness[3][3] = unit_db_y * t86 + unit_dc_y * t92;
+        stiffness[3][4] = unit_db_y * t87 + unit_dc_y * t93;
+        stiffness[3][5] = unit_db_y * t88 + unit_dc_y * t94;
+        stiffness[3][6] = unit_db_z * t86 + unit_dc_z * t92;
+        stiffness[3][7] = unit_db_z * t87 + unit_dc_z * t93;
+        stiffness[3][8] = unit_db_z * t88 + unit_dc_z * t94;
+        stiffness[4][0] = t64 + (unit_db_x * t89 + unit_dc_x * t98);
+        stiffness[4][1] = unit_db_x * t90 + unit_dc_x * t99;
+        stiffness[4][2] = unit_db_x * t91 + unit_dc_x * t100;
+        stiffness[4][3] = unit_db_y * t89 + unit_dc_y * t98;
+        stiffness[4][4] = t64 + (unit_db_y * t90 + unit_dc_y * t99);
+        stiffness[4][5] = unit_db_y * t91 + unit_dc_y * t100;
+        stiffness[4][6] = unit_db_z * t89 + unit_dc_z * t98;
+        stiffness[4][7] = unit_db_z * t90 + unit_dc_z * t99;
+        stiffness[4][8] = t64 + (unit_db_z * t91 + unit_dc_z * t100);
+        stiffness[5][0] = t64 + (b_x * t86 + c_x * t104);
+        stiffness[5][1] = b_x * t87 + c_x * t105;
+        stiffness[5][2] = b_x * t88 + c_x * t106;
+        stiffness[5][3] = b_y * t86 + c_y * t104;
+        stiffness[5][4] = t64 + (b_y * t87 + c_y * t105);
+        stiffness[5][5] = b_y * t88 + c_y * t106;
+        stiffness[5][6] = b_z * t86 + c_z * t104;
+        stiffness[5][7] = b_z * t87 + c_z * t105;
+        stiffness[5][8] = t64 + (b_z * t88 + c_z * t106);
+        stiffness[6][0] = a_x * t77 + b_x * t89 + c_x * t110;
+        stiffness[6][1] = a_x * t78 + b_x * t90 + c_x * t111;
+        stiffness[6][2] = a_x * t79 + b_x * t91 + c_x * t112;
+        stiffness[6][3] = a_y * t77 + b_y * t89 + c_y * t110;
+        stiffness[6][4] = a_y * t78 + b_y * t90 + c_y * t111;
+        stiffness[6][5] = a_y * t79 + b_y * t91 + c_y * t112;
+        stiffness[6][6] = a_z * t77 + b_z * t89 + c_z * t110;
+        stiffness[6][7] = a_z * t78 + b_z * t90 + c_z * t111;
+        stiffness[6][8] = a_z * t79 + b_z * t91 + c_z * t112;
+        stiffness[7][0] = unit_dc_x * t95;
+        stiffness[7][1] = unit_dc_x * t96;
+        stiffness[7][2] = unit_dc_x * t97;
+        stiffness[7][3] = unit_dc_y * t95;
+        stiffness[7][4] = unit_dc_y * t96;
+        stiffness[7][5] = unit_dc_y * t97;
+        stiffness[7][6] = unit_dc_z * t95;
+        stiffness[7][7] = unit_dc_z * t96;
+        stiffness[7][8] = unit_dc_z * t97;
+        stiffness[8][0] = t66 + unit_dc_x * t101;
+        stiffness[8][1] = unit_dc_x * t102;
+        stiffness[8][2] = unit_dc_x * t103;
+        stiffness[8][3] = unit_dc_y * t101;
+        stiffness[8][4] = t66 + unit_dc_y * t102;
+        stiffness[8][5] = unit_dc_y * t103;
+        stiffness[8][6] = unit_dc_z * t101;
+        stiffness[8][7] = unit_dc_z * t102;
+        stiffness[8][8] = t66 + unit_dc_z * t103;
+        stiffness[9][0] = t69 + c_x * t107;
+        stiffness[9][1] = c_x * t108;
+        stiffness[9][2] = c_x * t109;
+        stiffness[9][3] = c_y * t107;
+        stiffness[9][4] = t69 + c_y * t108;
+        stiffness[9][5] = c_y * t109;
+        stiffness[9][6] = c_z * t107;
+        stiffness[9][7] = c_z * t108;
+        stiffness[9][8] = t69 + c_z * t109;
+        stiffness[10][0] = c_x * t113;
+        stiffness[10][1] = c_x * t114;
+        stiffness[10][2] = c_x * t115;
+        stiffness[10][3] = c_y * t113;
+        stiffness[10][4] = c_y * t114;
+        stiffness[10][5] = c_y * t115;
+        stiffness[10][6] = c_z * t113;
+        stiffness[10][7] = c_z * t114;
+        stiffness[10][8] = c_z * t115;
+        stiffness[11][0] = unit_db_x * t107 + unit_dc_x * t116;
+        stiffness[11][1] = unit_db_x * t108 + unit_dc_x * t117;
+        stiffness[11][2] = unit_db_x * t109 + unit_dc_x * t118;
+        stiffness[11][3] = unit_db_y * t107 + unit_dc_y * t116;
+        stiffness[11][4] = unit_db_y * t108 + unit_dc_y * t117;
+        stiffness[11][5] = unit_db_y * t109 + unit_dc_y * t118;
+        stiffness[11][6] = unit_db_z * t107 + unit_dc_z * t116;
+        stiffness[11][7] = unit_db_z * t108 + unit_dc_z * t117;
+        stiffness[11][8] = unit_db_z * t109 + unit_dc_z * t118;
+        stiffness[12][0] = t72 + (unit_db_x * t113 + unit_dc_x * t119);
+        stiffness[12][1] = unit_db_x * t114 + unit_dc_x * t120;
+        stiffness[12][2] = unit_db_x * t115 + unit_dc_x * t121;
+        stiffness[12][3] = unit_db_y * t113 + unit_dc_y * t119;
+        stiffness[12][4] = t72 + (unit_db_y * t114 + unit_dc_y * t120);
+        stiffness[12][5] = unit_db_y * t115 + unit_dc_y * t121;
+        stiffness[12][6] = unit_db_z * t113 + unit_dc_z * t119;
+        stiffness[12][7] = unit_db_z * t114 + unit_dc_z * t120;
+        stiffness[12][8] = t72 + (unit_db_z * t115 + unit_dc_z * t121);
+        stiffness[13][0] = t72 + (b_x * t95 + c_x * t116);
+        stiffness[13][1] = b_x * t96 + c_x * t117;
+        stiffness[13][2] = b_x * t97 + c_x * t118;
+        stiffness[13][3] = b_y * t95 + c_y * t116;
+        stiffness[13][4] = t72 + (b_y * t96 + c_y * t117);
+        stiffness[13][5] = b_y * t97 + c_y * t118;
+        stiffness[13][6] = b_z * t95 + c_z * t116;
+        stiffness[13][7] = b_z * t96 + c_z * t117;
+        stiffness[13][8] = t72 + (b_z * t97 + c_z * t118);
+        stiffness[14][0] = a_x * t83 + b_x * t101 + c_x * t119;
+        stiffness[14][1] = a_x * t84 + b_x * t102 + c_x * t120;
+        stiffness[14][2] = a_x * t85 + b_x * t103 + c_x * t121;
+        stiffness[14][3] = a_y * t83 + b_y * t101 + c_y * t119;
+        stiffness[14][4] = a_y * t84 + b_y * t102 + c_y * t120;
+        stiffness[14][5] = a_y * t85 + b_y * t103 + c_y * t121;
+        stiffness[14][6] = a_z * t83 + b_z * t101 + c_z * t119;
+        stiffness[14][7] = a_z * t84 + b_z * t102 + c_z * t120;
+        stiffness[14][8] = a_z * t85 + b_z * t103 + c_z * t121;
     }
     /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 22 additions, 45 multiplications, 1 divisions.
+    /// Operations: 25 additions, 49 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_energy(
         row: &BeamSpatialCurved,
-        reference: &[f64; 5],
+        reference: &[f64; 6],
         fields: &[[f64; 3]; 5],
         energy: &mut f64,
     ) {
@@ -848,12 +858,13 @@ pub mod bend45_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
@@ -865,19 +876,21 @@ pub mod bend45_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t45 = c_x * db_x + c_y * db_y + c_z * db_z
-            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t46 = 0.5 * (length * EIz)
+        let t47 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
+        let t48 = c_x * db_x + c_y * db_y + c_z * db_z;
+        let t49 = 0.5 * (length * EIz)
             * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]).powi(2);
-        let t47 = 0.5 * (length * EIy)
+        let t50 = 0.5 * (length * EIy)
             * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]).powi(2);
-        let t48 = 0.5 * (length * GIz)
+        let t51 = t49 + t50
+            + 0.5 * (length * GJ) * (0.5 * (t48 - t47) - reference[2]).powi(2);
+        let t52 = 0.5 * (length * GIz)
             * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]).powi(2);
-        let t49 = t46 + t47 + 0.5 * (length * GJ) * (0.5 * t45 - reference[2]).powi(2)
-            + t48;
-        let t50 = 0.5 * (length * GIy)
+        let t53 = 0.5 * (length * GIy)
             * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]).powi(2);
-        *energy = t49 + t50;
+        let t54 = t51 + t52 + t53
+            + 0.5 * (length * GIyz) * (t47 + t48 - reference[5]).powi(2);
+        *energy = t54;
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
@@ -885,10 +898,10 @@ pub mod bend45_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 537 additions, 710 multiplications, 2 divisions.
+    /// Operations: 545 additions, 714 multiplications, 2 divisions.
     pub fn beam_spatial_curved_elastic_force(
         row: &BeamSpatialCurved,
-        reference: &[f64; 28],
+        reference: &[f64; 30],
         q: &[f64; 30],
         force: &mut [f64; 30],
     ) {
@@ -912,7 +925,7 @@ pub mod bend45_equations {
                 &vectors,
                 |point, fields, rates, forces| beam_spatial_curved_points2_force(
                     row,
-                    ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                    ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
                     fields,
                     forces,
                 ),
@@ -926,10 +939,10 @@ pub mod bend45_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 4566 additions, 5207 multiplications, 2 divisions.
+    /// Operations: 4582 additions, 5211 multiplications, 2 divisions.
     pub fn beam_spatial_curved_elastic_tangent(
         row: &BeamSpatialCurved,
-        reference: &[f64; 28],
+        reference: &[f64; 30],
         q: &[f64; 30],
         stiffness: &mut [f64; 900],
     ) {
@@ -952,7 +965,7 @@ pub mod bend45_equations {
                 (&BEAM_SPATIAL_CURVED_POINTS2_STIFFNESS, &mut tiles),
                 |point, fields, stiffness| beam_spatial_curved_points2_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                    ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
                     fields,
                     stiffness,
                 ),
@@ -965,10 +978,10 @@ pub mod bend45_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 298 additions, 389 multiplications, 2 divisions.
+    /// Operations: 304 additions, 397 multiplications, 2 divisions.
     pub fn beam_spatial_curved_strain_energy(
         row: &BeamSpatialCurved,
-        reference: &[f64; 28],
+        reference: &[f64; 30],
         q: &[f64; 30],
         energy: &mut f64,
     ) {
@@ -996,7 +1009,7 @@ pub mod bend45_equations {
                         let mut density = 0.0;
                         beam_spatial_curved_points2_energy(
                             row,
-                            ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                            ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
                             fields,
                             &mut density,
                         );
@@ -1010,11 +1023,11 @@ pub mod bend45_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points, unrolled.
     ///
-    /// Operations: 176 additions, 251 multiplications, 1 divisions.
+    /// Operations: 178 additions, 251 multiplications, 1 divisions.
     pub fn beam_spatial_curved_reference(
         row: &BeamSpatialCurved,
         q: &[f64; 30],
-        reference: &mut [f64; 28],
+        reference: &mut [f64; 30],
     ) {
         let BeamSpatialCurved { length, rhoA, rhoIz, rhoIy, .. } = *row;
         let [r0_x, r0_y, r0_z, r0x_x, r0x_y, r0x_z, r0y_x, r0y_y, r0y_z, r0z_x, r0z_y,
@@ -1087,40 +1100,40 @@ pub mod bend45_equations {
         let t97 = inverse_length
             * (r0z_z * (-2.1547005383792515) + rz_half_z * 2.309401076758503
                 + r1z_z * (-0.15470053837925146));
-        let t98 = t89 * t92 + t90 * t93 + t91 * t94
-            - (t83 * t95 + t84 * t96 + t85 * t97);
-        let t99 = r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
+        let t98 = t83 * t95 + t84 * t96 + t85 * t97;
+        let t99 = t89 * t92 + t90 * t93 + t91 * t94;
+        let t100 = r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
             + r1x_x * 0.28867513459481264;
-        let t100 = r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
+        let t101 = r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
             + r1x_y * 0.28867513459481264;
-        let t101 = r0x_z * (-0.2886751345948131) + d_z * 1.0000000000000004
+        let t102 = r0x_z * (-0.2886751345948131) + d_z * 1.0000000000000004
             + r1x_z * 0.28867513459481264;
-        let t102 = t80 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795;
-        let t103 = t81 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795;
-        let t104 = t82 + r0y_z * (-0.12200846792814612) + r1y_z * 0.4553418012614795;
-        let t105 = t86 + r0z_x * (-0.12200846792814612) + r1z_x * 0.4553418012614795;
-        let t106 = t87 + r0z_y * (-0.12200846792814612) + r1z_y * 0.4553418012614795;
-        let t107 = t88 + r0z_z * (-0.12200846792814612) + r1z_z * 0.4553418012614795;
-        let t108 = inverse_length
+        let t103 = t80 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795;
+        let t104 = t81 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795;
+        let t105 = t82 + r0y_z * (-0.12200846792814612) + r1y_z * 0.4553418012614795;
+        let t106 = t86 + r0z_x * (-0.12200846792814612) + r1z_x * 0.4553418012614795;
+        let t107 = t87 + r0z_y * (-0.12200846792814612) + r1z_y * 0.4553418012614795;
+        let t108 = t88 + r0z_z * (-0.12200846792814612) + r1z_z * 0.4553418012614795;
+        let t109 = inverse_length
             * (r0y_x * 0.15470053837925146 + ry_half_x * (-2.309401076758503)
                 + r1y_x * 2.1547005383792515);
-        let t109 = inverse_length
+        let t110 = inverse_length
             * (r0y_y * 0.15470053837925146 + ry_half_y * (-2.309401076758503)
                 + r1y_y * 2.1547005383792515);
-        let t110 = inverse_length
+        let t111 = inverse_length
             * (r0y_z * 0.15470053837925146 + ry_half_z * (-2.309401076758503)
                 + r1y_z * 2.1547005383792515);
-        let t111 = inverse_length
+        let t112 = inverse_length
             * (r0z_x * 0.15470053837925146 + rz_half_x * (-2.309401076758503)
                 + r1z_x * 2.1547005383792515);
-        let t112 = inverse_length
+        let t113 = inverse_length
             * (r0z_y * 0.15470053837925146 + rz_half_y * (-2.309401076758503)
                 + r1z_y * 2.1547005383792515);
-        let t113 = inverse_length
+        let t114 = inverse_length
             * (r0z_z * 0.15470053837925146 + rz_half_z * (-2.309401076758503)
                 + r1z_z * 2.1547005383792515);
-        let t114 = t105 * t108 + t106 * t109 + t107 * t110
-            - (t102 * t111 + t103 * t112 + t104 * t113);
+        let t115 = t103 * t112 + t104 * t113 + t105 * t114;
+        let t116 = t106 * t109 + t107 * t110 + t108 * t111;
         reference[0] = 0.5 * (t50 * t50 + t51 * t51 + t52 * t52 - 1.0);
         reference[1] = 0.5 * (t56 * t56 + t57 * t57 + t58 * t58 - 1.0);
         reference[2] = 0.5 * (t62 * t62 + t63 * t63 + t64 * t64 - 1.0);
@@ -1146,14 +1159,16 @@ pub mod bend45_equations {
         reference[17] = t71 * t74 + t72 * t75 + t73 * t76;
         reference[18] = t77 * t92 + t78 * t93 + t79 * t94;
         reference[19] = t77 * t95 + t78 * t96 + t79 * t97;
-        reference[20] = 0.5 * t98;
+        reference[20] = 0.5 * (t99 - t98);
         reference[21] = t83 * t92 + t84 * t93 + t85 * t94;
         reference[22] = t89 * t95 + t90 * t96 + t91 * t97;
-        reference[23] = t99 * t108 + t100 * t109 + t101 * t110;
-        reference[24] = t99 * t111 + t100 * t112 + t101 * t113;
-        reference[25] = 0.5 * t114;
-        reference[26] = t102 * t108 + t103 * t109 + t104 * t110;
-        reference[27] = t105 * t111 + t106 * t112 + t107 * t113;
+        reference[23] = t98 + t99;
+        reference[24] = t100 * t109 + t101 * t110 + t102 * t111;
+        reference[25] = t100 * t112 + t101 * t113 + t102 * t114;
+        reference[26] = 0.5 * (t116 - t115);
+        reference[27] = t103 * t109 + t104 * t110 + t105 * t111;
+        reference[28] = t106 * t112 + t107 * t113 + t108 * t114;
+        reference[29] = t115 + t116;
     }
     /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
     ///
@@ -1368,7 +1383,7 @@ pub mod bend45_equations {
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
-    /// Operations: 115 additions, 184 multiplications.
+    /// Operations: 130 additions, 197 multiplications.
     pub fn beam_spatial_curved_field_forces(
         row: &BeamSpatialCurved,
         stress_free: &[f64; 15],
@@ -1380,105 +1395,115 @@ pub mod bend45_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
-        let t51 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
-            - (fields[3] * fields[12] + fields[4] * fields[13] + fields[5] * fields[14]);
-        let t52 = 0.5
+        let t52 = fields[3] * fields[12] + fields[4] * fields[13]
+            + fields[5] * fields[14];
+        let t53 = fields[6] * fields[9] + fields[7] * fields[10]
+            + fields[8] * fields[11];
+        let t54 = 0.5
             * (fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2]
                 - 1.0)
             - 0.5
                 * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
                     + stress_free[2] * stress_free[2] - 1.0);
-        let t53 = EA * t52;
-        let t54 = 0.5
+        let t55 = EA * t54;
+        let t56 = 0.5
             * (fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5]
                 - 1.0)
             - 0.5
                 * (stress_free[3] * stress_free[3] + stress_free[4] * stress_free[4]
                     + stress_free[5] * stress_free[5] - 1.0);
-        let t55 = EA * t54;
-        let t56 = 0.5
+        let t57 = EA * t56;
+        let t58 = 0.5
             * (fields[6] * fields[6] + fields[7] * fields[7] + fields[8] * fields[8]
                 - 1.0)
             - 0.5
                 * (stress_free[6] * stress_free[6] + stress_free[7] * stress_free[7]
                     + stress_free[8] * stress_free[8] - 1.0);
-        let t57 = EA * t56;
-        let t58 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
+        let t59 = EA * t58;
+        let t60 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
             - (stress_free[0] * stress_free[3] + stress_free[1] * stress_free[4]
                 + stress_free[2] * stress_free[5]);
-        let t59 = kyGA * t58;
-        let t60 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
+        let t61 = kyGA * t60;
+        let t62 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
             - (stress_free[0] * stress_free[6] + stress_free[1] * stress_free[7]
                 + stress_free[2] * stress_free[8]);
-        let t61 = kzGA * t60;
-        let t62 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
+        let t63 = kzGA * t62;
+        let t64 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
             - (stress_free[3] * stress_free[6] + stress_free[4] * stress_free[7]
                 + stress_free[5] * stress_free[8]);
-        let t63 = GA * t62;
-        let t64 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
+        let t65 = halfEA * t64;
+        let t66 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
             - (stress_free[0] * stress_free[9] + stress_free[1] * stress_free[10]
                 + stress_free[2] * stress_free[11]);
-        let t65 = EIz * t64;
-        let t66 = t53 * (0.5 * (fields[0] * 2.0)) + fields[3] * t59 + fields[6] * t61
-            + fields[9] * t65;
-        let t67 = t53 * (0.5 * (fields[1] * 2.0)) + fields[4] * t59 + fields[7] * t61
-            + fields[10] * t65;
-        let t68 = t53 * (0.5 * (fields[2] * 2.0)) + fields[5] * t59 + fields[8] * t61
-            + fields[11] * t65;
-        let t69 = fields[0] * fields[12] + fields[1] * fields[13]
+        let t67 = EIz * t66;
+        let t68 = t55 * (0.5 * (fields[0] * 2.0)) + fields[3] * t61 + fields[6] * t63
+            + fields[9] * t67;
+        let t69 = t55 * (0.5 * (fields[1] * 2.0)) + fields[4] * t61 + fields[7] * t63
+            + fields[10] * t67;
+        let t70 = t55 * (0.5 * (fields[2] * 2.0)) + fields[5] * t61 + fields[8] * t63
+            + fields[11] * t67;
+        let t71 = fields[0] * fields[12] + fields[1] * fields[13]
             + fields[2] * fields[14]
             - (stress_free[0] * stress_free[12] + stress_free[1] * stress_free[13]
                 + stress_free[2] * stress_free[14]);
-        let t70 = EIy * t69;
-        let t71 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
-            + stress_free[8] * stress_free[11]
-            - (stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
-                + stress_free[5] * stress_free[14]);
-        let t72 = GJ * (0.5 * t51 - 0.5 * t71);
-        let t73 = t55 * (0.5 * (fields[3] * 2.0)) + fields[0] * t59 + fields[6] * t63
-            - t72 * (fields[12] * 0.5);
-        let t74 = t55 * (0.5 * (fields[4] * 2.0)) + fields[1] * t59 + fields[7] * t63
-            - t72 * (fields[13] * 0.5);
-        let t75 = t55 * (0.5 * (fields[5] * 2.0)) + fields[2] * t59 + fields[8] * t63
-            - t72 * (fields[14] * 0.5);
-        let t76 = t57 * (0.5 * (fields[6] * 2.0)) + fields[0] * t61 + fields[3] * t63
-            + t72 * (fields[9] * 0.5);
-        let t77 = t57 * (0.5 * (fields[7] * 2.0)) + fields[1] * t61 + fields[4] * t63
-            + t72 * (fields[10] * 0.5);
-        let t78 = t57 * (0.5 * (fields[8] * 2.0)) + fields[2] * t61 + fields[5] * t63
-            + t72 * (fields[11] * 0.5);
-        let t79 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
+        let t72 = EIy * t71;
+        let t73 = stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
+            + stress_free[5] * stress_free[14];
+        let t74 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
+            + stress_free[8] * stress_free[11];
+        let t75 = GJ * (0.5 * (t53 - t52) - 0.5 * (t74 - t73));
+        let t76 = t57 * (0.5 * (fields[3] * 2.0)) + fields[0] * t61 + fields[6] * t65
+            - t75 * (fields[12] * 0.5);
+        let t77 = t57 * (0.5 * (fields[4] * 2.0)) + fields[1] * t61 + fields[7] * t65
+            - t75 * (fields[13] * 0.5);
+        let t78 = t57 * (0.5 * (fields[5] * 2.0)) + fields[2] * t61 + fields[8] * t65
+            - t75 * (fields[14] * 0.5);
+        let t79 = t59 * (0.5 * (fields[6] * 2.0)) + fields[0] * t63 + fields[3] * t65
+            + t75 * (fields[9] * 0.5);
+        let t80 = t59 * (0.5 * (fields[7] * 2.0)) + fields[1] * t63 + fields[4] * t65
+            + t75 * (fields[10] * 0.5);
+        let t81 = t59 * (0.5 * (fields[8] * 2.0)) + fields[2] * t63 + fields[5] * t65
+            + t75 * (fields[11] * 0.5);
+        let t82 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
             - (stress_free[3] * stress_free[9] + stress_free[4] * stress_free[10]
                 + stress_free[5] * stress_free[11]);
-        let t80 = GIz * t79;
-        let t81 = fields[6] * fields[12] + fields[7] * fields[13]
+        let t83 = GIz * t82;
+        let t84 = fields[6] * fields[12] + fields[7] * fields[13]
             + fields[8] * fields[14]
             - (stress_free[6] * stress_free[12] + stress_free[7] * stress_free[13]
                 + stress_free[8] * stress_free[14]);
-        let t82 = GIy * t81;
-        forces[0] = t66 + fields[12] * t70;
-        forces[1] = t67 + fields[13] * t70;
-        forces[2] = t68 + fields[14] * t70;
-        forces[3] = t73 + fields[9] * t80;
-        forces[4] = t74 + fields[10] * t80;
-        forces[5] = t75 + fields[11] * t80;
-        forces[6] = t76 + fields[12] * t82;
-        forces[7] = t77 + fields[13] * t82;
-        forces[8] = t78 + fields[14] * t82;
-        forces[9] = fields[0] * t65 + t72 * (fields[6] * 0.5) + fields[3] * t80;
-        forces[10] = fields[1] * t65 + t72 * (fields[7] * 0.5) + fields[4] * t80;
-        forces[11] = fields[2] * t65 + t72 * (fields[8] * 0.5) + fields[5] * t80;
-        forces[12] = fields[0] * t70 - t72 * (fields[3] * 0.5) + fields[6] * t82;
-        forces[13] = fields[1] * t70 - t72 * (fields[4] * 0.5) + fields[7] * t82;
-        forces[14] = fields[2] * t70 - t72 * (fields[5] * 0.5) + fields[8] * t82;
+        let t85 = GIy * t84;
+        let t86 = GIyz * (t52 + t53 - (t73 + t74));
+        forces[0] = t68 + fields[12] * t72;
+        forces[1] = t69 + fields[13] * t72;
+        forces[2] = t70 + fields[14] * t72;
+        forces[3] = t76 + fields[9] * t83 + fields[12] * t86;
+        forces[4] = t77 + fields[10] * t83 + fields[13] * t86;
+        forces[5] = t78 + fields[11] * t83 + fields[14] * t86;
+        forces[6] = t79 + fields[12] * t85 + fields[9] * t86;
+        forces[7] = t80 + fields[13] * t85 + fields[10] * t86;
+        forces[8] = t81 + fields[14] * t85 + fields[11] * t86;
+        forces[9] = fields[0] * t67 + t75 * (fields[6] * 0.5) + fields[3] * t83
+            + fields[6] * t86;
+        forces[10] = fields[1] * t67 + t75 * (fields[7] * 0.5) + fields[4] * t83
+            + fields[7] * t86;
+        forces[11] = fields[2] * t67 + t75 * (fields[8] * 0.5) + fields[5] * t83
+            + fields[8] * t86;
+        forces[12] = fields[0] * t72 - t75 * (fields[3] * 0.5) + fields[6] * t85
+            + fields[3] * t86;
+        forces[13] = fields[1] * t72 - t75 * (fields[4] * 0.5) + fields[7] * t85
+            + fields[4] * t86;
+        forces[14] = fields[2] * t72 - t75 * (fields[5] * 0.5) + fields[8] * t85
+            + fields[5] * t86;
     }
     /// Writes the conserving forces on the fields a, b, c at a point of weight one on the unit element between two states, for the terms that are integrated with 3 points.
     ///
@@ -1495,12 +1520,13 @@ pub mod bend45_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z]] = *start;
@@ -1531,7 +1557,7 @@ pub mod bend45_equations {
         let t58 = length * kyGA * (0.5 * t51 - reference[3]);
         let t59 = length * kzGA * (0.5 * t52 - reference[4]);
         let t60 = 0.5 * (t56 * (0.5 * (0.5 * t53 - 1.0) - reference[1]));
-        let t61 = length * GA * (0.5 * t54 - reference[5]);
+        let t61 = length * halfEA * (0.5 * t54 - reference[5]);
         let t62 = 0.5 * (t56 * (0.5 * (0.5 * t55 - 1.0) - reference[2]));
         forces[0][0] = t57 * (t41 * 2.0) + t44 * t58 + t47 * t59;
         forces[0][1] = t57 * (t42 * 2.0) + t45 * t58 + t48 * t59;
@@ -1558,12 +1584,13 @@ pub mod bend45_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z]] = *start;
@@ -1592,7 +1619,7 @@ pub mod bend45_equations {
         let t56 = length * EA;
         let t57 = length * kyGA;
         let t58 = length * kzGA;
-        let t59 = length * GA;
+        let t59 = length * halfEA;
         let t60 = 0.5 * (0.5 * t56);
         let t61 = t57 * (0.5 * t51 - reference[3]);
         let t62 = t58 * (0.5 * t52 - reference[4]);
@@ -1720,10 +1747,10 @@ pub mod bend45_equations {
     }
     /// Writes the conserving forces on the fields a, b, c, db, dc at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
     ///
-    /// Operations: 72 additions, 124 multiplications, 1 divisions.
+    /// Operations: 76 additions, 126 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_conserving_force(
         row: &BeamSpatialCurved,
-        reference: &[f64; 5],
+        reference: &[f64; 6],
         start: &[[f64; 3]; 5],
         end: &[[f64; 3]; 5],
         forces: &mut [[f64; 3]; 5],
@@ -1733,12 +1760,13 @@ pub mod bend45_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z],
@@ -1760,62 +1788,65 @@ pub mod bend45_equations {
         let e_dc_x = inverse_length * e_unit_dc_x;
         let e_dc_y = inverse_length * e_unit_dc_y;
         let e_dc_z = inverse_length * e_unit_dc_z;
-        let t66 = 0.5 * (o_a_x + e_a_x);
-        let t67 = 0.5 * (o_a_y + e_a_y);
-        let t68 = 0.5 * (o_a_z + e_a_z);
-        let t69 = 0.5 * (o_b_x + e_b_x);
-        let t70 = 0.5 * (o_b_y + e_b_y);
-        let t71 = 0.5 * (o_b_z + e_b_z);
-        let t72 = 0.5 * (o_c_x + e_c_x);
-        let t73 = 0.5 * (o_c_y + e_c_y);
-        let t74 = 0.5 * (o_c_z + e_c_z);
-        let t75 = 0.5 * (o_unit_db_x + e_unit_db_x);
-        let t76 = 0.5 * (o_unit_db_y + e_unit_db_y);
-        let t77 = 0.5 * (o_unit_db_z + e_unit_db_z);
-        let t78 = 0.5 * (o_unit_dc_x + e_unit_dc_x);
-        let t79 = 0.5 * (o_unit_dc_y + e_unit_dc_y);
-        let t80 = 0.5 * (o_unit_dc_z + e_unit_dc_z);
-        let t81 = o_a_x * o_db_x + o_a_y * o_db_y + o_a_z * o_db_z
+        let t68 = 0.5 * (o_a_x + e_a_x);
+        let t69 = 0.5 * (o_a_y + e_a_y);
+        let t70 = 0.5 * (o_a_z + e_a_z);
+        let t71 = 0.5 * (o_b_x + e_b_x);
+        let t72 = 0.5 * (o_b_y + e_b_y);
+        let t73 = 0.5 * (o_b_z + e_b_z);
+        let t74 = 0.5 * (o_c_x + e_c_x);
+        let t75 = 0.5 * (o_c_y + e_c_y);
+        let t76 = 0.5 * (o_c_z + e_c_z);
+        let t77 = 0.5 * (o_unit_db_x + e_unit_db_x);
+        let t78 = 0.5 * (o_unit_db_y + e_unit_db_y);
+        let t79 = 0.5 * (o_unit_db_z + e_unit_db_z);
+        let t80 = 0.5 * (o_unit_dc_x + e_unit_dc_x);
+        let t81 = 0.5 * (o_unit_dc_y + e_unit_dc_y);
+        let t82 = 0.5 * (o_unit_dc_z + e_unit_dc_z);
+        let t83 = o_a_x * o_db_x + o_a_y * o_db_y + o_a_z * o_db_z
             + (e_a_x * e_db_x + e_a_y * e_db_y + e_a_z * e_db_z);
-        let t82 = o_a_x * o_dc_x + o_a_y * o_dc_y + o_a_z * o_dc_z
+        let t84 = o_a_x * o_dc_x + o_a_y * o_dc_y + o_a_z * o_dc_z
             + (e_a_x * e_dc_x + e_a_y * e_dc_y + e_a_z * e_dc_z);
-        let t83 = o_b_x * o_db_x + o_b_y * o_db_y + o_b_z * o_db_z
+        let t85 = o_b_x * o_db_x + o_b_y * o_db_y + o_b_z * o_db_z
             + (e_b_x * e_db_x + e_b_y * e_db_y + e_b_z * e_db_z);
-        let t84 = o_b_x * o_dc_x + o_b_y * o_dc_y + o_b_z * o_dc_z
+        let t86 = o_b_x * o_dc_x + o_b_y * o_dc_y + o_b_z * o_dc_z
             + (e_b_x * e_dc_x + e_b_y * e_dc_y + e_b_z * e_dc_z);
-        let t85 = o_c_x * o_db_x + o_c_y * o_db_y + o_c_z * o_db_z
+        let t87 = 0.5 * t86;
+        let t88 = o_c_x * o_db_x + o_c_y * o_db_y + o_c_z * o_db_z
             + (e_c_x * e_db_x + e_c_y * e_db_y + e_c_z * e_db_z);
-        let t86 = o_c_x * o_dc_x + o_c_y * o_dc_y + o_c_z * o_dc_z
+        let t89 = 0.5 * t88;
+        let t90 = o_c_x * o_dc_x + o_c_y * o_dc_y + o_c_z * o_dc_z
             + (e_c_x * e_dc_x + e_c_y * e_dc_y + e_c_z * e_dc_z);
-        let t87 = length * GJ * (0.5 * (0.5 * t85 - 0.5 * t84) - reference[2]);
-        let t88 = inverse_length * (length * EIz * (0.5 * t81 - reference[0]));
-        let t89 = inverse_length * (length * EIy * (0.5 * t82 - reference[1]));
-        let t90 = inverse_length * (length * GIz * (0.5 * t83 - reference[3]));
-        let t91 = inverse_length * (-0.5 * t87);
-        let t92 = inverse_length * (0.5 * t87);
-        let t93 = inverse_length * (length * GIy * (0.5 * t86 - reference[4]));
-        forces[0][0] = t75 * t88 + t78 * t89;
-        forces[0][1] = t76 * t88 + t79 * t89;
-        forces[0][2] = t77 * t88 + t80 * t89;
-        forces[1][0] = t75 * t90 + t78 * t91;
-        forces[1][1] = t76 * t90 + t79 * t91;
-        forces[1][2] = t77 * t90 + t80 * t91;
-        forces[2][0] = t75 * t92 + t78 * t93;
-        forces[2][1] = t76 * t92 + t79 * t93;
-        forces[2][2] = t77 * t92 + t80 * t93;
-        forces[3][0] = t66 * t88 + t69 * t90 + t72 * t92;
-        forces[3][1] = t67 * t88 + t70 * t90 + t73 * t92;
-        forces[3][2] = t68 * t88 + t71 * t90 + t74 * t92;
-        forces[4][0] = t66 * t89 + t69 * t91 + t72 * t93;
-        forces[4][1] = t67 * t89 + t70 * t91 + t73 * t93;
-        forces[4][2] = t68 * t89 + t71 * t91 + t74 * t93;
+        let t91 = length * GJ * (0.5 * (t89 - t87) - reference[2]);
+        let t92 = length * GIyz * (t87 + t89 - reference[5]);
+        let t93 = inverse_length * (length * EIz * (0.5 * t83 - reference[0]));
+        let t94 = inverse_length * (length * EIy * (0.5 * t84 - reference[1]));
+        let t95 = inverse_length * (length * GIz * (0.5 * t85 - reference[3]));
+        let t96 = inverse_length * (-0.5 * t91 + t92);
+        let t97 = inverse_length * (t92 + 0.5 * t91);
+        let t98 = inverse_length * (length * GIy * (0.5 * t90 - reference[4]));
+        forces[0][0] = t77 * t93 + t80 * t94;
+        forces[0][1] = t78 * t93 + t81 * t94;
+        forces[0][2] = t79 * t93 + t82 * t94;
+        forces[1][0] = t77 * t95 + t80 * t96;
+        forces[1][1] = t78 * t95 + t81 * t96;
+        forces[1][2] = t79 * t95 + t82 * t96;
+        forces[2][0] = t77 * t97 + t80 * t98;
+        forces[2][1] = t78 * t97 + t81 * t98;
+        forces[2][2] = t79 * t97 + t82 * t98;
+        forces[3][0] = t68 * t93 + t71 * t95 + t74 * t97;
+        forces[3][1] = t69 * t93 + t72 * t95 + t75 * t97;
+        forces[3][2] = t70 * t93 + t73 * t95 + t76 * t97;
+        forces[4][0] = t68 * t94 + t71 * t96 + t74 * t98;
+        forces[4][1] = t69 * t94 + t72 * t96 + t75 * t98;
+        forces[4][2] = t70 * t94 + t73 * t96 + t76 * t98;
     }
     /// Writes the blocks of the derivative by the mean of both states on the fields a, b, c, db, dc at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
     ///
-    /// Operations: 186 additions, 439 multiplications, 1 divisions.
+    /// Operations: 194 additions, 441 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_conserving_tangent(
         row: &BeamSpatialCurved,
-        reference: &[f64; 5],
+        reference: &[f64; 6],
         start: &[[f64; 3]; 5],
         end: &[[f64; 3]; 5],
         stiffness: &mut [[f64; 9]; 21],
@@ -1825,12 +1856,13 @@ pub mod bend45_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z],
@@ -1852,293 +1884,297 @@ pub mod bend45_equations {
         let e_dc_x = inverse_length * e_unit_dc_x;
         let e_dc_y = inverse_length * e_unit_dc_y;
         let e_dc_z = inverse_length * e_unit_dc_z;
-        let t66 = 0.5 * (o_a_x + e_a_x);
-        let t67 = 0.5 * (o_a_y + e_a_y);
-        let t68 = 0.5 * (o_a_z + e_a_z);
-        let t69 = 0.5 * (o_b_x + e_b_x);
-        let t70 = 0.5 * (o_b_y + e_b_y);
-        let t71 = 0.5 * (o_b_z + e_b_z);
-        let t72 = 0.5 * (o_c_x + e_c_x);
-        let t73 = 0.5 * (o_c_y + e_c_y);
-        let t74 = 0.5 * (o_c_z + e_c_z);
-        let t75 = 0.5 * (o_unit_db_x + e_unit_db_x);
-        let t76 = 0.5 * (o_unit_db_y + e_unit_db_y);
-        let t77 = 0.5 * (o_unit_db_z + e_unit_db_z);
-        let t78 = 0.5 * (o_unit_dc_x + e_unit_dc_x);
-        let t79 = 0.5 * (o_unit_dc_y + e_unit_dc_y);
-        let t80 = 0.5 * (o_unit_dc_z + e_unit_dc_z);
-        let t81 = o_a_x * o_db_x + o_a_y * o_db_y + o_a_z * o_db_z
+        let t68 = 0.5 * (o_a_x + e_a_x);
+        let t69 = 0.5 * (o_a_y + e_a_y);
+        let t70 = 0.5 * (o_a_z + e_a_z);
+        let t71 = 0.5 * (o_b_x + e_b_x);
+        let t72 = 0.5 * (o_b_y + e_b_y);
+        let t73 = 0.5 * (o_b_z + e_b_z);
+        let t74 = 0.5 * (o_c_x + e_c_x);
+        let t75 = 0.5 * (o_c_y + e_c_y);
+        let t76 = 0.5 * (o_c_z + e_c_z);
+        let t77 = 0.5 * (o_unit_db_x + e_unit_db_x);
+        let t78 = 0.5 * (o_unit_db_y + e_unit_db_y);
+        let t79 = 0.5 * (o_unit_db_z + e_unit_db_z);
+        let t80 = 0.5 * (o_unit_dc_x + e_unit_dc_x);
+        let t81 = 0.5 * (o_unit_dc_y + e_unit_dc_y);
+        let t82 = 0.5 * (o_unit_dc_z + e_unit_dc_z);
+        let t83 = o_a_x * o_db_x + o_a_y * o_db_y + o_a_z * o_db_z
             + (e_a_x * e_db_x + e_a_y * e_db_y + e_a_z * e_db_z);
-        let t82 = o_a_x * o_dc_x + o_a_y * o_dc_y + o_a_z * o_dc_z
+        let t84 = o_a_x * o_dc_x + o_a_y * o_dc_y + o_a_z * o_dc_z
             + (e_a_x * e_dc_x + e_a_y * e_dc_y + e_a_z * e_dc_z);
-        let t83 = o_b_x * o_db_x + o_b_y * o_db_y + o_b_z * o_db_z
+        let t85 = o_b_x * o_db_x + o_b_y * o_db_y + o_b_z * o_db_z
             + (e_b_x * e_db_x + e_b_y * e_db_y + e_b_z * e_db_z);
-        let t84 = o_b_x * o_dc_x + o_b_y * o_dc_y + o_b_z * o_dc_z
+        let t86 = o_b_x * o_dc_x + o_b_y * o_dc_y + o_b_z * o_dc_z
             + (e_b_x * e_dc_x + e_b_y * e_dc_y + e_b_z * e_dc_z);
-        let t85 = o_c_x * o_db_x + o_c_y * o_db_y + o_c_z * o_db_z
+        let t87 = 0.5 * t86;
+        let t88 = o_c_x * o_db_x + o_c_y * o_db_y + o_c_z * o_db_z
             + (e_c_x * e_db_x + e_c_y * e_db_y + e_c_z * e_db_z);
-        let t86 = o_c_x * o_dc_x + o_c_y * o_dc_y + o_c_z * o_dc_z
+        let t89 = 0.5 * t88;
+        let t90 = o_c_x * o_dc_x + o_c_y * o_dc_y + o_c_z * o_dc_z
             + (e_c_x * e_dc_x + e_c_y * e_dc_y + e_c_z * e_dc_z);
-        let t87 = length * EIz;
-        let t88 = length * EIy;
-        let t89 = length * GJ;
-        let t90 = 0.5 * t89;
-        let t91 = length * GIz;
-        let t92 = length * GIy;
-        let t93 = t89 * (-0.5);
-        let t94 = t89 * (0.5 * (0.5 * t85 - 0.5 * t84) - reference[2]);
-        let t95 = inverse_length * (t87 * (0.5 * t81 - reference[0]));
-        let t96 = inverse_length * inverse_length;
-        let t97 = t87 * t96;
-        let t98 = inverse_length * (t88 * (0.5 * t82 - reference[1]));
-        let t99 = t88 * t96;
-        let t100 = inverse_length * (t91 * (0.5 * t83 - reference[3]));
-        let t101 = t91 * t96;
-        let t102 = inverse_length * (-0.5 * t94);
-        let t103 = -0.5 * t93 * t96;
-        let t104 = -0.5 * t90 * t96;
-        let t105 = inverse_length * (0.5 * t94);
-        let t106 = 0.5 * t93 * t96;
-        let t107 = 0.5 * t90 * t96;
-        let t108 = inverse_length * (t92 * (0.5 * t86 - reference[4]));
-        let t109 = t92 * t96;
-        let t110 = e_unit_db_x * t97;
-        let t111 = e_unit_db_y * t97;
-        let t112 = e_unit_db_z * t97;
-        let t113 = e_a_x * t97;
-        let t114 = e_a_y * t97;
-        let t115 = e_a_z * t97;
-        let t116 = e_unit_dc_x * t99;
-        let t117 = e_unit_dc_y * t99;
-        let t118 = e_unit_dc_z * t99;
-        let t119 = e_a_x * t99;
-        let t120 = e_a_y * t99;
-        let t121 = e_a_z * t99;
-        let t122 = e_unit_db_x * t101;
-        let t123 = e_unit_db_y * t101;
-        let t124 = e_unit_db_z * t101;
-        let t125 = e_b_x * t101;
-        let t126 = e_b_y * t101;
-        let t127 = e_b_z * t101;
-        let t128 = e_unit_dc_x * t103;
-        let t129 = e_unit_dc_y * t103;
-        let t130 = e_unit_dc_z * t103;
-        let t131 = e_unit_db_x * t104;
-        let t132 = e_unit_db_y * t104;
-        let t133 = e_unit_db_z * t104;
-        let t134 = e_c_x * t104;
-        let t135 = e_c_y * t104;
-        let t136 = e_c_z * t104;
-        let t137 = e_b_x * t103;
-        let t138 = e_b_y * t103;
-        let t139 = e_b_z * t103;
-        let t140 = e_unit_dc_x * t106;
-        let t141 = e_unit_dc_y * t106;
-        let t142 = e_unit_dc_z * t106;
-        let t143 = e_unit_db_x * t107;
-        let t144 = e_unit_db_y * t107;
-        let t145 = e_unit_db_z * t107;
-        let t146 = e_c_x * t107;
-        let t147 = e_c_y * t107;
-        let t148 = e_c_z * t107;
-        let t149 = e_b_x * t106;
-        let t150 = e_b_y * t106;
-        let t151 = e_b_z * t106;
-        let t152 = e_unit_dc_x * t109;
-        let t153 = e_unit_dc_y * t109;
-        let t154 = e_unit_dc_z * t109;
-        let t155 = e_c_x * t109;
-        let t156 = e_c_y * t109;
-        let t157 = e_c_z * t109;
-        stiffness[0][0] = t75 * t110 + t78 * t116;
-        stiffness[0][1] = t75 * t111 + t78 * t117;
-        stiffness[0][2] = t75 * t112 + t78 * t118;
-        stiffness[0][3] = t76 * t110 + t79 * t116;
-        stiffness[0][4] = t76 * t111 + t79 * t117;
-        stiffness[0][5] = t76 * t112 + t79 * t118;
-        stiffness[0][6] = t77 * t110 + t80 * t116;
-        stiffness[0][7] = t77 * t111 + t80 * t117;
-        stiffness[0][8] = t77 * t112 + t80 * t118;
-        stiffness[1][0] = t95 + t75 * t113;
-        stiffness[1][1] = t75 * t114;
-        stiffness[1][2] = t75 * t115;
-        stiffness[1][3] = t76 * t113;
-        stiffness[1][4] = t95 + t76 * t114;
-        stiffness[1][5] = t76 * t115;
-        stiffness[1][6] = t77 * t113;
-        stiffness[1][7] = t77 * t114;
-        stiffness[1][8] = t95 + t77 * t115;
-        stiffness[2][0] = t98 + t78 * t119;
-        stiffness[2][1] = t78 * t120;
-        stiffness[2][2] = t78 * t121;
-        stiffness[2][3] = t79 * t119;
-        stiffness[2][4] = t98 + t79 * t120;
-        stiffness[2][5] = t79 * t121;
-        stiffness[2][6] = t80 * t119;
-        stiffness[2][7] = t80 * t120;
-        stiffness[2][8] = t98 + t80 * t121;
-        stiffness[3][0] = t95 + t66 * t110;
-        stiffness[3][1] = t66 * t111;
-        stiffness[3][2] = t66 * t112;
-        stiffness[3][3] = t67 * t110;
-        stiffness[3][4] = t95 + t67 * t111;
-        stiffness[3][5] = t67 * t112;
-        stiffness[3][6] = t68 * t110;
-        stiffness[3][7] = t68 * t111;
-        stiffness[3][8] = t95 + t68 * t112;
-        stiffness[4][0] = t75 * t122 + t78 * t128;
-        stiffness[4][1] = t75 * t123 + t78 * t129;
-        stiffness[4][2] = t75 * t124 + t78 * t130;
-        stiffness[4][3] = t76 * t122 + t79 * t128;
-        stiffness[4][4] = t76 * t123 + t79 * t129;
-        stiffness[4][5] = t76 * t124 + t79 * t130;
-        stiffness[4][6] = t77 * t122 + t80 * t128;
-        stiffness[4][7] = t77 * t123 + t80 * t129;
-        stiffness[4][8] = t77 * t124 + t80 * t130;
-        stiffness[5][0] = t100 + (t75 * t125 + t78 * t134);
-        stiffness[5][1] = t75 * t126 + t78 * t135;
-        stiffness[5][2] = t75 * t127 + t78 * t136;
-        stiffness[5][3] = t76 * t125 + t79 * t134;
-        stiffness[5][4] = t100 + (t76 * t126 + t79 * t135);
-        stiffness[5][5] = t76 * t127 + t79 * t136;
-        stiffness[5][6] = t77 * t125 + t80 * t134;
-        stiffness[5][7] = t77 * t126 + t80 * t135;
-        stiffness[5][8] = t100 + (t77 * t127 + t80 * t136);
-        stiffness[6][0] = t100 + (t69 * t122 + t72 * t140);
-        stiffness[6][1] = t69 * t123 + t72 * t141;
-        stiffness[6][2] = t69 * t124 + t72 * t142;
-        stiffness[6][3] = t70 * t122 + t73 * t140;
-        stiffness[6][4] = t100 + (t70 * t123 + t73 * t141);
-        stiffness[6][5] = t70 * t124 + t73 * t142;
-        stiffness[6][6] = t71 * t122 + t74 * t140;
-        stiffness[6][7] = t71 * t123 + t74 * t141;
-        stiffness[6][8] = t100 + (t71 * t124 + t74 * t142);
-        stiffness[7][0] = t66 * t113 + t69 * t125 + t72 * t146;
-        stiffness[7][1] = t66 * t114 + t69 * t126 + t72 * t147;
-        stiffness[7][2] = t66 * t115 + t69 * t127 + t72 * t148;
-        stiffness[7][3] = t67 * t113 + t70 * t125 + t73 * t146;
-        stiffness[7][4] = t67 * t114 + t70 * t126 + t73 * t147;
-        stiffness[7][5] = t67 * t115 + t70 * t127 + t73 * t148;
-        stiffness[7][6] = t68 * t113 + t71 * t125 + t74 * t146;
-        stiffness[7][7] = t68 * t114 + t71 * t126 + t74 * t147;
-        stiffness[7][8] = t68 * t115 + t71 * t127 + t74 * t148;
-        stiffness[8][0] = t78 * t131;
-        stiffness[8][1] = t78 * t132;
-        stiffness[8][2] = t78 * t133;
-        stiffness[8][3] = t79 * t131;
-        stiffness[8][4] = t79 * t132;
-        stiffness[8][5] = t79 * t133;
-        stiffness[8][6] = t80 * t131;
-        stiffness[8][7] = t80 * t132;
-        stiffness[8][8] = t80 * t133;
-        stiffness[9][0] = t102 + t78 * t137;
-        stiffness[9][1] = t78 * t138;
-        stiffness[9][2] = t78 * t139;
-        stiffness[9][3] = t79 * t137;
-        stiffness[9][4] = t102 + t79 * t138;
-        stiffness[9][5] = t79 * t139;
-        stiffness[9][6] = t80 * t137;
-        stiffness[9][7] = t80 * t138;
-        stiffness[9][8] = t102 + t80 * t139;
-        stiffness[10][0] = t105 + t72 * t143;
-        stiffness[10][1] = t72 * t144;
-        stiffness[10][2] = t72 * t145;
-        stiffness[10][3] = t73 * t143;
-        stiffness[10][4] = t105 + t73 * t144;
-        stiffness[10][5] = t73 * t145;
-        stiffness[10][6] = t74 * t143;
-        stiffness[10][7] = t74 * t144;
-        stiffness[10][8] = t105 + t74 * t145;
-        stiffness[11][0] = t72 * t149;
-        stiffness[11][1] = t72 * t150;
-        stiffness[11][2] = t72 * t151;
-        stiffness[11][3] = t73 * t149;
-        stiffness[11][4] = t73 * t150;
-        stiffness[11][5] = t73 * t151;
-        stiffness[11][6] = t74 * t149;
-        stiffness[11][7] = t74 * t150;
-        stiffness[11][8] = t74 * t151;
-        stiffness[12][0] = t98 + t66 * t116;
-        stiffness[12][1] = t66 * t117;
-        stiffness[12][2] = t66 * t118;
-        stiffness[12][3] = t67 * t116;
-        stiffness[12][4] = t98 + t67 * t117;
-        stiffness[12][5] = t67 * t118;
-        stiffness[12][6] = t68 * t116;
-        stiffness[12][7] = t68 * t117;
-        stiffness[12][8] = t98 + t68 * t118;
-        stiffness[13][0] = t75 * t140;
-        stiffness[13][1] = t75 * t141;
-        stiffness[13][2] = t75 * t142;
-        stiffness[13][3] = t76 * t140;
-        stiffness[13][4] = t76 * t141;
-        stiffness[13][5] = t76 * t142;
-        stiffness[13][6] = t77 * t140;
-        stiffness[13][7] = t77 * t141;
-        stiffness[13][8] = t77 * t142;
-        stiffness[14][0] = t105 + t75 * t146;
-        stiffness[14][1] = t75 * t147;
-        stiffness[14][2] = t75 * t148;
-        stiffness[14][3] = t76 * t146;
-        stiffness[14][4] = t105 + t76 * t147;
-        stiffness[14][5] = t76 * t148;
-        stiffness[14][6] = t77 * t146;
-        stiffness[14][7] = t77 * t147;
-        stiffness[14][8] = t105 + t77 * t148;
-        stiffness[15][0] = t102 + t69 * t128;
-        stiffness[15][1] = t69 * t129;
-        stiffness[15][2] = t69 * t130;
-        stiffness[15][3] = t70 * t128;
-        stiffness[15][4] = t102 + t70 * t129;
-        stiffness[15][5] = t70 * t130;
-        stiffness[15][6] = t71 * t128;
-        stiffness[15][7] = t71 * t129;
-        stiffness[15][8] = t102 + t71 * t130;
-        stiffness[16][0] = t69 * t134;
-        stiffness[16][1] = t69 * t135;
-        stiffness[16][2] = t69 * t136;
-        stiffness[16][3] = t70 * t134;
-        stiffness[16][4] = t70 * t135;
-        stiffness[16][5] = t70 * t136;
-        stiffness[16][6] = t71 * t134;
-        stiffness[16][7] = t71 * t135;
-        stiffness[16][8] = t71 * t136;
-        stiffness[17][0] = t75 * t143 + t78 * t152;
-        stiffness[17][1] = t75 * t144 + t78 * t153;
-        stiffness[17][2] = t75 * t145 + t78 * t154;
-        stiffness[17][3] = t76 * t143 + t79 * t152;
-        stiffness[17][4] = t76 * t144 + t79 * t153;
-        stiffness[17][5] = t76 * t145 + t79 * t154;
-        stiffness[17][6] = t77 * t143 + t80 * t152;
-        stiffness[17][7] = t77 * t144 + t80 * t153;
-        stiffness[17][8] = t77 * t145 + t80 * t154;
-        stiffness[18][0] = t108 + (t75 * t149 + t78 * t155);
-        stiffness[18][1] = t75 * t150 + t78 * t156;
-        stiffness[18][2] = t75 * t151 + t78 * t157;
-        stiffness[18][3] = t76 * t149 + t79 * t155;
-        stiffness[18][4] = t108 + (t76 * t150 + t79 * t156);
-        stiffness[18][5] = t76 * t151 + t79 * t157;
-        stiffness[18][6] = t77 * t149 + t80 * t155;
-        stiffness[18][7] = t77 * t150 + t80 * t156;
-        stiffness[18][8] = t108 + (t77 * t151 + t80 * t157);
-        stiffness[19][0] = t108 + (t69 * t131 + t72 * t152);
-        stiffness[19][1] = t69 * t132 + t72 * t153;
-        stiffness[19][2] = t69 * t133 + t72 * t154;
-        stiffness[19][3] = t70 * t131 + t73 * t152;
-        stiffness[19][4] = t108 + (t70 * t132 + t73 * t153);
-        stiffness[19][5] = t70 * t133 + t73 * t154;
-        stiffness[19][6] = t71 * t131 + t74 * t152;
-        stiffness[19][7] = t71 * t132 + t74 * t153;
-        stiffness[19][8] = t108 + (t71 * t133 + t74 * t154);
-        stiffness[20][0] = t66 * t119 + t69 * t137 + t72 * t155;
-        stiffness[20][1] = t66 * t120 + t69 * t138 + t72 * t156;
-        stiffness[20][2] = t66 * t121 + t69 * t139 + t72 * t157;
-        stiffness[20][3] = t67 * t119 + t70 * t137 + t73 * t155;
-        stiffness[20][4] = t67 * t120 + t70 * t138 + t73 * t156;
-        stiffness[20][5] = t67 * t121 + t70 * t139 + t73 * t157;
-        stiffness[20][6] = t68 * t119 + t71 * t137 + t74 * t155;
-        stiffness[20][7] = t68 * t120 + t71 * t138 + t74 * t156;
-        stiffness[20][8] = t68 * t121 + t71 * t139 + t74 * t157;
+        let t91 = length * EIz;
+        let t92 = length * EIy;
+        let t93 = length * GJ;
+        let t94 = 0.5 * t93;
+        let t95 = length * GIz;
+        let t96 = length * GIy;
+        let t97 = length * GIyz;
+        let t98 = t93 * (-0.5);
+        let t99 = t93 * (0.5 * (t89 - t87) - reference[2]);
+        let t100 = t97 * (t87 + t89 - reference[5]);
+        let t101 = inverse_length * (t91 * (0.5 * t83 - reference[0]));
+        let t102 = inverse_length * inverse_length;
+        let t103 = t91 * t102;
+        let t104 = inverse_length * (t92 * (0.5 * t84 - reference[1]));
+        let t105 = t92 * t102;
+        let t106 = inverse_length * (t95 * (0.5 * t85 - reference[3]));
+        let t107 = t95 * t102;
+        let t108 = inverse_length * (-0.5 * t99 + t100);
+        let t109 = (t97 + (-0.5 * t98)) * t102;
+        let t110 = (t97 + (-0.5 * t94)) * t102;
+        let t111 = inverse_length * (t100 + 0.5 * t99);
+        let t112 = (t97 + 0.5 * t98) * t102;
+        let t113 = (t97 + 0.5 * t94) * t102;
+        let t114 = inverse_length * (t96 * (0.5 * t90 - reference[4]));
+        let t115 = t96 * t102;
+        let t116 = e_unit_db_x * t103;
+        let t117 = e_unit_db_y * t103;
+        let t118 = e_unit_db_z * t103;
+        let t119 = e_a_x * t103;
+        let t120 = e_a_y * t103;
+        let t121 = e_a_z * t103;
+        let t122 = e_unit_dc_x * t105;
+        let t123 = e_unit_dc_y * t105;
+        let t124 = e_unit_dc_z * t105;
+        let t125 = e_a_x * t105;
+        let t126 = e_a_y * t105;
+        let t127 = e_a_z * t105;
+        let t128 = e_unit_db_x * t107;
+        let t129 = e_unit_db_y * t107;
+        let t130 = e_unit_db_z * t107;
+        let t131 = e_b_x * t107;
+        let t132 = e_b_y * t107;
+        let t133 = e_b_z * t107;
+        let t134 = e_unit_dc_x * t109;
+        let t135 = e_unit_dc_y * t109;
+        let t136 = e_unit_dc_z * t109;
+        let t137 = e_unit_db_x * t110;
+        let t138 = e_unit_db_y * t110;
+        let t139 = e_unit_db_z * t110;
+        let t140 = e_c_x * t110;
+        let t141 = e_c_y * t110;
+        let t142 = e_c_z * t110;
+        let t143 = e_b_x * t109;
+        let t144 = e_b_y * t109;
+        let t145 = e_b_z * t109;
+        let t146 = e_unit_dc_x * t112;
+        let t147 = e_unit_dc_y * t112;
+        let t148 = e_unit_dc_z * t112;
+        let t149 = e_unit_db_x * t113;
+        let t150 = e_unit_db_y * t113;
+        let t151 = e_unit_db_z * t113;
+        let t152 = e_c_x * t113;
+        let t153 = e_c_y * t113;
+        let t154 = e_c_z * t113;
+        let t155 = e_b_x * t112;
+        let t156 = e_b_y * t112;
+        let t157 = e_b_z * t112;
+        let t158 = e_unit_dc_x * t115;
+        let t159 = e_unit_dc_y * t115;
+        let t160 = e_unit_dc_z * t115;
+        let t161 = e_c_x * t115;
+        let t162 = e_c_y * t115;
+        let t163 = e_c_z * t115;
+        stiffness[0][0] = t77 * t116 + t80 * t122;
+        stiffness[0][1] = t77 * t117 + t80 * t123;
+        stiffness[0][2] = t77 * t118 + t80 * t124;
+        stiffness[0][3] = t78 * t116 + t81 * t122;
+        stiffness[0][4] = t78 * t117 + t81 * t123;
+        stiffness[0][5] = t78 * t118 + t81 * t124;
+        stiffness[0][6] = t79 * t116 + t82 * t122;
+        stiffness[0][7] = t79 * t117 + t82 * t123;
+        stiffness[0][8] = t79 * t118 + t82 * t124;
+        stiffness[1][0] = t101 + t77 * t119;
+        stiffness[1][1] = t77 * t120;
+        stiffness[1][2] = t77 * t121;
+        stiffness[1][3] = t78 * t119;
+        stiffness[1][4] = t101 + t78 * t120;
+        stiffness[1][5] = t78 * t121;
+        stiffness[1][6] = t79 * t119;
+        stiffness[1][7] = t79 * t120;
+        stiffness[1][8] = t101 + t79 * t121;
+        stiffness[2][0] = t104 + t80 * t125;
+        stiffness[2][1] = t80 * t126;
+        stiffness[2][2] = t80 * t127;
+        stiffness[2][3] = t81 * t125;
+        stiffness[2][4] = t104 + t81 * t126;
+        stiffness[2][5] = t81 * t127;
+        stiffness[2][6] = t82 * t125;
+        stiffness[2][7] = t82 * t126;
+        stiffness[2][8] = t104 + t82 * t127;
+        stiffness[3][0] = t101 + t68 * t116;
+        stiffness[3][1] = t68 * t117;
+        stiffness[3][2] = t68 * t118;
+        stiffness[3][3] = t69 * t116;
+        stiffness[3][4] = t101 + t69 * t117;
+        stiffness[3][5] = t69 * t118;
+        stiffness[3][6] = t70 * t116;
+        stiffness[3][7] = t70 * t117;
+        stiffness[3][8] = t101 + t70 * t118;
+        stiffness[4][0] = t77 * t128 + t80 * t134;
+        stiffness[4][1] = t77 * t129 + t80 * t135;
+        stiffness[4][2] = t77 * t130 + t80 * t136;
+        stiffness[4][3] = t78 * t128 + t81 * t134;
+        stiffness[4][4] = t78 * t129 + t81 * t135;
+        stiffness[4][5] = t78 * t130 + t81 * t136;
+        stiffness[4][6] = t79 * t128 + t82 * t134;
+        stiffness[4][7] = t79 * t129 + t82 * t135;
+        stiffness[4][8] = t79 * t130 + t82 * t136;
+        stiffness[5][0] = t106 + (t77 * t131 + t80 * t140);
+        stiffness[5][1] = t77 * t132 + t80 * t141;
+        stiffness[5][2] = t77 * t133 + t80 * t142;
+        stiffness[5][3] = t78 * t131 + t81 * t140;
+        stiffness[5][4] = t106 + (t78 * t132 + t81 * t141);
+        stiffness[5][5] = t78 * t133 + t81 * t142;
+        stiffness[5][6] = t79 * t131 + t82 * t140;
+        stiffness[5][7] = t79 * t132 + t82 * t141;
+        stiffness[5][8] = t106 + (t79 * t133 + t82 * t142);
+        stiffness[6][0] = t106 + (t71 * t128 + t74 * t146);
+        stiffness[6][1] = t71 * t129 + t74 * t147;
+        stiffness[6][2] = t71 * t130 + t74 * t148;
+        stiffness[6][3] = t72 * t128 + t75 * t146;
+        stiffness[6][4] = t106 + (t72 * t129 + t75 * t147);
+        stiffness[6][5] = t72 * t130 + t75 * t148;
+        stiffness[6][6] = t73 * t128 + t76 * t146;
+        stiffness[6][7] = t73 * t129 + t76 * t147;
+        stiffness[6][8] = t106 + (t73 * t130 + t76 * t148);
+        stiffness[7][0] = t68 * t119 + t71 * t131 + t74 * t152;
+        stiffness[7][1] = t68 * t120 + t71 * t132 + t74 * t153;
+        stiffness[7][2] = t68 * t121 + t71 * t133 + t74 * t154;
+        stiffness[7][3] = t69 * t119 + t72 * t131 + t75 * t152;
+        stiffness[7][4] = t69 * t120 + t72 * t132 + t75 * t153;
+        stiffness[7][5] = t69 * t121 + t72 * t133 + t75 * t154;
+        stiffness[7][6] = t70 * t119 + t73 * t131 + t76 * t152;
+        stiffness[7][7] = t70 * t120 + t73 * t132 + t76 * t153;
+        stiffness[7][8] = t70 * t121 + t73 * t133 + t76 * t154;
+        stiffness[8][0] = t80 * t137;
+        stiffness[8][1] = t80 * t138;
+        stiffness[8][2] = t80 * t139;
+        stiffness[8][3] = t81 * t137;
+        stiffness[8][4] = t81 * t138;
+        stiffness[8][5] = t81 * t139;
+        stiffness[8][6] = t82 * t137;
+        stiffness[8][7] = t82 * t138;
+        stiffness[8][8] = t82 * t139;
+        stiffness[9][0] = t108 + t80 * t143;
+        stiffness[9][1] = t80 * t144;
+        stiffness[9][2] = t80 * t145;
+        stiffness[9][3] = t81 * t143;
+        stiffness[9][4] = t108 + t81 * t144;
+        stiffness[9][5] = t81 * t145;
+        stiffness[9][6] = t82 * t143;
+        stiffness[9][7] = t82 * t144;
+        stiffness[9][8] = t108 + t82 * t145;
+        stiffness[10][0] = t111 + t74 * t149;
+        stiffness[10][1] = t74 * t150;
+        stiffness[10][2] = t74 * t151;
+        stiffness[10][3] = t75 * t149;
+        stiffness[10][4] = t111 + t75 * t150;
+        stiffness[10][5] = t75 * t151;
+        stiffness[10][6] = t76 * t149;
+        stiffness[10][7] = t76 * t150;
+        stiffness[10][8] = t111 + t76 * t151;
+        stiffness[11][0] = t74 * t155;
+        stiffness[11][1] = t74 * t156;
+        stiffness[11][2] = t74 * t157;
+        stiffness[11][3] = t75 * t155;
+        stiffness[11][4] = t75 * t156;
+        stiffness[11][5] = t75 * t157;
+        stiffness[11][6] = t76 * t155;
+        stiffness[11][7] = t76 * t156;
+        stiffness[11][8] = t76 * t157;
+        stiffness[12][0] = t104 + t68 * t122;
+        stiffness[12][1] = t68 * t123;
+        stiffness[12][2] = t68 * t124;
+        stiffness[12][3] = t69 * t122;
+        stiffness[12][4] = t104 + t69 * t123;
+        stiffness[12][5] = t69 * t124;
+        stiffness[12][6] = t70 * t122;
+        stiffness[12][7] = t70 * t123;
+        stiffness[12][8] = t104 + t70 * t124;
+        stiffness[13][0] = t77 * t146;
+        stiffness[13][1] = t77 * t147;
+        stiffness[13][2] = t77 * t148;
+        stiffness[13][3] = t78 * t146;
+        stiffness[13][4] = t78 * t147;
+        stiffness[13][5] = t78 * t148;
+        stiffness[13][6] = t79 * t146;
+        stiffness[13][7] = t79 * t147;
+        stiffness[13][8] = t79 * t148;
+        stiffness[14][0] = t111 + t77 * t152;
+        stiffness[14][1] = t77 * t153;
+        stiffness[14][2] = t77 * t154;
+        stiffness[14][3] = t78 * t152;
+        stiffness[14][4] = t111 + t78 * t153;
+        stiffness[14][5] = t78 * t154;
+        stiffness[14][6] = t79 * t152;
+        stiffness[14][7] = t79 * t153;
+        stiffness[14][8] = t111 + t79 * t154;
+        stiffness[15][0] = t108 + t71 * t134;
+        stiffness[15][1] = t71 * t135;
+        stiffness[15][2] = t71 * t136;
+        stiffness[15][3] = t72 * t134;
+        stiffness[15][4] = t108 + t72 * t135;
+        stiffness[15][5] = t72 * t136;
+        stiffness[15][6] = t73 * t134;
+        stiffness[15][7] = t73 * t135;
+        stiffness[15][8] = t108 + t73 * t136;
+        stiffness[16][0] = t71 * t140;
+        stiffness[16][1] = t71 * t141;
+        stiffness[16][2] = t71 * t142;
+        stiffness[16][3] = t72 * t140;
+        stiffness[16][4] = t72 * t141;
+        stiffness[16][5] = t72 * t142;
+        stiffness[16][6] = t73 * t140;
+        stiffness[16][7] = t73 * t141;
+        stiffness[16][8] = t73 * t142;
+        stiffness[17][0] = t77 * t149 + t80 * t158;
+        stiffness[17][1] = t77 * t150 + t80 * t159;
+        stiffness[17][2] = t77 * t151 + t80 * t160;
+        stiffness[17][3] = t78 * t149 + t81 * t158;
+        stiffness[17][4] = t78 * t150 + t81 * t159;
+        stiffness[17][5] = t78 * t151 + t81 * t160;
+        stiffness[17][6] = t79 * t149 + t82 * t158;
+        stiffness[17][7] = t79 * t150 + t82 * t159;
+        stiffness[17][8] = t79 * t151 + t82 * t160;
+        stiffness[18][0] = t114 + (t77 * t155 + t80 * t161);
+        stiffness[18][1] = t77 * t156 + t80 * t162;
+        stiffness[18][2] = t77 * t157 + t80 * t163;
+        stiffness[18][3] = t78 * t155 + t81 * t161;
+        stiffness[18][4] = t114 + (t78 * t156 + t81 * t162);
+        stiffness[18][5] = t78 * t157 + t81 * t163;
+        stiffness[18][6] = t79 * t155 + t82 * t161;
+        stiffness[18][7] = t79 * t156 + t82 * t162;
+        stiffness[18][8] = t114 + (t79 * t157 + t82 * t163);
+        stiffness[19][0] = t114 + (t71 * t137 + t74 * t158);
+        stiffness[19][1] = t71 * t138 + t74 * t159;
+        stiffness[19][2] = t71 * t139 + t74 * t160;
+        stiffness[19][3] = t72 * t137 + t75 * t158;
+        stiffness[19][4] = t114 + (t72 * t138 + t75 * t159);
+        stiffness[19][5] = t72 * t139 + t75 * t160;
+        stiffness[19][6] = t73 * t137 + t76 * t158;
+        stiffness[19][7] = t73 * t138 + t76 * t159;
+        stiffness[19][8] = t114 + (t73 * t139 + t76 * t160);
+        stiffness[20][0] = t68 * t125 + t71 * t143 + t74 * t161;
+        stiffness[20][1] = t68 * t126 + t71 * t144 + t74 * t162;
+        stiffness[20][2] = t68 * t127 + t71 * t145 + t74 * t163;
+        stiffness[20][3] = t69 * t125 + t72 * t143 + t75 * t161;
+        stiffness[20][4] = t69 * t126 + t72 * t144 + t75 * t162;
+        stiffness[20][5] = t69 * t127 + t72 * t145 + t75 * t163;
+        stiffness[20][6] = t70 * t125 + t73 * t143 + t76 * t161;
+        stiffness[20][7] = t70 * t126 + t73 * t144 + t76 * t162;
+        stiffness[20][8] = t70 * t127 + t73 * t145 + t76 * t163;
     }
     /// Adds the elastic force of one element between two states that does the work U(end) - U(start) over the step and has no moment about the mean positions: S_A(mean of I) dI_A/dq(mean of q).
     ///
@@ -2147,7 +2183,7 @@ pub mod bend45_equations {
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     pub fn beam_spatial_curved_conserving_force(
         row: &BeamSpatialCurved,
-        reference: &[f64; 28],
+        reference: &[f64; 30],
         start: &[f64; 30],
         end: &[f64; 30],
         force: &mut [f64; 30],
@@ -2174,7 +2210,7 @@ pub mod bend45_equations {
                 &end,
                 |point, start, end, forces| beam_spatial_curved_points2_conserving_force(
                     row,
-                    ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                    ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
                     start,
                     end,
                     forces,
@@ -2190,7 +2226,7 @@ pub mod bend45_equations {
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     pub fn beam_spatial_curved_conserving_tangent(
         row: &BeamSpatialCurved,
-        reference: &[f64; 28],
+        reference: &[f64; 30],
         start: &[f64; 30],
         end: &[f64; 30],
         stiffness: &mut [f64; 900],
@@ -2218,7 +2254,7 @@ pub mod bend45_equations {
                 (&BEAM_SPATIAL_CURVED_POINTS2_BETWEEN, &mut tiles),
                 |point, start, end, stiffness| beam_spatial_curved_points2_conserving_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                    ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
                     start,
                     end,
                     stiffness,
@@ -2236,7 +2272,7 @@ pub mod bend45_equations {
     }
     /// Joint `root`: conditions, position level.
     ///
-    /// Operations: 11 additions, 12 multiplications.
+    /// Operations: 15 additions, 19 multiplications.
     pub fn joint_root_absolute_position(
         model: &super::Bend45,
         t: f64,
@@ -2246,42 +2282,45 @@ pub mod bend45_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
+        let t30 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
+        let t31 = data.tangent[2] * data.second[0] - data.tangent[0] * data.second[2];
+        let t32 = data.tangent[0] * data.second[1] - data.tangent[1] * data.second[0];
+        let t33 = data.second[0] * q[3] + data.second[1] * q[4] + data.second[2] * q[5]
+            - (data.tangent[0] * q[6] + data.tangent[1] * q[7] + data.tangent[2] * q[8]);
         rows[0] = q[0] - data.point[0];
         rows[1] = q[1] - data.point[1];
         rows[2] = q[2] - data.point[2];
-        rows[3] = data.normals[0][0] * q[3] + data.normals[0][1] * q[4]
-            + data.normals[0][2] * q[5];
-        rows[4] = data.normals[1][0] * q[3] + data.normals[1][1] * q[4]
-            + data.normals[1][2] * q[5];
-        rows[5] = data.second[1][0] * q[6] + data.second[1][1] * q[7]
-            + data.second[1][2] * q[8];
-        rows[6] = data.second[2][0] * q[6] + data.second[2][1] * q[7]
-            + data.second[2][2] * q[8];
+        rows[3] = q[3] * t30 + q[4] * t31 + q[5] * t32;
+        rows[4] = q[6] * t30 + q[7] * t31 + q[8] * t32;
+        rows[5] = 0.5 * t33;
     }
     /// Joint `root`: derivatives of the conditions.
     ///
-    /// Operations: 0 additions, 0 multiplications.
+    /// Operations: 3 additions, 12 multiplications.
     pub fn joint_root_absolute_jacobian(
         model: &super::Bend45,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
     ) {
+        let t18 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
+        let t19 = data.tangent[2] * data.second[0] - data.tangent[0] * data.second[2];
+        let t20 = data.tangent[0] * data.second[1] - data.tangent[1] * data.second[0];
         jacobian[0] = 1.0;
         jacobian[10] = 1.0;
         jacobian[20] = 1.0;
-        jacobian[30] = data.normals[0][0];
-        jacobian[31] = data.normals[0][1];
-        jacobian[32] = data.normals[0][2];
-        jacobian[39] = data.normals[1][0];
-        jacobian[40] = data.normals[1][1];
-        jacobian[41] = data.normals[1][2];
-        jacobian[51] = data.second[1][0];
-        jacobian[52] = data.second[1][1];
-        jacobian[53] = data.second[1][2];
-        jacobian[60] = data.second[2][0];
-        jacobian[61] = data.second[2][1];
-        jacobian[62] = data.second[2][2];
+        jacobian[30] = t18;
+        jacobian[31] = t19;
+        jacobian[32] = t20;
+        jacobian[42] = t18;
+        jacobian[43] = t19;
+        jacobian[44] = t20;
+        jacobian[48] = data.second[0] * 0.5;
+        jacobian[49] = data.second[1] * 0.5;
+        jacobian[50] = data.second[2] * 0.5;
+        jacobian[51] = -data.tangent[0] * 0.5;
+        jacobian[52] = -data.tangent[1] * 0.5;
+        jacobian[53] = -data.tangent[2] * 0.5;
     }
     /// Joint `root`: what it prescribes, and its derivatives.
     ///
@@ -2298,9 +2337,9 @@ pub mod bend45_equations {
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.second[0][0] = data.second[0][0];
-        prescribed.second[0][1] = data.second[0][1];
-        prescribed.second[0][2] = data.second[0][2];
+        prescribed.second[0][0] = data.second[0];
+        prescribed.second[0][1] = data.second[1];
+        prescribed.second[0][2] = data.second[2];
     }
     /// Output columns from what they observe.
     ///
@@ -2322,7 +2361,7 @@ pub mod bend45_equations {
     pub struct Equations {
         pub model: super::Bend45,
         pub row_bend: BeamSpatialCurved,
-        pub reference_bend: ::std::vec::Vec<[f64; 28]>,
+        pub reference_bend: ::std::vec::Vec<[f64; 30]>,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
@@ -2478,17 +2517,20 @@ pub mod bend45_equations {
             let size_y = ::rncf::mesh::positive("section `square`", "size_y", 1.0, "m")?;
             let size_z = ::rncf::mesh::positive("section `square`", "size_z", 1.0, "m")?;
             let shear_modulus = young / (2.0 * (1.0 + poisson));
+            let half_young = 0.5 * young;
+            let quarter_polar_moment = 0.25 * (second_moment_y + second_moment_z);
             self.row_bend = BeamSpatialCurved {
                 length,
                 EA: young * area,
                 kyGA: shear_factor_y * shear_modulus * area,
                 kzGA: shear_factor_z * shear_modulus * area,
-                GA: shear_modulus * area,
+                halfEA: half_young * area,
                 EIz: young * second_moment_z,
                 EIy: young * second_moment_y,
                 GJ: shear_modulus * torsion_constant,
                 GIz: shear_modulus * second_moment_z,
                 GIy: shear_modulus * second_moment_y,
+                GIyz: shear_modulus * quarter_polar_moment,
                 rhoA: density * area,
                 rhoIz: density * second_moment_z,
                 rhoIy: density * second_moment_y,
@@ -2496,7 +2538,7 @@ pub mod bend45_equations {
             self.reference_bend = shape
                 .chunks_exact(30)
                 .map(|shape| {
-                    let mut reference = [0.0; 28];
+                    let mut reference = [0.0; 30];
                     beam_spatial_curved_reference(
                         &self.row_bend,
                         ::rncf::mesh::array(shape),

@@ -4,7 +4,7 @@
 ///
 /// # Chosen and left out
 ///
-/// * Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).
+/// * Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).
 /// * Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
 /// * Body `beam`: its material has no damping: no rates of strain and no damping matrix.
 /// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
@@ -78,7 +78,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
     run { t_end = 20 s; every = 0.05 s; }
 }"#;
     const NOTES: &'static [&'static str] = &[
-        "Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).",
+        "Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).",
         "Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `beam`: its material has no damping: no rates of strain and no damping matrix.",
         "Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.",
@@ -192,7 +192,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
     ///
-    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1249 and 9775).
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).
     ///
     /// The energy is integrated with 3 Gauss points.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -205,8 +205,8 @@ pub mod curved_out_of_plane_equations {
         pub kyGA: f64,
         /// shear_factor_z * shear_modulus * area, N.
         pub kzGA: f64,
-        /// shear_modulus * area, N.
-        pub GA: f64,
+        /// half_young * area, N.
+        pub halfEA: f64,
         /// young * second_moment_z, N m^2.
         pub EIz: f64,
         /// young * second_moment_y, N m^2.
@@ -217,6 +217,8 @@ pub mod curved_out_of_plane_equations {
         pub GIz: f64,
         /// shear_modulus * second_moment_y, N m^2.
         pub GIy: f64,
+        /// shear_modulus * quarter_polar_moment, N m^2.
+        pub GIyz: f64,
         /// density * area, kg/m.
         pub rhoA: f64,
         /// density * second_moment_z, kg m.
@@ -311,12 +313,13 @@ pub mod curved_out_of_plane_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
@@ -327,7 +330,7 @@ pub mod curved_out_of_plane_equations {
         let t36 = length * kzGA * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]);
         let t37 = t32 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[1]);
         let t38 = 0.5 * t37;
-        let t39 = length * GA * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
+        let t39 = length * halfEA * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
         let t40 = t32 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[2]);
         let t41 = 0.5 * t40;
         forces[0][0] = t34 * (a_x * 2.0) + b_x * t35 + c_x * t36;
@@ -354,19 +357,20 @@ pub mod curved_out_of_plane_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
         let t32 = length * EA;
         let t33 = length * kyGA;
         let t34 = length * kzGA;
-        let t35 = length * GA;
+        let t35 = length * halfEA;
         let t36 = 0.5 * (0.5 * t32);
         let t37 = t32 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0) - reference[0]);
         let t38 = t33 * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]);
@@ -486,12 +490,13 @@ pub mod curved_out_of_plane_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
@@ -506,16 +511,16 @@ pub mod curved_out_of_plane_equations {
             * (a_x * b_x + a_y * b_y + a_z * b_z - reference[3]).powi(2);
         let t37 = 0.5 * (length * kzGA)
             * (a_x * c_x + a_y * c_y + a_z * c_z - reference[4]).powi(2);
-        let t38 = 0.5 * (length * GA)
+        let t38 = 0.5 * (length * halfEA)
             * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]).powi(2);
         *energy = t32 * t33 + t32 * t34 + t32 * t35 + t36 + t37 + t38;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 39 additions, 79 multiplications, 1 divisions.
+    /// Operations: 43 additions, 81 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_force(
         row: &BeamSpatialCurved,
-        reference: &[f64; 5],
+        reference: &[f64; 6],
         fields: &[[f64; 3]; 5],
         forces: &mut [[f64; 3]; 5],
     ) {
@@ -524,12 +529,13 @@ pub mod curved_out_of_plane_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
@@ -541,41 +547,42 @@ pub mod curved_out_of_plane_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t45 = c_x * db_x + c_y * db_y + c_z * db_z
-            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t46 = length * GJ * (0.5 * t45 - reference[2]);
-        let t47 = inverse_length
+        let t47 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
+        let t48 = c_x * db_x + c_y * db_y + c_z * db_z;
+        let t49 = length * GJ * (0.5 * (t48 - t47) - reference[2]);
+        let t50 = length * GIyz * (t47 + t48 - reference[5]);
+        let t51 = inverse_length
             * (length * EIz * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]));
-        let t48 = inverse_length
-            * (length * EIy * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]));
-        let t49 = inverse_length
-            * (length * GIz * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
-        let t50 = inverse_length * (-0.5 * t46);
-        let t51 = inverse_length * (0.5 * t46);
         let t52 = inverse_length
+            * (length * EIy * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]));
+        let t53 = inverse_length
+            * (length * GIz * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
+        let t54 = inverse_length * (-0.5 * t49 + t50);
+        let t55 = inverse_length * (t50 + 0.5 * t49);
+        let t56 = inverse_length
             * (length * GIy * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]));
-        forces[0][0] = unit_db_x * t47 + unit_dc_x * t48;
-        forces[0][1] = unit_db_y * t47 + unit_dc_y * t48;
-        forces[0][2] = unit_db_z * t47 + unit_dc_z * t48;
-        forces[1][0] = unit_db_x * t49 + unit_dc_x * t50;
-        forces[1][1] = unit_db_y * t49 + unit_dc_y * t50;
-        forces[1][2] = unit_db_z * t49 + unit_dc_z * t50;
-        forces[2][0] = unit_db_x * t51 + unit_dc_x * t52;
-        forces[2][1] = unit_db_y * t51 + unit_dc_y * t52;
-        forces[2][2] = unit_db_z * t51 + unit_dc_z * t52;
-        forces[3][0] = a_x * t47 + b_x * t49 + c_x * t51;
-        forces[3][1] = a_y * t47 + b_y * t49 + c_y * t51;
-        forces[3][2] = a_z * t47 + b_z * t49 + c_z * t51;
-        forces[4][0] = a_x * t48 + b_x * t50 + c_x * t52;
-        forces[4][1] = a_y * t48 + b_y * t50 + c_y * t52;
-        forces[4][2] = a_z * t48 + b_z * t50 + c_z * t52;
+        forces[0][0] = unit_db_x * t51 + unit_dc_x * t52;
+        forces[0][1] = unit_db_y * t51 + unit_dc_y * t52;
+        forces[0][2] = unit_db_z * t51 + unit_dc_z * t52;
+        forces[1][0] = unit_db_x * t53 + unit_dc_x * t54;
+        forces[1][1] = unit_db_y * t53 + unit_dc_y * t54;
+        forces[1][2] = unit_db_z * t53 + unit_dc_z * t54;
+        forces[2][0] = unit_db_x * t55 + unit_dc_x * t56;
+        forces[2][1] = unit_db_y * t55 + unit_dc_y * t56;
+        forces[2][2] = unit_db_z * t55 + unit_dc_z * t56;
+        forces[3][0] = a_x * t51 + b_x * t53 + c_x * t55;
+        forces[3][1] = a_y * t51 + b_y * t53 + c_y * t55;
+        forces[3][2] = a_z * t51 + b_z * t53 + c_z * t55;
+        forces[4][0] = a_x * t52 + b_x * t54 + c_x * t56;
+        forces[4][1] = a_y * t52 + b_y * t54 + c_y * t56;
+        forces[4][2] = a_z * t52 + b_z * t54 + c_z * t56;
     }
     /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 141 additions, 340 multiplications, 1 divisions.
+    /// Operations: 149 additions, 342 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_tangent(
         row: &BeamSpatialCurved,
-        reference: &[f64; 5],
+        reference: &[f64; 6],
         fields: &[[f64; 3]; 5],
         stiffness: &mut [[f64; 9]; 15],
     ) {
@@ -584,12 +591,13 @@ pub mod curved_out_of_plane_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
@@ -601,225 +609,227 @@ pub mod curved_out_of_plane_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t45 = length * EIz;
-        let t46 = length * EIy;
-        let t47 = length * GJ;
-        let t48 = 0.5 * t47;
-        let t49 = length * GIz;
-        let t50 = length * GIy;
-        let t51 = t47 * (-0.5);
-        let t52 = c_x * db_x + c_y * db_y + c_z * db_z
-            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t53 = t47 * (0.5 * t52 - reference[2]);
-        let t54 = inverse_length
-            * (t45 * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]));
-        let t55 = inverse_length * inverse_length;
-        let t56 = t45 * t55;
-        let t57 = inverse_length
-            * (t46 * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]));
-        let t58 = t46 * t55;
+        let t47 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
+        let t48 = c_x * db_x + c_y * db_y + c_z * db_z;
+        let t49 = length * EIz;
+        let t50 = length * EIy;
+        let t51 = length * GJ;
+        let t52 = 0.5 * t51;
+        let t53 = length * GIz;
+        let t54 = length * GIy;
+        let t55 = length * GIyz;
+        let t56 = t51 * (-0.5);
+        let t57 = t51 * (0.5 * (t48 - t47) - reference[2]);
+        let t58 = t55 * (t47 + t48 - reference[5]);
         let t59 = inverse_length
-            * (t49 * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
-        let t60 = t49 * t55;
-        let t61 = inverse_length * (-0.5 * t53);
-        let t62 = -0.5 * t51 * t55;
-        let t63 = -0.5 * t48 * t55;
-        let t64 = inverse_length * (0.5 * t53);
-        let t65 = 0.5 * t51 * t55;
-        let t66 = 0.5 * t48 * t55;
-        let t67 = inverse_length
-            * (t50 * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]));
-        let t68 = t50 * t55;
-        let t69 = unit_db_x * t56;
-        let t70 = unit_db_y * t56;
-        let t71 = unit_db_z * t56;
-        let t72 = a_x * t56;
-        let t73 = a_y * t56;
-        let t74 = a_z * t56;
-        let t75 = unit_dc_x * t58;
-        let t76 = unit_dc_y * t58;
-        let t77 = unit_dc_z * t58;
-        let t78 = a_x * t58;
-        let t79 = a_y * t58;
-        let t80 = a_z * t58;
-        let t81 = unit_db_x * t60;
-        let t82 = unit_db_y * t60;
-        let t83 = unit_db_z * t60;
-        let t84 = b_x * t60;
-        let t85 = b_y * t60;
-        let t86 = b_z * t60;
-        let t87 = unit_dc_x * t62;
-        let t88 = unit_dc_y * t62;
-        let t89 = unit_dc_z * t62;
-        let t90 = unit_db_x * t63;
-        let t91 = unit_db_y * t63;
-        let t92 = unit_db_z * t63;
-        let t93 = c_x * t63;
-        let t94 = c_y * t63;
-        let t95 = c_z * t63;
-        let t96 = b_x * t62;
-        let t97 = b_y * t62;
-        let t98 = b_z * t62;
-        let t99 = unit_dc_x * t65;
-        let t100 = unit_dc_y * t65;
-        let t101 = unit_dc_z * t65;
-        let t102 = unit_db_x * t66;
-        let t103 = unit_db_y * t66;
-        let t104 = unit_db_z * t66;
-        let t105 = c_x * t66;
-        let t106 = c_y * t66;
-        let t107 = c_z * t66;
-        let t108 = b_x * t65;
-        let t109 = b_y * t65;
-        let t110 = b_z * t65;
-        let t111 = unit_dc_x * t68;
-        let t112 = unit_dc_y * t68;
-        let t113 = unit_dc_z * t68;
-        let t114 = c_x * t68;
-        let t115 = c_y * t68;
-        let t116 = c_z * t68;
-        stiffness[0][0] = unit_db_x * t69 + unit_dc_x * t75;
-        stiffness[0][1] = unit_db_x * t70 + unit_dc_x * t76;
-        stiffness[0][2] = unit_db_x * t71 + unit_dc_x * t77;
-        stiffness[0][3] = unit_db_y * t69 + unit_dc_y * t75;
-        stiffness[0][4] = unit_db_y * t70 + unit_dc_y * t76;
-        stiffness[0][5] = unit_db_y * t71 + unit_dc_y * t77;
-        stiffness[0][6] = unit_db_z * t69 + unit_dc_z * t75;
-        stiffness[0][7] = unit_db_z * t70 + unit_dc_z * t76;
-        stiffness[0][8] = unit_db_z * t71 + unit_dc_z * t77;
-        stiffness[1][0] = t54 + unit_db_x * t72;
-        stiffness[1][1] = unit_db_x * t73;
-        stiffness[1][2] = unit_db_x * t74;
-        stiffness[1][3] = unit_db_y * t72;
-        stiffness[1][4] = t54 + unit_db_y * t73;
-        stiffness[1][5] = unit_db_y * t74;
-        stiffness[1][6] = unit_db_z * t72;
-        stiffness[1][7] = unit_db_z * t73;
-        stiffness[1][8] = t54 + unit_db_z * t74;
-        stiffness[2][0] = t57 + unit_dc_x * t78;
-        stiffness[2][1] = unit_dc_x * t79;
-        stiffness[2][2] = unit_dc_x * t80;
-        stiffness[2][3] = unit_dc_y * t78;
-        stiffness[2][4] = t57 + unit_dc_y * t79;
-        stiffness[2][5] = unit_dc_y * t80;
-        stiffness[2][6] = unit_dc_z * t78;
-        stiffness[2][7] = unit_dc_z * t79;
-        stiffness[2][8] = t57 + unit_dc_z * t80;
-        stiffness[3][0] = unit_db_x * t81 + unit_dc_x * t87;
-        stiffness[3][1] = unit_db_x * t82 + unit_dc_x * t88;
-        stiffness[3][2] = unit_db_x * t83 + unit_dc_x * t89;
-        stiffness[3][3] = unit_db_y * t81 + unit_dc_y * t87;
-        stiffness[3][4] = unit_db_y * t82 + unit_dc_y * t88;
-        stiffness[3][5] = unit_db_y * t83 + unit_dc_y * t89;
-        stiffness[3][6] = unit_db_z * t81 + unit_dc_z * t87;
-        stiffness[3][7] = unit_db_z * t82 + unit_dc_z * t88;
-        stiffness[3][8] = unit_db_z * t83 + unit_dc_z * t89;
-        stiffness[4][0] = t59 + (unit_db_x * t84 + unit_dc_x * t93);
-        stiffness[4][1] = unit_db_x * t85 + unit_dc_x * t94;
-        stiffness[4][2] = unit_db_x * t86 + unit_dc_x * t95;
-        stiffness[4][3] = unit_db_y * t84 + unit_dc_y * t93;
-        stiffness[4][4] = t59 + (unit_db_y * t85 + unit_dc_y * t94);
-        stiffness[4][5] = unit_db_y * t86 + unit_dc_y * t95;
-        stiffness[4][6] = unit_db_z * t84 + unit_dc_z * t93;
-        stiffness[4][7] = unit_db_z * t85 + unit_dc_z * t94;
-        stiffness[4][8] = t59 + (unit_db_z * t86 + unit_dc_z * t95);
-        stiffness[5][0] = t59 + (b_x * t81 + c_x * t99);
-        stiffness[5][1] = b_x * t82 + c_x * t100;
-        stiffness[5][2] = b_x * t83 + c_x * t101;
-        stiffness[5][3] = b_y * t81 + c_y * t99;
-        stiffness[5][4] = t59 + (b_y * t82 + c_y * t100);
-        stiffness[5][5] = b_y * t83 + c_y * t101;
-        stiffness[5][6] = b_z * t81 + c_z * t99;
-        stiffness[5][7] = b_z * t82 + c_z * t100;
-        stiffness[5][8] = t59 + (b_z * t83 + c_z * t101);
-        stiffness[6][0] = a_x * t72 + b_x * t84 + c_x * t105;
-        stiffness[6][1] = a_x * t73 + b_x * t85 + c_x * t106;
-        stiffness[6][2] = a_x * t74 + b_x * t86 + c_x * t107;
-        stiffness[6][3] = a_y * t72 + b_y * t84 + c_y * t105;
-        stiffness[6][4] = a_y * t73 + b_y * t85 + c_y * t106;
-        stiffness[6][5] = a_y * t74 + b_y * t86 + c_y * t107;
-        stiffness[6][6] = a_z * t72 + b_z * t84 + c_z * t105;
-        stiffness[6][7] = a_z * t73 + b_z * t85 + c_z * t106;
-        stiffness[6][8] = a_z * t74 + b_z * t86 + c_z * t107;
-        stiffness[7][0] = unit_dc_x * t90;
-        stiffness[7][1] = unit_dc_x * t91;
-        stiffness[7][2] = unit_dc_x * t92;
-        stiffness[7][3] = unit_dc_y * t90;
-        stiffness[7][4] = unit_dc_y * t91;
-        stiffness[7][5] = unit_dc_y * t92;
-        stiffness[7][6] = unit_dc_z * t90;
-        stiffness[7][7] = unit_dc_z * t91;
-        stiffness[7][8] = unit_dc_z * t92;
-        stiffness[8][0] = t61 + unit_dc_x * t96;
-        stiffness[8][1] = unit_dc_x * t97;
-        stiffness[8][2] = unit_dc_x * t98;
-        stiffness[8][3] = unit_dc_y * t96;
-        stiffness[8][4] = t61 + unit_dc_y * t97;
-        stiffness[8][5] = unit_dc_y * t98;
-        stiffness[8][6] = unit_dc_z * t96;
-        stiffness[8][7] = unit_dc_z * t97;
-        stiffness[8][8] = t61 + unit_dc_z * t98;
-        stiffness[9][0] = t64 + c_x * t102;
-        stiffness[9][1] = c_x * t103;
-        stiffness[9][2] = c_x * t104;
-        stiffness[9][3] = c_y * t102;
-        stiffness[9][4] = t64 + c_y * t103;
-        stiffness[9][5] = c_y * t104;
-        stiffness[9][6] = c_z * t102;
-        stiffness[9][7] = c_z * t103;
-        stiffness[9][8] = t64 + c_z * t104;
-        stiffness[10][0] = c_x * t108;
-        stiffness[10][1] = c_x * t109;
-        stiffness[10][2] = c_x * t110;
-        stiffness[10][3] = c_y * t108;
-        stiffness[10][4] = c_y * t109;
-        stiffness[10][5] = c_y * t110;
-        stiffness[10][6] = c_z * t108;
-        stiffness[10][7] = c_z * t109;
-        stiffness[10][8] = c_z * t110;
-        stiffness[11][0] = unit_db_x * t102 + unit_dc_x * t111;
-        stiffness[11][1] = unit_db_x * t103 + unit_dc_x * t112;
-        stiffness[11][2] = unit_db_x * t104 + unit_dc_x * t113;
-        stiffness[11][3] = unit_db_y * t102 + unit_dc_y * t111;
-        stiffness[11][4] = unit_db_y * t103 + unit_dc_y * t112;
-        stiffness[11][5] = unit_db_y * t104 + unit_dc_y * t113;
-        stiffness[11][6] = unit_db_z * t102 + unit_dc_z * t111;
-        stiffness[11][7] = unit_db_z * t103 + unit_dc_z * t112;
-        stiffness[11][8] = unit_db_z * t104 + unit_dc_z * t113;
-        stiffness[12][0] = t67 + (unit_db_x * t108 + unit_dc_x * t114);
-        stiffness[12][1] = unit_db_x * t109 + unit_dc_x * t115;
-        stiffness[12][2] = unit_db_x * t110 + unit_dc_x * t116;
-        stiffness[12][3] = unit_db_y * t108 + unit_dc_y * t114;
-        stiffness[12][4] = t67 + (unit_db_y * t109 + unit_dc_y * t115);
-        stiffness[12][5] = unit_db_y * t110 + unit_dc_y * t116;
-        stiffness[12][6] = unit_db_z * t108 + unit_dc_z * t114;
-        stiffness[12][7] = unit_db_z * t109 + unit_dc_z * t115;
-        stiffness[12][8] = t67 + (unit_db_z * t110 + unit_dc_z * t116);
-        stiffness[13][0] = t67 + (b_x * t90 + c_x * t111);
-        stiffness[13][1] = b_x * t91 + c_x * t112;
-        stiffness[13][2] = b_x * t92 + c_x * t113;
-        stiffness[13][3] = b_y * t90 + c_y * t111;
-        stiffness[13][4] = t67 + (b_y * t91 + c_y * t112);
-        stiffness[13][5] = b_y * t92 + c_y * t113;
-        stiffness[13][6] = b_z * t90 + c_z * t111;
-        stiffness[13][7] = b_z * t91 + c_z * t112;
-        stiffness[13][8] = t67 + (b_z * t92 + c_z * t113);
-        stiffness[14][0] = a_x * t78 + b_x * t96 + c_x * t114;
-        stiffness[14][1] = a_x * t79 + b_x * t97 + c_x * t115;
-        stiffness[14][2] = a_x * t80 + b_x * t98 + c_x * t116;
-        stiffness[14][3] = a_y * t78 + b_y * t96 + c_y * t114;
-        stiffness[14][4] = a_y * t79 + b_y * t97 + c_y * t115;
-        stiffness[14][5] = a_y * t80 + b_y * t98 + c_y * t116;
-        stiffness[14][6] = a_z * t78 + b_z * t96 + c_z * t114;
-        stiffness[14][7] = a_z * t79 + b_z * t97 + c_z * t115;
-        stiffness[14][8] = a_z * t80 + b_z * t98 + c_z * t116;
+            * (t49 * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]));
+        let t60 = inverse_length * inverse_length;
+        let t61 = t49 * t60;
+        let t62 = inverse_length
+            * (t50 * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]));
+        let t63 = t50 * t60;
+        let t64 = inverse_length
+            * (t53 * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
+        let t65 = t53 * t60;
+        let t66 = inverse_length * (-0.5 * t57 + t58);
+        let t67 = (t55 + (-0.5 * t56)) * t60;
+        let t68 = (t55 + (-0.5 * t52)) * t60;
+        let t69 = inverse_length * (t58 + 0.5 * t57);
+        let t70 = (t55 + 0.5 * t56) * t60;
+        let t71 = (t55 + 0.5 * t52) * t60;
+        let t72 = inverse_length
+            * (t54 * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]));
+        let t73 = t54 * t60;
+        let t74 = unit_db_x * t61;
+        let t75 = unit_db_y * t61;
+        let t76 = unit_db_z * t61;
+        let t77 = a_x * t61;
+        let t78 = a_y * t61;
+        let t79 = a_z * t61;
+        let t80 = unit_dc_x * t63;
+        let t81 = unit_dc_y * t63;
+        let t82 = unit_dc_z * t63;
+        let t83 = a_x * t63;
+        let t84 = a_y * t63;
+        let t85 = a_z * t63;
+        let t86 = unit_db_x * t65;
+        let t87 = unit_db_y * t65;
+        let t88 = unit_db_z * t65;
+        let t89 = b_x * t65;
+        let t90 = b_y * t65;
+        let t91 = b_z * t65;
+        let t92 = unit_dc_x * t67;
+        let t93 = unit_dc_y * t67;
+        let t94 = unit_dc_z * t67;
+        let t95 = unit_db_x * t68;
+        let t96 = unit_db_y * t68;
+        let t97 = unit_db_z * t68;
+        let t98 = c_x * t68;
+        let t99 = c_y * t68;
+        let t100 = c_z * t68;
+        let t101 = b_x * t67;
+        let t102 = b_y * t67;
+        let t103 = b_z * t67;
+        let t104 = unit_dc_x * t70;
+        let t105 = unit_dc_y * t70;
+        let t106 = unit_dc_z * t70;
+        let t107 = unit_db_x * t71;
+        let t108 = unit_db_y * t71;
+        let t109 = unit_db_z * t71;
+        let t110 = c_x * t71;
+        let t111 = c_y * t71;
+        let t112 = c_z * t71;
+        let t113 = b_x * t70;
+        let t114 = b_y * t70;
+        let t115 = b_z * t70;
+        let t116 = unit_dc_x * t73;
+        let t117 = unit_dc_y * t73;
+        let t118 = unit_dc_z * t73;
+        let t119 = c_x * t73;
+        let t120 = c_y * t73;
+        let t121 = c_z * t73;
+        stiffness[0][0] = unit_db_x * t74 + unit_dc_x * t80;
+        stiffness[0][1] = unit_db_x * t75 + unit_dc_x * t81;
+        stiffness[0][2] = unit_db_x * t76 + unit_dc_x * t82;
+        stiffness[0][3] = unit_db_y * t74 + unit_dc_y * t80;
+        stiffness[0][4] = unit_db_y * t75 + unit_dc_y * t81;
+        stiffness[0][5] = unit_db_y * t76 + unit_dc_y * t82;
+        stiffness[0][6] = unit_db_z * t74 + unit_dc_z * t80;
+        stiffness[0][7] = unit_db_z * t75 + unit_dc_z * t81;
+        stiffness[0][8] = unit_db_z * t76 + unit_dc_z * t82;
+        stiffness[1][0] = t59 + unit_db_x * t77;
+        stiffness[1][1] = unit_db_x * t78;
+        stiffness[1][2] = unit_db_x * t79;
+        stiffness[1][3] = unit_db_y * t77;
+        stiffness[1][4] = t59 + unit_db_y * t78;
+        stiffness[1][5] = unit_db_y * t79;
+        stiffness[1][6] = unit_db_z * t77;
+        stiffness[1][7] = unit_db_z * t78;
+        stiffness[1][8] = t59 + unit_db_z * t79;
+        stiffness[2][0] = t62 + unit_dc_x * t83;
+        stiffness[2][1] = unit_dc_x * t84;
+        stiffness[2][2] = unit_dc_x * t85;
+        stiffness[2][3] = unit_dc_y * t83;
+        stiffness[2][4] = t62 + unit_dc_y * t84;
+        stiffness[2][5] = unit_dc_y * t85;
+        stiffness[2][6] = unit_dc_z * t83;
+        stiffness[2][7] = unit_dc_z * t84;
+        stiffness[2][8] = t62 + unit_dc_z * t85;
+        stiffness[3][0] = unit_db_x * t86 + unit_dc_x * t92;
+        stiffness[3][1] = unit_db_x * t87 + unit_dc_x * t93;
+        stiffness[3][2] = unit_db_x * t88 + unit_dc_x * t94;
+        stiffness[3][3] = unit_db_y * t86 + unit_dc_y * t92;
+        stiffness[3][4] = unit_db_y * t87 + unit_dc_y * t93;
+        stiffness[3][5] = unit_db_y * t88 + unit_dc_y * t94;
+        stiffness[3][6] = unit_db_z * t86 + unit_dc_z * t92;
+        stiffness[3][7] = unit_db_z * t87 + unit_dc_z * t93;
+        stiffness[3][8] = unit_db_z * t88 + unit_dc_z * t94;
+        stiffness[4][0] = t64 + (unit_db_x * t89 + unit_dc_x * t98);
+        stiffness[4][1] = unit_db_x * t90 + unit_dc_x * t99;
+        stiffness[4][2] = unit_db_x * t91 + unit_dc_x * t100;
+        stiffness[4][3] = unit_db_y * t89 + unit_dc_y * t98;
+        stiffness[4][4] = t64 + (unit_db_y * t90 + unit_dc_y * t99);
+        stiffness[4][5] = unit_db_y * t91 + unit_dc_y * t100;
+        stiffness[4][6] = unit_db_z * t89 + unit_dc_z * t98;
+        stiffness[4][7] = unit_db_z * t90 + unit_dc_z * t99;
+        stiffness[4][8] = t64 + (unit_db_z * t91 + unit_dc_z * t100);
+        stiffness[5][0] = t64 + (b_x * t86 + c_x * t104);
+        stiffness[5][1] = b_x * t87 + c_x * t105;
+        stiffness[5][2] = b_x * t88 + c_x * t106;
+        stiffness[5][3] = b_y * t86 + c_y * t104;
+        stiffness[5][4] = t64 + (b_y * t87 + c_y * t105);
+        stiffness[5][5] = b_y * t88 + c_y * t106;
+        stiffness[5][6] = b_z * t86 + c_z * t104;
+        stiffness[5][7] = b_z * t87 + c_z * t105;
+        stiffness[5][8] = t64 + (b_z * t88 + c_z * t106);
+        stiffness[6][0] = a_x * t77 + b_x * t89 + c_x * t110;
+        stiffness[6][1] = a_x * t78 + b_x * t90 + c_x * t111;
+        stiffness[6][2] = a_x * t79 + b_x * t91 + c_x * t112;
+        stiffness[6][3] = a_y * t77 + b_y * t89 + c_y * t110;
+        stiffness[6][4] = a_y * t78 + b_y * t90 + c_y * t111;
+        stiffness[6][5] = a_y * t79 + b_y * t91 + c_y * t112;
+        stiffness[6][6] = a_z * t77 + b_z * t89 + c_z * t110;
+        stiffness[6][7] = a_z * t78 + b_z * t90 + c_z * t111;
+        stiffness[6][8] = a_z * t79 + b_z * t91 + c_z * t112;
+        stiffness[7][0] = unit_dc_x * t95;
+        stiffness[7][1] = unit_dc_x * t96;
+        stiffness[7][2] = unit_dc_x * t97;
+        stiffness[7][3] = unit_dc_y * t95;
+        stiffness[7][4] = unit_dc_y * t96;
+        stiffness[7][5] = unit_dc_y * t97;
+        stiffness[7][6] = unit_dc_z * t95;
+        stiffness[7][7] = unit_dc_z * t96;
+        stiffness[7][8] = unit_dc_z * t97;
+        stiffness[8][0] = t66 + unit_dc_x * t101;
+        stiffness[8][1] = unit_dc_x * t102;
+        stiffness[8][2] = unit_dc_x * t103;
+        stiffness[8][3] = unit_dc_y * t101;
+        stiffness[8][4] = t66 + unit_dc_y * t102;
+        stiffness[8][5] = unit_dc_y * t103;
+        stiffness[8][6] = unit_dc_z * t101;
+        stiffness[8][7] = unit_dc_z * t102;
+        stiffness[8][8] = t66 + unit_dc_z * t103;
+        stiffness[9][0] = t69 + c_x * t107;
+        stiffness[9][1] = c_x * t108;
+        stiffness[9][2] = c_x * t109;
+        stiffness[9][3] = c_y * t107;
+        stiffness[9][4] = t69 + c_y * t108;
+        stiffness[9][5] = c_y * t109;
+        stiffness[9][6] = c_z * t107;
+        stiffness[9][7] = c_z * t108;
+        stiffness[9][8] = t69 + c_z * t109;
+        stiffness[10][0] = c_x * t113;
+        stiffness[10][1] = c_x * t114;
+        stiffness[10][2] = c_x * t115;
+        stiffness[10][3] = c_y * t113;
+        stiffness[10][4] = c_y * t114;
+        stiffness[10][5] = c_y * t115;
+        stiffness[10][6] = c_z * t113;
+        stiffness[10][7] = c_z * t114;
+        stiffness[10][8] = c_z * t115;
+        stiffness[11][0] = unit_db_x * t107 + unit_dc_x * t116;
+        stiffness[11][1] = unit_db_x * t108 + unit_dc_x * t117;
+        stiffness[11][2] = unit_db_x * t109 + unit_dc_x * t118;
+        stiffness[11][3] = unit_db_y * t107 + unit_dc_y * t116;
+        stiffness[11][4] = unit_db_y * t108 + unit_dc_y * t117;
+        stiffness[11][5] = unit_db_y * t109 + unit_dc_y * t118;
+        stiffness[11][6] = unit_db_z * t107 + unit_dc_z * t116;
+        stiffness[11][7] = unit_db_z * t108 + unit_dc_z * t117;
+        stiffness[11][8] = unit_db_z * t109 + unit_dc_z * t118;
+        stiffness[12][0] = t72 + (unit_db_x * t113 + unit_dc_x * t119);
+        stiffness[12][1] = unit_db_x * t114 + unit_dc_x * t120;
+        stiffness[12][2] = unit_db_x * t115 + unit_dc_x * t121;
+        stiffness[12][3] = unit_db_y * t113 + unit_dc_y * t119;
+        stiffness[12][4] = t72 + (unit_db_y * t114 + unit_dc_y * t120);
+        stiffness[12][5] = unit_db_y * t115 + unit_dc_y * t121;
+        stiffness[12][6] = unit_db_z * t113 + unit_dc_z * t119;
+        stiffness[12][7] = unit_db_z * t114 + unit_dc_z * t120;
+        stiffness[12][8] = t72 + (unit_db_z * t115 + unit_dc_z * t121);
+        stiffness[13][0] = t72 + (b_x * t95 + c_x * t116);
+        stiffness[13][1] = b_x * t96 + c_x * t117;
+        stiffness[13][2] = b_x * t97 + c_x * t118;
+        stiffness[13][3] = b_y * t95 + c_y * t116;
+        stiffness[13][4] = t72 + (b_y * t96 + c_y * t117);
+        stiffness[13][5] = b_y * t97 + c_y * t118;
+        stiffness[13][6] = b_z * t95 + c_z * t116;
+        stiffness[13][7] = b_z * t96 + c_z * t117;
+        stiffness[13][8] = t72 + (b_z * t97 + c_z * t118);
+        stiffness[14][0] = a_x * t83 + b_x * t101 + c_x * t119;
+        stiffness[14][1] = a_x * t84 + b_x * t102 + c_x * t120;
+        stiffness[14][2] = a_x * t85 + b_x * t103 + c_x * t121;
+        stiffness[14][3] = a_y * t83 + b_y * t101 + c_y * t119;
+        stiffness[14][4] = a_y * t84 + b_y * t102 + c_y * t120;
+        stiffness[14][5] = a_y * t85 + b_y * t103 + c_y * t121;
+        stiffness[14][6] = a_z * t83 + b_z * t101 + c_z * t119;
+        stiffness[14][7] = a_z * t84 + b_z * t102 + c_z * t120;
+        stiffness[14][8] = a_z * t85 + b_z * t103 + c_z * t121;
     }
     /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 22 additions, 45 multiplications, 1 divisions.
+    /// Operations: 25 additions, 49 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_energy(
         row: &BeamSpatialCurved,
-        reference: &[f64; 5],
+        reference: &[f64; 6],
         fields: &[[f64; 3]; 5],
         energy: &mut f64,
     ) {
@@ -828,12 +838,13 @@ pub mod curved_out_of_plane_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
@@ -845,19 +856,21 @@ pub mod curved_out_of_plane_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t45 = c_x * db_x + c_y * db_y + c_z * db_z
-            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t46 = 0.5 * (length * EIz)
+        let t47 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
+        let t48 = c_x * db_x + c_y * db_y + c_z * db_z;
+        let t49 = 0.5 * (length * EIz)
             * (a_x * db_x + a_y * db_y + a_z * db_z - reference[0]).powi(2);
-        let t47 = 0.5 * (length * EIy)
+        let t50 = 0.5 * (length * EIy)
             * (a_x * dc_x + a_y * dc_y + a_z * dc_z - reference[1]).powi(2);
-        let t48 = 0.5 * (length * GIz)
+        let t51 = t49 + t50
+            + 0.5 * (length * GJ) * (0.5 * (t48 - t47) - reference[2]).powi(2);
+        let t52 = 0.5 * (length * GIz)
             * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]).powi(2);
-        let t49 = t46 + t47 + 0.5 * (length * GJ) * (0.5 * t45 - reference[2]).powi(2)
-            + t48;
-        let t50 = 0.5 * (length * GIy)
+        let t53 = 0.5 * (length * GIy)
             * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]).powi(2);
-        *energy = t49 + t50;
+        let t54 = t51 + t52 + t53
+            + 0.5 * (length * GIyz) * (t47 + t48 - reference[5]).powi(2);
+        *energy = t54;
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
@@ -865,10 +878,10 @@ pub mod curved_out_of_plane_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 537 additions, 710 multiplications, 2 divisions.
+    /// Operations: 545 additions, 714 multiplications, 2 divisions.
     pub fn beam_spatial_curved_elastic_force(
         row: &BeamSpatialCurved,
-        reference: &[f64; 28],
+        reference: &[f64; 30],
         q: &[f64; 30],
         force: &mut [f64; 30],
     ) {
@@ -892,7 +905,7 @@ pub mod curved_out_of_plane_equations {
                 &vectors,
                 |point, fields, rates, forces| beam_spatial_curved_points2_force(
                     row,
-                    ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                    ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
                     fields,
                     forces,
                 ),
@@ -906,10 +919,10 @@ pub mod curved_out_of_plane_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 4566 additions, 5207 multiplications, 2 divisions.
+    /// Operations: 4582 additions, 5211 multiplications, 2 divisions.
     pub fn beam_spatial_curved_elastic_tangent(
         row: &BeamSpatialCurved,
-        reference: &[f64; 28],
+        reference: &[f64; 30],
         q: &[f64; 30],
         stiffness: &mut [f64; 900],
     ) {
@@ -932,7 +945,7 @@ pub mod curved_out_of_plane_equations {
                 (&BEAM_SPATIAL_CURVED_POINTS2_STIFFNESS, &mut tiles),
                 |point, fields, stiffness| beam_spatial_curved_points2_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                    ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
                     fields,
                     stiffness,
                 ),
@@ -945,10 +958,10 @@ pub mod curved_out_of_plane_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 298 additions, 389 multiplications, 2 divisions.
+    /// Operations: 304 additions, 397 multiplications, 2 divisions.
     pub fn beam_spatial_curved_strain_energy(
         row: &BeamSpatialCurved,
-        reference: &[f64; 28],
+        reference: &[f64; 30],
         q: &[f64; 30],
         energy: &mut f64,
     ) {
@@ -976,7 +989,7 @@ pub mod curved_out_of_plane_equations {
                         let mut density = 0.0;
                         beam_spatial_curved_points2_energy(
                             row,
-                            ::rncf::mesh::array(&reference[18 + 5 * point..][..5]),
+                            ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
                             fields,
                             &mut density,
                         );
@@ -990,11 +1003,11 @@ pub mod curved_out_of_plane_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points, unrolled.
     ///
-    /// Operations: 176 additions, 251 multiplications, 1 divisions.
+    /// Operations: 178 additions, 251 multiplications, 1 divisions.
     pub fn beam_spatial_curved_reference(
         row: &BeamSpatialCurved,
         q: &[f64; 30],
-        reference: &mut [f64; 28],
+        reference: &mut [f64; 30],
     ) {
         let BeamSpatialCurved { length, rhoA, rhoIz, rhoIy, .. } = *row;
         let [r0_x, r0_y, r0_z, r0x_x, r0x_y, r0x_z, r0y_x, r0y_y, r0y_z, r0z_x, r0z_y,
@@ -1067,40 +1080,40 @@ pub mod curved_out_of_plane_equations {
         let t97 = inverse_length
             * (r0z_z * (-2.1547005383792515) + rz_half_z * 2.309401076758503
                 + r1z_z * (-0.15470053837925146));
-        let t98 = t89 * t92 + t90 * t93 + t91 * t94
-            - (t83 * t95 + t84 * t96 + t85 * t97);
-        let t99 = r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
+        let t98 = t83 * t95 + t84 * t96 + t85 * t97;
+        let t99 = t89 * t92 + t90 * t93 + t91 * t94;
+        let t100 = r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
             + r1x_x * 0.28867513459481264;
-        let t100 = r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
+        let t101 = r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
             + r1x_y * 0.28867513459481264;
-        let t101 = r0x_z * (-0.2886751345948131) + d_z * 1.0000000000000004
+        let t102 = r0x_z * (-0.2886751345948131) + d_z * 1.0000000000000004
             + r1x_z * 0.28867513459481264;
-        let t102 = t80 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795;
-        let t103 = t81 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795;
-        let t104 = t82 + r0y_z * (-0.12200846792814612) + r1y_z * 0.4553418012614795;
-        let t105 = t86 + r0z_x * (-0.12200846792814612) + r1z_x * 0.4553418012614795;
-        let t106 = t87 + r0z_y * (-0.12200846792814612) + r1z_y * 0.4553418012614795;
-        let t107 = t88 + r0z_z * (-0.12200846792814612) + r1z_z * 0.4553418012614795;
-        let t108 = inverse_length
+        let t103 = t80 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795;
+        let t104 = t81 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795;
+        let t105 = t82 + r0y_z * (-0.12200846792814612) + r1y_z * 0.4553418012614795;
+        let t106 = t86 + r0z_x * (-0.12200846792814612) + r1z_x * 0.4553418012614795;
+        let t107 = t87 + r0z_y * (-0.12200846792814612) + r1z_y * 0.4553418012614795;
+        let t108 = t88 + r0z_z * (-0.12200846792814612) + r1z_z * 0.4553418012614795;
+        let t109 = inverse_length
             * (r0y_x * 0.15470053837925146 + ry_half_x * (-2.309401076758503)
                 + r1y_x * 2.1547005383792515);
-        let t109 = inverse_length
+        let t110 = inverse_length
             * (r0y_y * 0.15470053837925146 + ry_half_y * (-2.309401076758503)
                 + r1y_y * 2.1547005383792515);
-        let t110 = inverse_length
+        let t111 = inverse_length
             * (r0y_z * 0.15470053837925146 + ry_half_z * (-2.309401076758503)
                 + r1y_z * 2.1547005383792515);
-        let t111 = inverse_length
+        let t112 = inverse_length
             * (r0z_x * 0.15470053837925146 + rz_half_x * (-2.309401076758503)
                 + r1z_x * 2.1547005383792515);
-        let t112 = inverse_length
+        let t113 = inverse_length
             * (r0z_y * 0.15470053837925146 + rz_half_y * (-2.309401076758503)
                 + r1z_y * 2.1547005383792515);
-        let t113 = inverse_length
+        let t114 = inverse_length
             * (r0z_z * 0.15470053837925146 + rz_half_z * (-2.309401076758503)
                 + r1z_z * 2.1547005383792515);
-        let t114 = t105 * t108 + t106 * t109 + t107 * t110
-            - (t102 * t111 + t103 * t112 + t104 * t113);
+        let t115 = t103 * t112 + t104 * t113 + t105 * t114;
+        let t116 = t106 * t109 + t107 * t110 + t108 * t111;
         reference[0] = 0.5 * (t50 * t50 + t51 * t51 + t52 * t52 - 1.0);
         reference[1] = 0.5 * (t56 * t56 + t57 * t57 + t58 * t58 - 1.0);
         reference[2] = 0.5 * (t62 * t62 + t63 * t63 + t64 * t64 - 1.0);
@@ -1126,14 +1139,16 @@ pub mod curved_out_of_plane_equations {
         reference[17] = t71 * t74 + t72 * t75 + t73 * t76;
         reference[18] = t77 * t92 + t78 * t93 + t79 * t94;
         reference[19] = t77 * t95 + t78 * t96 + t79 * t97;
-        reference[20] = 0.5 * t98;
+        reference[20] = 0.5 * (t99 - t98);
         reference[21] = t83 * t92 + t84 * t93 + t85 * t94;
         reference[22] = t89 * t95 + t90 * t96 + t91 * t97;
-        reference[23] = t99 * t108 + t100 * t109 + t101 * t110;
-        reference[24] = t99 * t111 + t100 * t112 + t101 * t113;
-        reference[25] = 0.5 * t114;
-        reference[26] = t102 * t108 + t103 * t109 + t104 * t110;
-        reference[27] = t105 * t111 + t106 * t112 + t107 * t113;
+        reference[23] = t98 + t99;
+        reference[24] = t100 * t109 + t101 * t110 + t102 * t111;
+        reference[25] = t100 * t112 + t101 * t113 + t102 * t114;
+        reference[26] = 0.5 * (t116 - t115);
+        reference[27] = t103 * t109 + t104 * t110 + t105 * t111;
+        reference[28] = t106 * t112 + t107 * t113 + t108 * t114;
+        reference[29] = t115 + t116;
     }
     /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
     ///
@@ -1348,7 +1363,7 @@ pub mod curved_out_of_plane_equations {
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
-    /// Operations: 115 additions, 184 multiplications.
+    /// Operations: 130 additions, 197 multiplications.
     pub fn beam_spatial_curved_field_forces(
         row: &BeamSpatialCurved,
         stress_free: &[f64; 15],
@@ -1360,105 +1375,115 @@ pub mod curved_out_of_plane_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             ..
         } = *row;
-        let t51 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
-            - (fields[3] * fields[12] + fields[4] * fields[13] + fields[5] * fields[14]);
-        let t52 = 0.5
+        let t52 = fields[3] * fields[12] + fields[4] * fields[13]
+            + fields[5] * fields[14];
+        let t53 = fields[6] * fields[9] + fields[7] * fields[10]
+            + fields[8] * fields[11];
+        let t54 = 0.5
             * (fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2]
                 - 1.0)
             - 0.5
                 * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
                     + stress_free[2] * stress_free[2] - 1.0);
-        let t53 = EA * t52;
-        let t54 = 0.5
+        let t55 = EA * t54;
+        let t56 = 0.5
             * (fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5]
                 - 1.0)
             - 0.5
                 * (stress_free[3] * stress_free[3] + stress_free[4] * stress_free[4]
                     + stress_free[5] * stress_free[5] - 1.0);
-        let t55 = EA * t54;
-        let t56 = 0.5
+        let t57 = EA * t56;
+        let t58 = 0.5
             * (fields[6] * fields[6] + fields[7] * fields[7] + fields[8] * fields[8]
                 - 1.0)
             - 0.5
                 * (stress_free[6] * stress_free[6] + stress_free[7] * stress_free[7]
                     + stress_free[8] * stress_free[8] - 1.0);
-        let t57 = EA * t56;
-        let t58 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
+        let t59 = EA * t58;
+        let t60 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
             - (stress_free[0] * stress_free[3] + stress_free[1] * stress_free[4]
                 + stress_free[2] * stress_free[5]);
-        let t59 = kyGA * t58;
-        let t60 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
+        let t61 = kyGA * t60;
+        let t62 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
             - (stress_free[0] * stress_free[6] + stress_free[1] * stress_free[7]
                 + stress_free[2] * stress_free[8]);
-        let t61 = kzGA * t60;
-        let t62 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
+        let t63 = kzGA * t62;
+        let t64 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
             - (stress_free[3] * stress_free[6] + stress_free[4] * stress_free[7]
                 + stress_free[5] * stress_free[8]);
-        let t63 = GA * t62;
-        let t64 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
+        let t65 = halfEA * t64;
+        let t66 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
             - (stress_free[0] * stress_free[9] + stress_free[1] * stress_free[10]
                 + stress_free[2] * stress_free[11]);
-        let t65 = EIz * t64;
-        let t66 = t53 * (0.5 * (fields[0] * 2.0)) + fields[3] * t59 + fields[6] * t61
-            + fields[9] * t65;
-        let t67 = t53 * (0.5 * (fields[1] * 2.0)) + fields[4] * t59 + fields[7] * t61
-            + fields[10] * t65;
-        let t68 = t53 * (0.5 * (fields[2] * 2.0)) + fields[5] * t59 + fields[8] * t61
-            + fields[11] * t65;
-        let t69 = fields[0] * fields[12] + fields[1] * fields[13]
+        let t67 = EIz * t66;
+        let t68 = t55 * (0.5 * (fields[0] * 2.0)) + fields[3] * t61 + fields[6] * t63
+            + fields[9] * t67;
+        let t69 = t55 * (0.5 * (fields[1] * 2.0)) + fields[4] * t61 + fields[7] * t63
+            + fields[10] * t67;
+        let t70 = t55 * (0.5 * (fields[2] * 2.0)) + fields[5] * t61 + fields[8] * t63
+            + fields[11] * t67;
+        let t71 = fields[0] * fields[12] + fields[1] * fields[13]
             + fields[2] * fields[14]
             - (stress_free[0] * stress_free[12] + stress_free[1] * stress_free[13]
                 + stress_free[2] * stress_free[14]);
-        let t70 = EIy * t69;
-        let t71 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
-            + stress_free[8] * stress_free[11]
-            - (stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
-                + stress_free[5] * stress_free[14]);
-        let t72 = GJ * (0.5 * t51 - 0.5 * t71);
-        let t73 = t55 * (0.5 * (fields[3] * 2.0)) + fields[0] * t59 + fields[6] * t63
-            - t72 * (fields[12] * 0.5);
-        let t74 = t55 * (0.5 * (fields[4] * 2.0)) + fields[1] * t59 + fields[7] * t63
-            - t72 * (fields[13] * 0.5);
-        let t75 = t55 * (0.5 * (fields[5] * 2.0)) + fields[2] * t59 + fields[8] * t63
-            - t72 * (fields[14] * 0.5);
-        let t76 = t57 * (0.5 * (fields[6] * 2.0)) + fields[0] * t61 + fields[3] * t63
-            + t72 * (fields[9] * 0.5);
-        let t77 = t57 * (0.5 * (fields[7] * 2.0)) + fields[1] * t61 + fields[4] * t63
-            + t72 * (fields[10] * 0.5);
-        let t78 = t57 * (0.5 * (fields[8] * 2.0)) + fields[2] * t61 + fields[5] * t63
-            + t72 * (fields[11] * 0.5);
-        let t79 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
+        let t72 = EIy * t71;
+        let t73 = stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
+            + stress_free[5] * stress_free[14];
+        let t74 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
+            + stress_free[8] * stress_free[11];
+        let t75 = GJ * (0.5 * (t53 - t52) - 0.5 * (t74 - t73));
+        let t76 = t57 * (0.5 * (fields[3] * 2.0)) + fields[0] * t61 + fields[6] * t65
+            - t75 * (fields[12] * 0.5);
+        let t77 = t57 * (0.5 * (fields[4] * 2.0)) + fields[1] * t61 + fields[7] * t65
+            - t75 * (fields[13] * 0.5);
+        let t78 = t57 * (0.5 * (fields[5] * 2.0)) + fields[2] * t61 + fields[8] * t65
+            - t75 * (fields[14] * 0.5);
+        let t79 = t59 * (0.5 * (fields[6] * 2.0)) + fields[0] * t63 + fields[3] * t65
+            + t75 * (fields[9] * 0.5);
+        let t80 = t59 * (0.5 * (fields[7] * 2.0)) + fields[1] * t63 + fields[4] * t65
+            + t75 * (fields[10] * 0.5);
+        let t81 = t59 * (0.5 * (fields[8] * 2.0)) + fields[2] * t63 + fields[5] * t65
+            + t75 * (fields[11] * 0.5);
+        let t82 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
             - (stress_free[3] * stress_free[9] + stress_free[4] * stress_free[10]
                 + stress_free[5] * stress_free[11]);
-        let t80 = GIz * t79;
-        let t81 = fields[6] * fields[12] + fields[7] * fields[13]
+        let t83 = GIz * t82;
+        let t84 = fields[6] * fields[12] + fields[7] * fields[13]
             + fields[8] * fields[14]
             - (stress_free[6] * stress_free[12] + stress_free[7] * stress_free[13]
                 + stress_free[8] * stress_free[14]);
-        let t82 = GIy * t81;
-        forces[0] = t66 + fields[12] * t70;
-        forces[1] = t67 + fields[13] * t70;
-        forces[2] = t68 + fields[14] * t70;
-        forces[3] = t73 + fields[9] * t80;
-        forces[4] = t74 + fields[10] * t80;
-        forces[5] = t75 + fields[11] * t80;
-        forces[6] = t76 + fields[12] * t82;
-        forces[7] = t77 + fields[13] * t82;
-        forces[8] = t78 + fields[14] * t82;
-        forces[9] = fields[0] * t65 + t72 * (fields[6] * 0.5) + fields[3] * t80;
-        forces[10] = fields[1] * t65 + t72 * (fields[7] * 0.5) + fields[4] * t80;
-        forces[11] = fields[2] * t65 + t72 * (fields[8] * 0.5) + fields[5] * t80;
-        forces[12] = fields[0] * t70 - t72 * (fields[3] * 0.5) + fields[6] * t82;
-        forces[13] = fields[1] * t70 - t72 * (fields[4] * 0.5) + fields[7] * t82;
-        forces[14] = fields[2] * t70 - t72 * (fields[5] * 0.5) + fields[8] * t82;
+        let t85 = GIy * t84;
+        let t86 = GIyz * (t52 + t53 - (t73 + t74));
+        forces[0] = t68 + fields[12] * t72;
+        forces[1] = t69 + fields[13] * t72;
+        forces[2] = t70 + fields[14] * t72;
+        forces[3] = t76 + fields[9] * t83 + fields[12] * t86;
+        forces[4] = t77 + fields[10] * t83 + fields[13] * t86;
+        forces[5] = t78 + fields[11] * t83 + fields[14] * t86;
+        forces[6] = t79 + fields[12] * t85 + fields[9] * t86;
+        forces[7] = t80 + fields[13] * t85 + fields[10] * t86;
+        forces[8] = t81 + fields[14] * t85 + fields[11] * t86;
+        forces[9] = fields[0] * t67 + t75 * (fields[6] * 0.5) + fields[3] * t83
+            + fields[6] * t86;
+        forces[10] = fields[1] * t67 + t75 * (fields[7] * 0.5) + fields[4] * t83
+            + fields[7] * t86;
+        forces[11] = fields[2] * t67 + t75 * (fields[8] * 0.5) + fields[5] * t83
+            + fields[8] * t86;
+        forces[12] = fields[0] * t72 - t75 * (fields[3] * 0.5) + fields[6] * t85
+            + fields[3] * t86;
+        forces[13] = fields[1] * t72 - t75 * (fields[4] * 0.5) + fields[7] * t85
+            + fields[4] * t86;
+        forces[14] = fields[2] * t72 - t75 * (fields[5] * 0.5) + fields[8] * t85
+            + fields[5] * t86;
     }
     /// Motion of frame `hub` and its first two derivatives.
     ///
@@ -1500,7 +1525,7 @@ pub mod curved_out_of_plane_equations {
     }
     /// Joint `root`: conditions, position level.
     ///
-    /// Operations: 11 additions, 12 multiplications.
+    /// Operations: 15 additions, 19 multiplications.
     pub fn joint_root_referenced_position(
         model: &super::CurvedOutOfPlane,
         t: f64,
@@ -1510,42 +1535,45 @@ pub mod curved_out_of_plane_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
+        let t30 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
+        let t31 = data.tangent[2] * data.second[0] - data.tangent[0] * data.second[2];
+        let t32 = data.tangent[0] * data.second[1] - data.tangent[1] * data.second[0];
+        let t33 = data.second[0] * q[3] + data.second[1] * q[4] + data.second[2] * q[5]
+            - (data.tangent[0] * q[6] + data.tangent[1] * q[7] + data.tangent[2] * q[8]);
         rows[0] = q[0] - data.point[0];
         rows[1] = q[1] - data.point[1];
         rows[2] = q[2] - data.point[2];
-        rows[3] = data.normals[0][0] * q[3] + data.normals[0][1] * q[4]
-            + data.normals[0][2] * q[5];
-        rows[4] = data.normals[1][0] * q[3] + data.normals[1][1] * q[4]
-            + data.normals[1][2] * q[5];
-        rows[5] = data.second[1][0] * q[6] + data.second[1][1] * q[7]
-            + data.second[1][2] * q[8];
-        rows[6] = data.second[2][0] * q[6] + data.second[2][1] * q[7]
-            + data.second[2][2] * q[8];
+        rows[3] = q[3] * t30 + q[4] * t31 + q[5] * t32;
+        rows[4] = q[6] * t30 + q[7] * t31 + q[8] * t32;
+        rows[5] = 0.5 * t33;
     }
     /// Joint `root`: derivatives of the conditions.
     ///
-    /// Operations: 0 additions, 0 multiplications.
+    /// Operations: 3 additions, 12 multiplications.
     pub fn joint_root_referenced_jacobian(
         model: &super::CurvedOutOfPlane,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
     ) {
+        let t18 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
+        let t19 = data.tangent[2] * data.second[0] - data.tangent[0] * data.second[2];
+        let t20 = data.tangent[0] * data.second[1] - data.tangent[1] * data.second[0];
         jacobian[0] = 1.0;
         jacobian[10] = 1.0;
         jacobian[20] = 1.0;
-        jacobian[30] = data.normals[0][0];
-        jacobian[31] = data.normals[0][1];
-        jacobian[32] = data.normals[0][2];
-        jacobian[39] = data.normals[1][0];
-        jacobian[40] = data.normals[1][1];
-        jacobian[41] = data.normals[1][2];
-        jacobian[51] = data.second[1][0];
-        jacobian[52] = data.second[1][1];
-        jacobian[53] = data.second[1][2];
-        jacobian[60] = data.second[2][0];
-        jacobian[61] = data.second[2][1];
-        jacobian[62] = data.second[2][2];
+        jacobian[30] = t18;
+        jacobian[31] = t19;
+        jacobian[32] = t20;
+        jacobian[42] = t18;
+        jacobian[43] = t19;
+        jacobian[44] = t20;
+        jacobian[48] = data.second[0] * 0.5;
+        jacobian[49] = data.second[1] * 0.5;
+        jacobian[50] = data.second[2] * 0.5;
+        jacobian[51] = -data.tangent[0] * 0.5;
+        jacobian[52] = -data.tangent[1] * 0.5;
+        jacobian[53] = -data.tangent[2] * 0.5;
     }
     /// Joint `root`: what it prescribes, and its derivatives.
     ///
@@ -1562,13 +1590,13 @@ pub mod curved_out_of_plane_equations {
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.second[0][0] = data.second[0][0];
-        prescribed.second[0][1] = data.second[0][1];
-        prescribed.second[0][2] = data.second[0][2];
+        prescribed.second[0][0] = data.second[0];
+        prescribed.second[0][1] = data.second[1];
+        prescribed.second[0][2] = data.second[2];
     }
     /// Joint `root`: conditions, position level.
     ///
-    /// Operations: 25 additions, 38 multiplications, 5 divisions, 3 function calls.
+    /// Operations: 25 additions, 37 multiplications, 5 divisions, 3 function calls.
     pub fn joint_root_absolute_position(
         model: &super::CurvedOutOfPlane,
         t: f64,
@@ -1578,35 +1606,35 @@ pub mod curved_out_of_plane_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t39 = t * t / 2.0
+        let t33 = t * t / 2.0
             + (model.T_s / 6.283185307179586).powi(2)
                 * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
         let theta = (if t <= model.T_s {
-            model.omega_s / model.T_s * t39
+            model.omega_s / model.T_s * t33
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t41 = theta.cos();
-        let t42 = theta.sin();
-        let t43 = q[3] * (t41 * data.normals[0][0] - t42 * data.normals[0][1])
-            + q[4] * (t42 * data.normals[0][0] + t41 * data.normals[0][1]);
-        let t44 = q[3] * (t41 * data.normals[1][0] - t42 * data.normals[1][1])
-            + q[4] * (t42 * data.normals[1][0] + t41 * data.normals[1][1]);
-        let t45 = q[6] * (t41 * data.second[1][0] - t42 * data.second[1][1])
-            + q[7] * (t42 * data.second[1][0] + t41 * data.second[1][1]);
-        let t46 = q[6] * (t41 * data.second[2][0] - t42 * data.second[2][1])
-            + q[7] * (t42 * data.second[2][0] + t41 * data.second[2][1]);
-        rows[0] = q[0] - (t41 * data.point[0] - t42 * data.point[1]);
-        rows[1] = q[1] - (t42 * data.point[0] + t41 * data.point[1]);
+        let t35 = theta.cos();
+        let t36 = theta.sin();
+        let t37 = t35 * data.tangent[0] - t36 * data.tangent[1];
+        let t38 = t36 * data.tangent[0] + t35 * data.tangent[1];
+        let t39 = t35 * data.second[0] - t36 * data.second[1];
+        let t40 = t36 * data.second[0] + t35 * data.second[1];
+        let t41 = data.second[2] * t38 - data.tangent[2] * t40;
+        let t42 = data.tangent[2] * t39 - data.second[2] * t37;
+        let t43 = t37 * t40 - t38 * t39;
+        let t44 = q[3] * t39 + q[4] * t40 + data.second[2] * q[5]
+            - (q[6] * t37 + q[7] * t38 + data.tangent[2] * q[8]);
+        rows[0] = q[0] - (t35 * data.point[0] - t36 * data.point[1]);
+        rows[1] = q[1] - (t36 * data.point[0] + t35 * data.point[1]);
         rows[2] = q[2] - data.point[2];
-        rows[3] = t43 + data.normals[0][2] * q[5];
-        rows[4] = t44 + data.normals[1][2] * q[5];
-        rows[5] = t45 + data.second[1][2] * q[8];
-        rows[6] = t46 + data.second[2][2] * q[8];
+        rows[3] = q[3] * t41 + q[4] * t42 + q[5] * t43;
+        rows[4] = q[6] * t41 + q[7] * t42 + q[8] * t43;
+        rows[5] = 0.5 * t44;
     }
     /// Joint `root`: conditions, velocity level.
     ///
-    /// Operations: 20 additions, 39 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 28 additions, 50 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_velocity(
         model: &super::CurvedOutOfPlane,
         t: f64,
@@ -1624,31 +1652,35 @@ pub mod curved_out_of_plane_equations {
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t33 = (if t <= model.T_s {
+        let t33 = theta.cos();
+        let t34 = theta.sin();
+        let t35 = (if t <= model.T_s {
             t29 * (t - t30 * (6.283185307179586 / model.T_s * t31.sin()))
         } else {
             model.omega_s
         });
-        let t34 = theta.sin() * t33;
-        let t35 = theta.cos() * t33;
-        let t36 = q[4] * (data.normals[0][0] * t35 - data.normals[0][1] * t34)
-            - q[3] * (data.normals[0][0] * t34 + data.normals[0][1] * t35);
-        let t37 = q[4] * (data.normals[1][0] * t35 - data.normals[1][1] * t34)
-            - q[3] * (data.normals[1][0] * t34 + data.normals[1][1] * t35);
-        let t38 = q[7] * (data.second[1][0] * t35 - data.second[1][1] * t34)
-            - q[6] * (data.second[1][0] * t34 + data.second[1][1] * t35);
-        let t39 = q[7] * (data.second[2][0] * t35 - data.second[2][1] * t34)
-            - q[6] * (data.second[2][0] * t34 + data.second[2][1] * t35);
-        rows[0] = data.point[0] * t34 + data.point[1] * t35;
-        rows[1] = data.point[1] * t34 - data.point[0] * t35;
-        rows[3] = t36;
-        rows[4] = t37;
-        rows[5] = t38;
-        rows[6] = t39;
+        let t36 = t34 * t35;
+        let t37 = t33 * t35;
+        let t38 = data.tangent[0] * t36 + data.tangent[1] * t37;
+        let t39 = data.tangent[0] * t37 - data.tangent[1] * t36;
+        let t40 = data.second[0] * t36 + data.second[1] * t37;
+        let t41 = data.second[0] * t37 - data.second[1] * t36;
+        let t42 = data.second[2] * t39 - data.tangent[2] * t41;
+        let t43 = data.second[2] * t38 - data.tangent[2] * t40;
+        let t44 = (t33 * data.tangent[0] - t34 * data.tangent[1]) * t41
+            - (t34 * data.second[0] + t33 * data.second[1]) * t38;
+        let t45 = (t33 * data.second[0] - t34 * data.second[1]) * t39
+            - (t34 * data.tangent[0] + t33 * data.tangent[1]) * t40;
+        let t46 = t44 - t45;
+        rows[0] = data.point[0] * t36 + data.point[1] * t37;
+        rows[1] = data.point[1] * t36 - data.point[0] * t37;
+        rows[3] = q[5] * t46 + (q[3] * t42 + q[4] * t43);
+        rows[4] = q[8] * t46 + (q[6] * t42 + q[7] * t43);
+        rows[5] = 0.5 * (q[4] * t41 - q[3] * t40 - (q[7] * t39 - q[6] * t38));
     }
     /// Joint `root`: conditions, acceleration level.
     ///
-    /// Operations: 48 additions, 71 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 65 additions, 86 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_acceleration(
         model: &super::CurvedOutOfPlane,
         t: f64,
@@ -1658,64 +1690,78 @@ pub mod curved_out_of_plane_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t33 = model.omega_s / model.T_s;
-        let t34 = (model.T_s / 6.283185307179586).powi(2);
-        let t35 = t * 6.283185307179586 / model.T_s;
-        let t36 = t35.cos();
+        let t35 = model.omega_s / model.T_s;
+        let t36 = (model.T_s / 6.283185307179586).powi(2);
+        let t37 = t * 6.283185307179586 / model.T_s;
+        let t38 = t37.cos();
         let theta = (if t <= model.T_s {
-            t33 * (t * t / 2.0 + t34 * (t36 - 1.0))
+            t35 * (t * t / 2.0 + t36 * (t38 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t38 = theta.cos();
-        let t39 = theta.sin();
-        let t40 = 6.283185307179586 / model.T_s;
-        let t41 = (if t <= model.T_s {
-            t33 * (t - t34 * (t40 * t35.sin()))
+        let t40 = theta.cos();
+        let t41 = theta.sin();
+        let t42 = t40 * data.tangent[0] - t41 * data.tangent[1];
+        let t43 = t41 * data.tangent[0] + t40 * data.tangent[1];
+        let t44 = t40 * data.second[0] - t41 * data.second[1];
+        let t45 = t41 * data.second[0] + t40 * data.second[1];
+        let t46 = 6.283185307179586 / model.T_s;
+        let t47 = (if t <= model.T_s {
+            t35 * (t - t36 * (t46 * t37.sin()))
         } else {
             model.omega_s
         });
-        let t42 = t39 * t41;
-        let t43 = t38 * t41;
-        let t44 = (if t <= model.T_s {
-            t33 * (1.0 - t34 * (t40 * (t36 * t40)))
+        let t48 = t41 * t47;
+        let t49 = t40 * t47;
+        let t50 = data.tangent[0] * t48 + data.tangent[1] * t49;
+        let t51 = data.tangent[0] * t49 - data.tangent[1] * t48;
+        let t52 = data.second[0] * t48 + data.second[1] * t49;
+        let t53 = data.second[0] * t49 - data.second[1] * t48;
+        let t54 = data.second[2] * t51 - data.tangent[2] * t53;
+        let t55 = data.second[2] * t50 - data.tangent[2] * t52;
+        let t56 = t42 * t53 - t45 * t50 - (t44 * t51 - t43 * t52);
+        let t57 = (if t <= model.T_s {
+            t35 * (1.0 - t36 * (t46 * (t38 * t46)))
         } else {
             0.0
         });
-        let t45 = t41 * t43 + t39 * t44;
-        let t46 = t38 * t44 - t41 * t42;
-        let t47 = v[3] * (data.normals[0][0] * t42 + data.normals[0][1] * t43);
-        let t48 = v[4] * (data.normals[0][0] * t43 - data.normals[0][1] * t42);
-        let t49 = v[3] * (data.normals[1][0] * t42 + data.normals[1][1] * t43);
-        let t50 = v[4] * (data.normals[1][0] * t43 - data.normals[1][1] * t42);
-        let t51 = v[6] * (data.second[1][0] * t42 + data.second[1][1] * t43);
-        let t52 = v[7] * (data.second[1][0] * t43 - data.second[1][1] * t42);
-        let t53 = v[6] * (data.second[2][0] * t42 + data.second[2][1] * t43);
-        let t54 = v[7] * (data.second[2][0] * t43 - data.second[2][1] * t42);
-        let t55 = t48
-            + (t48 + q[4] * (data.normals[0][0] * t46 - data.normals[0][1] * t45))
-            - (t47
-                + (t47 + q[3] * (data.normals[0][0] * t45 + data.normals[0][1] * t46)));
-        let t56 = t50
-            + (t50 + q[4] * (data.normals[1][0] * t46 - data.normals[1][1] * t45))
-            - (t49
-                + (t49 + q[3] * (data.normals[1][0] * t45 + data.normals[1][1] * t46)));
-        let t57 = t52
-            + (t52 + q[7] * (data.second[1][0] * t46 - data.second[1][1] * t45))
-            - (t51 + (t51 + q[6] * (data.second[1][0] * t45 + data.second[1][1] * t46)));
-        let t58 = t54
-            + (t54 + q[7] * (data.second[2][0] * t46 - data.second[2][1] * t45))
-            - (t53 + (t53 + q[6] * (data.second[2][0] * t45 + data.second[2][1] * t46)));
-        rows[0] = data.point[0] * t45 + data.point[1] * t46;
-        rows[1] = data.point[1] * t45 - data.point[0] * t46;
-        rows[3] = t55;
-        rows[4] = t56;
-        rows[5] = t57;
-        rows[6] = t58;
+        let t58 = t47 * t49 + t41 * t57;
+        let t59 = t40 * t57 - t47 * t48;
+        let t60 = data.tangent[0] * t58 + data.tangent[1] * t59;
+        let t61 = data.tangent[0] * t59 - data.tangent[1] * t58;
+        let t62 = data.second[0] * t58 + data.second[1] * t59;
+        let t63 = data.second[0] * t59 - data.second[1] * t58;
+        let t64 = data.second[2] * t61 - data.tangent[2] * t63;
+        let t65 = data.second[2] * t60 - data.tangent[2] * t62;
+        let t66 = t50 * t53;
+        let t67 = t51 * t52;
+        let t68 = t42 * t63 - t66 - (t66 + t45 * t60)
+            - (t44 * t61 - t67 - (t67 + t43 * t62));
+        let t69 = v[3] * t54;
+        let t70 = v[4] * t55;
+        let t71 = v[5] * t56;
+        let t72 = v[6] * t54;
+        let t73 = v[7] * t55;
+        let t74 = v[8] * t56;
+        let t75 = v[3] * t52;
+        let t76 = v[4] * t53;
+        let t77 = v[6] * t50;
+        let t78 = v[7] * t51;
+        let t79 = t69 + (t69 + q[3] * t64) + (t70 + (t70 + q[4] * t65))
+            + (t71 + (t71 + q[5] * t68));
+        let t80 = t72 + (t72 + q[6] * t64) + (t73 + (t73 + q[7] * t65))
+            + (t74 + (t74 + q[8] * t68));
+        let t81 = t76 + (t76 + q[4] * t63) - (t75 + (t75 + q[3] * t62))
+            - (t78 + (t78 + q[7] * t61) - (t77 + (t77 + q[6] * t60)));
+        rows[0] = data.point[0] * t58 + data.point[1] * t59;
+        rows[1] = data.point[1] * t58 - data.point[0] * t59;
+        rows[3] = t79;
+        rows[4] = t80;
+        rows[5] = 0.5 * t81;
     }
     /// Joint `root`: conditions, jerk level.
     ///
-    /// Operations: 87 additions, 105 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 121 additions, 126 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_jerk(
         model: &super::CurvedOutOfPlane,
         t: f64,
@@ -1725,127 +1771,156 @@ pub mod curved_out_of_plane_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t37 = model.omega_s / model.T_s;
-        let t38 = (model.T_s / 6.283185307179586).powi(2);
-        let t39 = t * 6.283185307179586 / model.T_s;
-        let t40 = t39.cos();
+        let t41 = model.omega_s / model.T_s;
+        let t42 = (model.T_s / 6.283185307179586).powi(2);
+        let t43 = t * 6.283185307179586 / model.T_s;
+        let t44 = t43.cos();
         let theta = (if t <= model.T_s {
-            t37 * (t * t / 2.0 + t38 * (t40 - 1.0))
+            t41 * (t * t / 2.0 + t42 * (t44 - 1.0))
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t42 = theta.cos();
-        let t43 = theta.sin();
-        let t44 = 6.283185307179586 / model.T_s;
-        let t45 = t44 * t39.sin();
-        let t46 = (if t <= model.T_s { t37 * (t - t38 * t45) } else { model.omega_s });
-        let t47 = t43 * t46;
-        let t48 = t42 * t46;
-        let t49 = (if t <= model.T_s {
-            t37 * (1.0 - t38 * (t44 * (t40 * t44)))
+        let t46 = theta.cos();
+        let t47 = theta.sin();
+        let t48 = t46 * data.tangent[0] - t47 * data.tangent[1];
+        let t49 = t47 * data.tangent[0] + t46 * data.tangent[1];
+        let t50 = t46 * data.second[0] - t47 * data.second[1];
+        let t51 = t47 * data.second[0] + t46 * data.second[1];
+        let t52 = 6.283185307179586 / model.T_s;
+        let t53 = t52 * t43.sin();
+        let t54 = (if t <= model.T_s { t41 * (t - t42 * t53) } else { model.omega_s });
+        let t55 = t47 * t54;
+        let t56 = t46 * t54;
+        let t57 = data.tangent[0] * t55 + data.tangent[1] * t56;
+        let t58 = data.tangent[0] * t56 - data.tangent[1] * t55;
+        let t59 = data.second[0] * t55 + data.second[1] * t56;
+        let t60 = data.second[0] * t56 - data.second[1] * t55;
+        let t61 = data.second[2] * t58 - data.tangent[2] * t60;
+        let t62 = data.second[2] * t57 - data.tangent[2] * t59;
+        let t63 = t48 * t60 - t51 * t57 - (t50 * t58 - t49 * t59);
+        let t64 = (if t <= model.T_s {
+            t41 * (1.0 - t42 * (t52 * (t44 * t52)))
         } else {
             0.0
         });
-        let t50 = t46 * t48 + t43 * t49;
-        let t51 = t42 * t49 - t46 * t47;
-        let t52 = (if t <= model.T_s { t37 * (t38 * (t44 * (t44 * t45))) } else { 0.0 });
-        let t53 = t48 * t49;
-        let t54 = t53 + t46 * t51 + (t53 + t43 * t52);
-        let t55 = t47 * t49;
-        let t56 = t42 * t52 - t55 - (t55 + t46 * t50);
-        let t57 = a[3] * (data.normals[0][0] * t47 + data.normals[0][1] * t48);
-        let t58 = v[3] * (data.normals[0][0] * t50 + data.normals[0][1] * t51);
-        let t59 = t57 + t58;
-        let t60 = a[4] * (data.normals[0][0] * t48 - data.normals[0][1] * t47);
-        let t61 = v[4] * (data.normals[0][0] * t51 - data.normals[0][1] * t50);
-        let t62 = t60 + t61;
-        let t63 = t60 + t62
-            + (t62
-                + (t61 + q[4] * (data.normals[0][0] * t56 - data.normals[0][1] * t54)))
-            - (t57 + t59
-                + (t59
-                    + (t58
-                        + q[3]
-                            * (data.normals[0][0] * t54 + data.normals[0][1] * t56))));
-        let t64 = a[3] * (data.normals[1][0] * t47 + data.normals[1][1] * t48);
-        let t65 = v[3] * (data.normals[1][0] * t50 + data.normals[1][1] * t51);
-        let t66 = t64 + t65;
-        let t67 = a[4] * (data.normals[1][0] * t48 - data.normals[1][1] * t47);
-        let t68 = v[4] * (data.normals[1][0] * t51 - data.normals[1][1] * t50);
-        let t69 = t67 + t68;
-        let t70 = t67 + t69
-            + (t69
-                + (t68 + q[4] * (data.normals[1][0] * t56 - data.normals[1][1] * t54)))
-            - (t64 + t66
-                + (t66
-                    + (t65
-                        + q[3]
-                            * (data.normals[1][0] * t54 + data.normals[1][1] * t56))));
-        let t71 = a[6] * (data.second[1][0] * t47 + data.second[1][1] * t48);
-        let t72 = v[6] * (data.second[1][0] * t50 + data.second[1][1] * t51);
-        let t73 = t71 + t72;
-        let t74 = a[7] * (data.second[1][0] * t48 - data.second[1][1] * t47);
-        let t75 = v[7] * (data.second[1][0] * t51 - data.second[1][1] * t50);
-        let t76 = t74 + t75;
-        let t77 = t74 + t76
-            + (t76 + (t75 + q[7] * (data.second[1][0] * t56 - data.second[1][1] * t54)))
-            - (t71 + t73
-                + (t73
-                    + (t72
-                        + q[6] * (data.second[1][0] * t54 + data.second[1][1] * t56))));
-        let t78 = a[6] * (data.second[2][0] * t47 + data.second[2][1] * t48);
-        let t79 = v[6] * (data.second[2][0] * t50 + data.second[2][1] * t51);
-        let t80 = t78 + t79;
-        let t81 = a[7] * (data.second[2][0] * t48 - data.second[2][1] * t47);
-        let t82 = v[7] * (data.second[2][0] * t51 - data.second[2][1] * t50);
-        let t83 = t81 + t82;
-        let t84 = t81 + t83
-            + (t83 + (t82 + q[7] * (data.second[2][0] * t56 - data.second[2][1] * t54)))
-            - (t78 + t80
-                + (t80
-                    + (t79
-                        + q[6] * (data.second[2][0] * t54 + data.second[2][1] * t56))));
-        rows[0] = data.point[0] * t54 + data.point[1] * t56;
-        rows[1] = data.point[1] * t54 - data.point[0] * t56;
-        rows[3] = t63;
-        rows[4] = t70;
-        rows[5] = t77;
-        rows[6] = t84;
+        let t65 = t54 * t56 + t47 * t64;
+        let t66 = t46 * t64 - t54 * t55;
+        let t67 = data.tangent[0] * t65 + data.tangent[1] * t66;
+        let t68 = data.tangent[0] * t66 - data.tangent[1] * t65;
+        let t69 = data.second[0] * t65 + data.second[1] * t66;
+        let t70 = data.second[0] * t66 - data.second[1] * t65;
+        let t71 = data.second[2] * t68 - data.tangent[2] * t70;
+        let t72 = data.second[2] * t67 - data.tangent[2] * t69;
+        let t73 = t57 * t60;
+        let t74 = t58 * t59;
+        let t75 = t48 * t70 - t73 - (t73 + t51 * t67)
+            - (t50 * t68 - t74 - (t74 + t49 * t69));
+        let t76 = (if t <= model.T_s { t41 * (t42 * (t52 * (t52 * t53))) } else { 0.0 });
+        let t77 = t56 * t64;
+        let t78 = t77 + t54 * t66 + (t77 + t47 * t76);
+        let t79 = t55 * t64;
+        let t80 = t46 * t76 - t79 - (t79 + t54 * t65);
+        let t81 = data.tangent[0] * t78 + data.tangent[1] * t80;
+        let t82 = data.tangent[0] * t80 - data.tangent[1] * t78;
+        let t83 = data.second[0] * t78 + data.second[1] * t80;
+        let t84 = data.second[0] * t80 - data.second[1] * t78;
+        let t85 = data.second[2] * t82 - data.tangent[2] * t84;
+        let t86 = data.second[2] * t81 - data.tangent[2] * t83;
+        let t87 = t60 * t67;
+        let t88 = t57 * t70;
+        let t89 = t87 + t88;
+        let t90 = t59 * t68;
+        let t91 = t58 * t69;
+        let t92 = t90 + t91;
+        let t93 = t48 * t84 - t88 - t89 - (t89 + (t87 + t51 * t81))
+            - (t50 * t82 - t90 - t92 - (t92 + (t91 + t49 * t83)));
+        let t94 = a[3] * t61;
+        let t95 = v[3] * t71;
+        let t96 = t94 + t95;
+        let t97 = a[4] * t62;
+        let t98 = v[4] * t72;
+        let t99 = t97 + t98;
+        let t100 = t94 + t96 + (t96 + (t95 + q[3] * t85))
+            + (t97 + t99 + (t99 + (t98 + q[4] * t86)));
+        let t101 = a[5] * t63;
+        let t102 = v[5] * t75;
+        let t103 = t101 + t102;
+        let t104 = a[6] * t61;
+        let t105 = v[6] * t71;
+        let t106 = t104 + t105;
+        let t107 = a[7] * t62;
+        let t108 = v[7] * t72;
+        let t109 = t107 + t108;
+        let t110 = t104 + t106 + (t106 + (t105 + q[6] * t85))
+            + (t107 + t109 + (t109 + (t108 + q[7] * t86)));
+        let t111 = a[8] * t63;
+        let t112 = v[8] * t75;
+        let t113 = t111 + t112;
+        let t114 = a[3] * t59;
+        let t115 = v[3] * t69;
+        let t116 = t114 + t115;
+        let t117 = a[4] * t60;
+        let t118 = v[4] * t70;
+        let t119 = t117 + t118;
+        let t120 = t117 + t119 + (t119 + (t118 + q[4] * t84))
+            - (t114 + t116 + (t116 + (t115 + q[3] * t83)));
+        let t121 = a[6] * t57;
+        let t122 = v[6] * t67;
+        let t123 = t121 + t122;
+        let t124 = a[7] * t58;
+        let t125 = v[7] * t68;
+        let t126 = t124 + t125;
+        let t127 = t124 + t126 + (t126 + (t125 + q[7] * t82))
+            - (t121 + t123 + (t123 + (t122 + q[6] * t81)));
+        rows[0] = data.point[0] * t78 + data.point[1] * t80;
+        rows[1] = data.point[1] * t78 - data.point[0] * t80;
+        rows[3] = t100 + (t101 + t103 + (t103 + (t102 + q[5] * t93)));
+        rows[4] = t110 + (t111 + t113 + (t113 + (t112 + q[8] * t93)));
+        rows[5] = 0.5 * (t120 - t127);
     }
     /// Joint `root`: derivatives of the conditions.
     ///
-    /// Operations: 12 additions, 22 multiplications, 5 divisions, 3 function calls.
+    /// Operations: 12 additions, 26 multiplications, 5 divisions, 3 function calls.
     pub fn joint_root_absolute_jacobian(
         model: &super::CurvedOutOfPlane,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
     ) {
-        let t27 = t * t / 2.0
+        let t21 = t * t / 2.0
             + (model.T_s / 6.283185307179586).powi(2)
                 * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
         let theta = (if t <= model.T_s {
-            model.omega_s / model.T_s * t27
+            model.omega_s / model.T_s * t21
         } else {
             model.omega_s * (t - model.T_s / 2.0)
         });
-        let t29 = theta.cos();
-        let t30 = theta.sin();
+        let t23 = theta.cos();
+        let t24 = theta.sin();
+        let t25 = t23 * data.tangent[0];
+        let t26 = t24 * data.tangent[1];
+        let t27 = t25 - t26;
+        let t28 = t24 * data.tangent[0] + t23 * data.tangent[1];
+        let t29 = t23 * data.second[0] - t24 * data.second[1];
+        let t30 = t24 * data.second[0] + t23 * data.second[1];
+        let t31 = data.second[2] * t28 - data.tangent[2] * t30;
+        let t32 = data.tangent[2] * t29 - data.second[2] * t27;
+        let t33 = t27 * t30 - t28 * t29;
         jacobian[0] = 1.0;
         jacobian[10] = 1.0;
         jacobian[20] = 1.0;
-        jacobian[30] = t29 * data.normals[0][0] - t30 * data.normals[0][1];
-        jacobian[31] = t30 * data.normals[0][0] + t29 * data.normals[0][1];
-        jacobian[32] = data.normals[0][2];
-        jacobian[39] = t29 * data.normals[1][0] - t30 * data.normals[1][1];
-        jacobian[40] = t30 * data.normals[1][0] + t29 * data.normals[1][1];
-        jacobian[41] = data.normals[1][2];
-        jacobian[51] = t29 * data.second[1][0] - t30 * data.second[1][1];
-        jacobian[52] = t30 * data.second[1][0] + t29 * data.second[1][1];
-        jacobian[53] = data.second[1][2];
-        jacobian[60] = t29 * data.second[2][0] - t30 * data.second[2][1];
-        jacobian[61] = t30 * data.second[2][0] + t29 * data.second[2][1];
-        jacobian[62] = data.second[2][2];
+        jacobian[30] = t31;
+        jacobian[31] = t32;
+        jacobian[32] = t33;
+        jacobian[42] = t31;
+        jacobian[43] = t32;
+        jacobian[44] = t33;
+        jacobian[48] = t29 * 0.5;
+        jacobian[49] = t30 * 0.5;
+        jacobian[50] = data.second[2] * 0.5;
+        jacobian[51] = 0.5 * (t26 - t25);
+        jacobian[52] = -t28 * 0.5;
+        jacobian[53] = -data.tangent[2] * 0.5;
     }
     /// Joint `root`: what it prescribes, and its derivatives.
     ///
@@ -1896,13 +1971,13 @@ pub mod curved_out_of_plane_equations {
         prescribed.slope[1][1] = data.tangent[0] * t34 - data.tangent[1] * t33;
         prescribed.slope[2][0] = -(data.tangent[0] * t36 + data.tangent[1] * t37);
         prescribed.slope[2][1] = data.tangent[0] * t37 - data.tangent[1] * t36;
-        prescribed.second[0][0] = t29 * data.second[0][0] - t30 * data.second[0][1];
-        prescribed.second[0][1] = t30 * data.second[0][0] + t29 * data.second[0][1];
-        prescribed.second[0][2] = data.second[0][2];
-        prescribed.second[1][0] = -(data.second[0][0] * t33 + data.second[0][1] * t34);
-        prescribed.second[1][1] = data.second[0][0] * t34 - data.second[0][1] * t33;
-        prescribed.second[2][0] = -(data.second[0][0] * t36 + data.second[0][1] * t37);
-        prescribed.second[2][1] = data.second[0][0] * t37 - data.second[0][1] * t36;
+        prescribed.second[0][0] = t29 * data.second[0] - t30 * data.second[1];
+        prescribed.second[0][1] = t30 * data.second[0] + t29 * data.second[1];
+        prescribed.second[0][2] = data.second[2];
+        prescribed.second[1][0] = -(data.second[0] * t33 + data.second[1] * t34);
+        prescribed.second[1][1] = data.second[0] * t34 - data.second[1] * t33;
+        prescribed.second[2][0] = -(data.second[0] * t36 + data.second[1] * t37);
+        prescribed.second[2][1] = data.second[0] * t37 - data.second[1] * t36;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     ///
@@ -1935,7 +2010,7 @@ pub mod curved_out_of_plane_equations {
     pub struct Equations {
         pub model: super::CurvedOutOfPlane,
         pub row_beam: BeamSpatialCurved,
-        pub reference_beam: ::std::vec::Vec<[f64; 28]>,
+        pub reference_beam: ::std::vec::Vec<[f64; 30]>,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
@@ -2099,17 +2174,20 @@ pub mod curved_out_of_plane_equations {
                 "1",
             )?;
             let shear_modulus = young / (2.0 * (1.0 + poisson));
+            let half_young = 0.5 * young;
+            let quarter_polar_moment = 0.25 * (second_moment_y + second_moment_z);
             self.row_beam = BeamSpatialCurved {
                 length,
                 EA: young * area,
                 kyGA: shear_factor_y * shear_modulus * area,
                 kzGA: shear_factor_z * shear_modulus * area,
-                GA: shear_modulus * area,
+                halfEA: half_young * area,
                 EIz: young * second_moment_z,
                 EIy: young * second_moment_y,
                 GJ: shear_modulus * torsion_constant,
                 GIz: shear_modulus * second_moment_z,
                 GIy: shear_modulus * second_moment_y,
+                GIyz: shear_modulus * quarter_polar_moment,
                 rhoA: density * area,
                 rhoIz: density * second_moment_z,
                 rhoIy: density * second_moment_y,
@@ -2117,7 +2195,7 @@ pub mod curved_out_of_plane_equations {
             self.reference_beam = shape
                 .chunks_exact(30)
                 .map(|shape| {
-                    let mut reference = [0.0; 28];
+                    let mut reference = [0.0; 30];
                     beam_spatial_curved_reference(
                         &self.row_beam,
                         ::rncf::mesh::array(shape),

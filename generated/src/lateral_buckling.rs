@@ -5,7 +5,7 @@
 ///
 /// # Chosen and left out
 ///
-/// * Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).
+/// * Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1231 and 9765).
 /// * Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
 /// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
 /// * Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
@@ -67,7 +67,7 @@ impl ::rncf::Model for LateralBuckling {
     run { t_end = 1 s; every = 1 ms; }
 }"#;
     const NOTES: &'static [&'static str] = &[
-        "Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).",
+        "Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1231 and 9765).",
         "Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.",
         "Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
@@ -180,7 +180,7 @@ pub mod lateral_buckling_equations {
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
     ///
-    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1221 and 9747).
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1231 and 9765).
     ///
     /// The energy is integrated with 3 Gauss points.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -193,8 +193,8 @@ pub mod lateral_buckling_equations {
         pub kyGA: f64,
         /// shear_factor_z * shear_modulus * area, N.
         pub kzGA: f64,
-        /// shear_modulus * area, N.
-        pub GA: f64,
+        /// half_young * area, N.
+        pub halfEA: f64,
         /// young * second_moment_z, N m^2.
         pub EIz: f64,
         /// young * second_moment_y, N m^2.
@@ -205,6 +205,8 @@ pub mod lateral_buckling_equations {
         pub GIz: f64,
         /// shear_modulus * second_moment_y, N m^2.
         pub GIy: f64,
+        /// shear_modulus * quarter_polar_moment, N m^2.
+        pub GIyz: f64,
         /// density * area, kg/m.
         pub rhoA: f64,
         /// density * second_moment_z, kg m.
@@ -347,14 +349,27 @@ pub mod lateral_buckling_equations {
         fields: &[[f64; 3]; 3],
         forces: &mut [[f64; 3]; 3],
     ) {
-        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let BeamSpatial {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            halfEA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            GIyz,
+            ..
+        } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
         let t26 = length * EA;
         let t27 = 0.5 * (t26 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0)));
         let t28 = (a_x * b_x + a_y * b_y + a_z * b_z) * (length * kyGA);
         let t29 = (a_x * c_x + a_y * c_y + a_z * c_z) * (length * kzGA);
         let t30 = 0.5 * (t26 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0)));
-        let t31 = (b_x * c_x + b_y * c_y + b_z * c_z) * (length * GA);
+        let t31 = (b_x * c_x + b_y * c_y + b_z * c_z) * (length * halfEA);
         let t32 = 0.5 * (t26 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)));
         forces[0][0] = t27 * (a_x * 2.0) + b_x * t28 + c_x * t29;
         forces[0][1] = t27 * (a_y * 2.0) + b_y * t28 + c_y * t29;
@@ -374,12 +389,25 @@ pub mod lateral_buckling_equations {
         fields: &[[f64; 3]; 3],
         stiffness: &mut [[f64; 9]; 6],
     ) {
-        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let BeamSpatial {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            halfEA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            GIyz,
+            ..
+        } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
         let t26 = length * EA;
         let t27 = length * kyGA;
         let t28 = length * kzGA;
-        let t29 = length * GA;
+        let t29 = length * halfEA;
         let t30 = 0.5 * (0.5 * t26);
         let t31 = 0.5 * (t26 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0)));
         let t32 = (a_x * b_x + a_y * b_y + a_z * b_z) * t27;
@@ -493,7 +521,20 @@ pub mod lateral_buckling_equations {
         fields: &[[f64; 3]; 3],
         energy: &mut f64,
     ) {
-        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let BeamSpatial {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            halfEA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            GIyz,
+            ..
+        } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
         let t26 = 0.5 * (length * EA);
         let t27 = t26 * (0.5 * (a_x * a_x + a_y * a_y + a_z * a_z - 1.0)).powi(2);
@@ -501,18 +542,31 @@ pub mod lateral_buckling_equations {
         let t29 = t26 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)).powi(2);
         let t30 = 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y + a_z * b_z).powi(2);
         let t31 = 0.5 * (length * kzGA) * (a_x * c_x + a_y * c_y + a_z * c_z).powi(2);
-        let t32 = 0.5 * (length * GA) * (b_x * c_x + b_y * c_y + b_z * c_z).powi(2);
+        let t32 = 0.5 * (length * halfEA) * (b_x * c_x + b_y * c_y + b_z * c_z).powi(2);
         *energy = t27 + t28 + t29 + t30 + t31 + t32;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 34 additions, 79 multiplications, 1 divisions.
+    /// Operations: 37 additions, 81 multiplications, 1 divisions.
     pub fn beam_spatial_points2_force(
         row: &BeamSpatial,
         fields: &[[f64; 3]; 5],
         forces: &mut [[f64; 3]; 5],
     ) {
-        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let BeamSpatial {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            halfEA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            GIyz,
+            ..
+        } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
         unit_db_z], [unit_dc_x, unit_dc_y, unit_dc_z]] = *fields;
         let inverse_length = 1.0 / length;
@@ -522,44 +576,58 @@ pub mod lateral_buckling_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t40 = c_x * db_x + c_y * db_y + c_z * db_z
-            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t41 = length * GJ * (0.5 * t40);
-        let t42 = inverse_length
+        let t41 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
+        let t42 = c_x * db_x + c_y * db_y + c_z * db_z;
+        let t43 = length * GJ * (0.5 * (t42 - t41));
+        let t44 = length * GIyz * (t41 + t42);
+        let t45 = inverse_length
             * ((a_x * db_x + a_y * db_y + a_z * db_z) * (length * EIz));
-        let t43 = inverse_length
+        let t46 = inverse_length
             * ((a_x * dc_x + a_y * dc_y + a_z * dc_z) * (length * EIy));
-        let t44 = inverse_length
-            * ((b_x * db_x + b_y * db_y + b_z * db_z) * (length * GIz));
-        let t45 = inverse_length * (-0.5 * t41);
-        let t46 = inverse_length * (0.5 * t41);
         let t47 = inverse_length
+            * ((b_x * db_x + b_y * db_y + b_z * db_z) * (length * GIz));
+        let t48 = inverse_length * (-0.5 * t43 + t44);
+        let t49 = inverse_length * (t44 + 0.5 * t43);
+        let t50 = inverse_length
             * ((c_x * dc_x + c_y * dc_y + c_z * dc_z) * (length * GIy));
-        forces[0][0] = unit_db_x * t42 + unit_dc_x * t43;
-        forces[0][1] = unit_db_y * t42 + unit_dc_y * t43;
-        forces[0][2] = unit_db_z * t42 + unit_dc_z * t43;
-        forces[1][0] = unit_db_x * t44 + unit_dc_x * t45;
-        forces[1][1] = unit_db_y * t44 + unit_dc_y * t45;
-        forces[1][2] = unit_db_z * t44 + unit_dc_z * t45;
-        forces[2][0] = unit_db_x * t46 + unit_dc_x * t47;
-        forces[2][1] = unit_db_y * t46 + unit_dc_y * t47;
-        forces[2][2] = unit_db_z * t46 + unit_dc_z * t47;
-        forces[3][0] = a_x * t42 + b_x * t44 + c_x * t46;
-        forces[3][1] = a_y * t42 + b_y * t44 + c_y * t46;
-        forces[3][2] = a_z * t42 + b_z * t44 + c_z * t46;
-        forces[4][0] = a_x * t43 + b_x * t45 + c_x * t47;
-        forces[4][1] = a_y * t43 + b_y * t45 + c_y * t47;
-        forces[4][2] = a_z * t43 + b_z * t45 + c_z * t47;
+        forces[0][0] = unit_db_x * t45 + unit_dc_x * t46;
+        forces[0][1] = unit_db_y * t45 + unit_dc_y * t46;
+        forces[0][2] = unit_db_z * t45 + unit_dc_z * t46;
+        forces[1][0] = unit_db_x * t47 + unit_dc_x * t48;
+        forces[1][1] = unit_db_y * t47 + unit_dc_y * t48;
+        forces[1][2] = unit_db_z * t47 + unit_dc_z * t48;
+        forces[2][0] = unit_db_x * t49 + unit_dc_x * t50;
+        forces[2][1] = unit_db_y * t49 + unit_dc_y * t50;
+        forces[2][2] = unit_db_z * t49 + unit_dc_z * t50;
+        forces[3][0] = a_x * t45 + b_x * t47 + c_x * t49;
+        forces[3][1] = a_y * t45 + b_y * t47 + c_y * t49;
+        forces[3][2] = a_z * t45 + b_z * t47 + c_z * t49;
+        forces[4][0] = a_x * t46 + b_x * t48 + c_x * t50;
+        forces[4][1] = a_y * t46 + b_y * t48 + c_y * t50;
+        forces[4][2] = a_z * t46 + b_z * t48 + c_z * t50;
     }
     /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 136 additions, 340 multiplications, 1 divisions.
+    /// Operations: 143 additions, 342 multiplications, 1 divisions.
     pub fn beam_spatial_points2_tangent(
         row: &BeamSpatial,
         fields: &[[f64; 3]; 5],
         stiffness: &mut [[f64; 9]; 15],
     ) {
-        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let BeamSpatial {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            halfEA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            GIyz,
+            ..
+        } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
         unit_db_z], [unit_dc_x, unit_dc_y, unit_dc_z]] = *fields;
         let inverse_length = 1.0 / length;
@@ -569,224 +637,239 @@ pub mod lateral_buckling_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t40 = length * EIz;
-        let t41 = length * EIy;
-        let t42 = length * GJ;
-        let t43 = 0.5 * t42;
-        let t44 = length * GIz;
-        let t45 = length * GIy;
-        let t46 = t42 * (-0.5);
-        let t47 = c_x * db_x + c_y * db_y + c_z * db_z
-            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t48 = t42 * (0.5 * t47);
-        let t49 = inverse_length * ((a_x * db_x + a_y * db_y + a_z * db_z) * t40);
-        let t50 = inverse_length * inverse_length;
-        let t51 = t40 * t50;
-        let t52 = inverse_length * ((a_x * dc_x + a_y * dc_y + a_z * dc_z) * t41);
-        let t53 = t41 * t50;
-        let t54 = inverse_length * ((b_x * db_x + b_y * db_y + b_z * db_z) * t44);
-        let t55 = t44 * t50;
-        let t56 = inverse_length * (-0.5 * t48);
-        let t57 = -0.5 * t46 * t50;
-        let t58 = -0.5 * t43 * t50;
-        let t59 = inverse_length * (0.5 * t48);
-        let t60 = 0.5 * t46 * t50;
-        let t61 = 0.5 * t43 * t50;
-        let t62 = inverse_length * ((c_x * dc_x + c_y * dc_y + c_z * dc_z) * t45);
-        let t63 = t45 * t50;
-        let t64 = unit_db_x * t51;
-        let t65 = unit_db_y * t51;
-        let t66 = unit_db_z * t51;
-        let t67 = a_x * t51;
-        let t68 = a_y * t51;
-        let t69 = a_z * t51;
-        let t70 = unit_dc_x * t53;
-        let t71 = unit_dc_y * t53;
-        let t72 = unit_dc_z * t53;
-        let t73 = a_x * t53;
-        let t74 = a_y * t53;
-        let t75 = a_z * t53;
-        let t76 = unit_db_x * t55;
-        let t77 = unit_db_y * t55;
-        let t78 = unit_db_z * t55;
-        let t79 = b_x * t55;
-        let t80 = b_y * t55;
-        let t81 = b_z * t55;
-        let t82 = unit_dc_x * t57;
-        let t83 = unit_dc_y * t57;
-        let t84 = unit_dc_z * t57;
-        let t85 = unit_db_x * t58;
-        let t86 = unit_db_y * t58;
-        let t87 = unit_db_z * t58;
-        let t88 = c_x * t58;
-        let t89 = c_y * t58;
-        let t90 = c_z * t58;
-        let t91 = b_x * t57;
-        let t92 = b_y * t57;
-        let t93 = b_z * t57;
-        let t94 = unit_dc_x * t60;
-        let t95 = unit_dc_y * t60;
-        let t96 = unit_dc_z * t60;
-        let t97 = unit_db_x * t61;
-        let t98 = unit_db_y * t61;
-        let t99 = unit_db_z * t61;
-        let t100 = c_x * t61;
-        let t101 = c_y * t61;
-        let t102 = c_z * t61;
-        let t103 = b_x * t60;
-        let t104 = b_y * t60;
-        let t105 = b_z * t60;
-        let t106 = unit_dc_x * t63;
-        let t107 = unit_dc_y * t63;
-        let t108 = unit_dc_z * t63;
-        let t109 = c_x * t63;
-        let t110 = c_y * t63;
-        let t111 = c_z * t63;
-        stiffness[0][0] = unit_db_x * t64 + unit_dc_x * t70;
-        stiffness[0][1] = unit_db_x * t65 + unit_dc_x * t71;
-        stiffness[0][2] = unit_db_x * t66 + unit_dc_x * t72;
-        stiffness[0][3] = unit_db_y * t64 + unit_dc_y * t70;
-        stiffness[0][4] = unit_db_y * t65 + unit_dc_y * t71;
-        stiffness[0][5] = unit_db_y * t66 + unit_dc_y * t72;
-        stiffness[0][6] = unit_db_z * t64 + unit_dc_z * t70;
-        stiffness[0][7] = unit_db_z * t65 + unit_dc_z * t71;
-        stiffness[0][8] = unit_db_z * t66 + unit_dc_z * t72;
-        stiffness[1][0] = t49 + unit_db_x * t67;
-        stiffness[1][1] = unit_db_x * t68;
-        stiffness[1][2] = unit_db_x * t69;
-        stiffness[1][3] = unit_db_y * t67;
-        stiffness[1][4] = t49 + unit_db_y * t68;
-        stiffness[1][5] = unit_db_y * t69;
-        stiffness[1][6] = unit_db_z * t67;
-        stiffness[1][7] = unit_db_z * t68;
-        stiffness[1][8] = t49 + unit_db_z * t69;
-        stiffness[2][0] = t52 + unit_dc_x * t73;
-        stiffness[2][1] = unit_dc_x * t74;
-        stiffness[2][2] = unit_dc_x * t75;
-        stiffness[2][3] = unit_dc_y * t73;
-        stiffness[2][4] = t52 + unit_dc_y * t74;
-        stiffness[2][5] = unit_dc_y * t75;
-        stiffness[2][6] = unit_dc_z * t73;
-        stiffness[2][7] = unit_dc_z * t74;
-        stiffness[2][8] = t52 + unit_dc_z * t75;
-        stiffness[3][0] = unit_db_x * t76 + unit_dc_x * t82;
-        stiffness[3][1] = unit_db_x * t77 + unit_dc_x * t83;
-        stiffness[3][2] = unit_db_x * t78 + unit_dc_x * t84;
-        stiffness[3][3] = unit_db_y * t76 + unit_dc_y * t82;
-        stiffness[3][4] = unit_db_y * t77 + unit_dc_y * t83;
-        stiffness[3][5] = unit_db_y * t78 + unit_dc_y * t84;
-        stiffness[3][6] = unit_db_z * t76 + unit_dc_z * t82;
-        stiffness[3][7] = unit_db_z * t77 + unit_dc_z * t83;
-        stiffness[3][8] = unit_db_z * t78 + unit_dc_z * t84;
-        stiffness[4][0] = t54 + (unit_db_x * t79 + unit_dc_x * t88);
-        stiffness[4][1] = unit_db_x * t80 + unit_dc_x * t89;
-        stiffness[4][2] = unit_db_x * t81 + unit_dc_x * t90;
-        stiffness[4][3] = unit_db_y * t79 + unit_dc_y * t88;
-        stiffness[4][4] = t54 + (unit_db_y * t80 + unit_dc_y * t89);
-        stiffness[4][5] = unit_db_y * t81 + unit_dc_y * t90;
-        stiffness[4][6] = unit_db_z * t79 + unit_dc_z * t88;
-        stiffness[4][7] = unit_db_z * t80 + unit_dc_z * t89;
-        stiffness[4][8] = t54 + (unit_db_z * t81 + unit_dc_z * t90);
-        stiffness[5][0] = t54 + (b_x * t76 + c_x * t94);
-        stiffness[5][1] = b_x * t77 + c_x * t95;
-        stiffness[5][2] = b_x * t78 + c_x * t96;
-        stiffness[5][3] = b_y * t76 + c_y * t94;
-        stiffness[5][4] = t54 + (b_y * t77 + c_y * t95);
-        stiffness[5][5] = b_y * t78 + c_y * t96;
-        stiffness[5][6] = b_z * t76 + c_z * t94;
-        stiffness[5][7] = b_z * t77 + c_z * t95;
-        stiffness[5][8] = t54 + (b_z * t78 + c_z * t96);
-        stiffness[6][0] = a_x * t67 + b_x * t79 + c_x * t100;
-        stiffness[6][1] = a_x * t68 + b_x * t80 + c_x * t101;
-        stiffness[6][2] = a_x * t69 + b_x * t81 + c_x * t102;
-        stiffness[6][3] = a_y * t67 + b_y * t79 + c_y * t100;
-        stiffness[6][4] = a_y * t68 + b_y * t80 + c_y * t101;
-        stiffness[6][5] = a_y * t69 + b_y * t81 + c_y * t102;
-        stiffness[6][6] = a_z * t67 + b_z * t79 + c_z * t100;
-        stiffness[6][7] = a_z * t68 + b_z * t80 + c_z * t101;
-        stiffness[6][8] = a_z * t69 + b_z * t81 + c_z * t102;
-        stiffness[7][0] = unit_dc_x * t85;
-        stiffness[7][1] = unit_dc_x * t86;
-        stiffness[7][2] = unit_dc_x * t87;
-        stiffness[7][3] = unit_dc_y * t85;
-        stiffness[7][4] = unit_dc_y * t86;
-        stiffness[7][5] = unit_dc_y * t87;
-        stiffness[7][6] = unit_dc_z * t85;
-        stiffness[7][7] = unit_dc_z * t86;
-        stiffness[7][8] = unit_dc_z * t87;
-        stiffness[8][0] = t56 + unit_dc_x * t91;
-        stiffness[8][1] = unit_dc_x * t92;
-        stiffness[8][2] = unit_dc_x * t93;
-        stiffness[8][3] = unit_dc_y * t91;
-        stiffness[8][4] = t56 + unit_dc_y * t92;
-        stiffness[8][5] = unit_dc_y * t93;
-        stiffness[8][6] = unit_dc_z * t91;
-        stiffness[8][7] = unit_dc_z * t92;
-        stiffness[8][8] = t56 + unit_dc_z * t93;
-        stiffness[9][0] = t59 + c_x * t97;
-        stiffness[9][1] = c_x * t98;
-        stiffness[9][2] = c_x * t99;
-        stiffness[9][3] = c_y * t97;
-        stiffness[9][4] = t59 + c_y * t98;
-        stiffness[9][5] = c_y * t99;
-        stiffness[9][6] = c_z * t97;
-        stiffness[9][7] = c_z * t98;
-        stiffness[9][8] = t59 + c_z * t99;
-        stiffness[10][0] = c_x * t103;
-        stiffness[10][1] = c_x * t104;
-        stiffness[10][2] = c_x * t105;
-        stiffness[10][3] = c_y * t103;
-        stiffness[10][4] = c_y * t104;
-        stiffness[10][5] = c_y * t105;
-        stiffness[10][6] = c_z * t103;
-        stiffness[10][7] = c_z * t104;
-        stiffness[10][8] = c_z * t105;
-        stiffness[11][0] = unit_db_x * t97 + unit_dc_x * t106;
-        stiffness[11][1] = unit_db_x * t98 + unit_dc_x * t107;
-        stiffness[11][2] = unit_db_x * t99 + unit_dc_x * t108;
-        stiffness[11][3] = unit_db_y * t97 + unit_dc_y * t106;
-        stiffness[11][4] = unit_db_y * t98 + unit_dc_y * t107;
-        stiffness[11][5] = unit_db_y * t99 + unit_dc_y * t108;
-        stiffness[11][6] = unit_db_z * t97 + unit_dc_z * t106;
-        stiffness[11][7] = unit_db_z * t98 + unit_dc_z * t107;
-        stiffness[11][8] = unit_db_z * t99 + unit_dc_z * t108;
-        stiffness[12][0] = t62 + (unit_db_x * t103 + unit_dc_x * t109);
-        stiffness[12][1] = unit_db_x * t104 + unit_dc_x * t110;
-        stiffness[12][2] = unit_db_x * t105 + unit_dc_x * t111;
-        stiffness[12][3] = unit_db_y * t103 + unit_dc_y * t109;
-        stiffness[12][4] = t62 + (unit_db_y * t104 + unit_dc_y * t110);
-        stiffness[12][5] = unit_db_y * t105 + unit_dc_y * t111;
-        stiffness[12][6] = unit_db_z * t103 + unit_dc_z * t109;
-        stiffness[12][7] = unit_db_z * t104 + unit_dc_z * t110;
-        stiffness[12][8] = t62 + (unit_db_z * t105 + unit_dc_z * t111);
-        stiffness[13][0] = t62 + (b_x * t85 + c_x * t106);
-        stiffness[13][1] = b_x * t86 + c_x * t107;
-        stiffness[13][2] = b_x * t87 + c_x * t108;
-        stiffness[13][3] = b_y * t85 + c_y * t106;
-        stiffness[13][4] = t62 + (b_y * t86 + c_y * t107);
-        stiffness[13][5] = b_y * t87 + c_y * t108;
-        stiffness[13][6] = b_z * t85 + c_z * t106;
-        stiffness[13][7] = b_z * t86 + c_z * t107;
-        stiffness[13][8] = t62 + (b_z * t87 + c_z * t108);
-        stiffness[14][0] = a_x * t73 + b_x * t91 + c_x * t109;
-        stiffness[14][1] = a_x * t74 + b_x * t92 + c_x * t110;
-        stiffness[14][2] = a_x * t75 + b_x * t93 + c_x * t111;
-        stiffness[14][3] = a_y * t73 + b_y * t91 + c_y * t109;
-        stiffness[14][4] = a_y * t74 + b_y * t92 + c_y * t110;
-        stiffness[14][5] = a_y * t75 + b_y * t93 + c_y * t111;
-        stiffness[14][6] = a_z * t73 + b_z * t91 + c_z * t109;
-        stiffness[14][7] = a_z * t74 + b_z * t92 + c_z * t110;
-        stiffness[14][8] = a_z * t75 + b_z * t93 + c_z * t111;
+        let t41 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
+        let t42 = c_x * db_x + c_y * db_y + c_z * db_z;
+        let t43 = length * EIz;
+        let t44 = length * EIy;
+        let t45 = length * GJ;
+        let t46 = 0.5 * t45;
+        let t47 = length * GIz;
+        let t48 = length * GIy;
+        let t49 = length * GIyz;
+        let t50 = t45 * (-0.5);
+        let t51 = t45 * (0.5 * (t42 - t41));
+        let t52 = t49 * (t41 + t42);
+        let t53 = inverse_length * ((a_x * db_x + a_y * db_y + a_z * db_z) * t43);
+        let t54 = inverse_length * inverse_length;
+        let t55 = t43 * t54;
+        let t56 = inverse_length * ((a_x * dc_x + a_y * dc_y + a_z * dc_z) * t44);
+        let t57 = t44 * t54;
+        let t58 = inverse_length * ((b_x * db_x + b_y * db_y + b_z * db_z) * t47);
+        let t59 = t47 * t54;
+        let t60 = inverse_length * (-0.5 * t51 + t52);
+        let t61 = (t49 + (-0.5 * t50)) * t54;
+        let t62 = (t49 + (-0.5 * t46)) * t54;
+        let t63 = inverse_length * (t52 + 0.5 * t51);
+        let t64 = (t49 + 0.5 * t50) * t54;
+        let t65 = (t49 + 0.5 * t46) * t54;
+        let t66 = inverse_length * ((c_x * dc_x + c_y * dc_y + c_z * dc_z) * t48);
+        let t67 = t48 * t54;
+        let t68 = unit_db_x * t55;
+        let t69 = unit_db_y * t55;
+        let t70 = unit_db_z * t55;
+        let t71 = a_x * t55;
+        let t72 = a_y * t55;
+        let t73 = a_z * t55;
+        let t74 = unit_dc_x * t57;
+        let t75 = unit_dc_y * t57;
+        let t76 = unit_dc_z * t57;
+        let t77 = a_x * t57;
+        let t78 = a_y * t57;
+        let t79 = a_z * t57;
+        let t80 = unit_db_x * t59;
+        let t81 = unit_db_y * t59;
+        let t82 = unit_db_z * t59;
+        let t83 = b_x * t59;
+        let t84 = b_y * t59;
+        let t85 = b_z * t59;
+        let t86 = unit_dc_x * t61;
+        let t87 = unit_dc_y * t61;
+        let t88 = unit_dc_z * t61;
+        let t89 = unit_db_x * t62;
+        let t90 = unit_db_y * t62;
+        let t91 = unit_db_z * t62;
+        let t92 = c_x * t62;
+        let t93 = c_y * t62;
+        let t94 = c_z * t62;
+        let t95 = b_x * t61;
+        let t96 = b_y * t61;
+        let t97 = b_z * t61;
+        let t98 = unit_dc_x * t64;
+        let t99 = unit_dc_y * t64;
+        let t100 = unit_dc_z * t64;
+        let t101 = unit_db_x * t65;
+        let t102 = unit_db_y * t65;
+        let t103 = unit_db_z * t65;
+        let t104 = c_x * t65;
+        let t105 = c_y * t65;
+        let t106 = c_z * t65;
+        let t107 = b_x * t64;
+        let t108 = b_y * t64;
+        let t109 = b_z * t64;
+        let t110 = unit_dc_x * t67;
+        let t111 = unit_dc_y * t67;
+        let t112 = unit_dc_z * t67;
+        let t113 = c_x * t67;
+        let t114 = c_y * t67;
+        let t115 = c_z * t67;
+        stiffness[0][0] = unit_db_x * t68 + unit_dc_x * t74;
+        stiffness[0][1] = unit_db_x * t69 + unit_dc_x * t75;
+        stiffness[0][2] = unit_db_x * t70 + unit_dc_x * t76;
+        stiffness[0][3] = unit_db_y * t68 + unit_dc_y * t74;
+        stiffness[0][4] = unit_db_y * t69 + unit_dc_y * t75;
+        stiffness[0][5] = unit_db_y * t70 + unit_dc_y * t76;
+        stiffness[0][6] = unit_db_z * t68 + unit_dc_z * t74;
+        stiffness[0][7] = unit_db_z * t69 + unit_dc_z * t75;
+        stiffness[0][8] = unit_db_z * t70 + unit_dc_z * t76;
+        stiffness[1][0] = t53 + unit_db_x * t71;
+        stiffness[1][1] = unit_db_x * t72;
+        stiffness[1][2] = unit_db_x * t73;
+        stiffness[1][3] = unit_db_y * t71;
+        stiffness[1][4] = t53 + unit_db_y * t72;
+        stiffness[1][5] = unit_db_y * t73;
+        stiffness[1][6] = unit_db_z * t71;
+        stiffness[1][7] = unit_db_z * t72;
+        stiffness[1][8] = t53 + unit_db_z * t73;
+        stiffness[2][0] = t56 + unit_dc_x * t77;
+        stiffness[2][1] = unit_dc_x * t78;
+        stiffness[2][2] = unit_dc_x * t79;
+        stiffness[2][3] = unit_dc_y * t77;
+        stiffness[2][4] = t56 + unit_dc_y * t78;
+        stiffness[2][5] = unit_dc_y * t79;
+        stiffness[2][6] = unit_dc_z * t77;
+        stiffness[2][7] = unit_dc_z * t78;
+        stiffness[2][8] = t56 + unit_dc_z * t79;
+        stiffness[3][0] = unit_db_x * t80 + unit_dc_x * t86;
+        stiffness[3][1] = unit_db_x * t81 + unit_dc_x * t87;
+        stiffness[3][2] = unit_db_x * t82 + unit_dc_x * t88;
+        stiffness[3][3] = unit_db_y * t80 + unit_dc_y * t86;
+        stiffness[3][4] = unit_db_y * t81 + unit_dc_y * t87;
+        stiffness[3][5] = unit_db_y * t82 + unit_dc_y * t88;
+        stiffness[3][6] = unit_db_z * t80 + unit_dc_z * t86;
+        stiffness[3][7] = unit_db_z * t81 + unit_dc_z * t87;
+        stiffness[3][8] = unit_db_z * t82 + unit_dc_z * t88;
+        stiffness[4][0] = t58 + (unit_db_x * t83 + unit_dc_x * t92);
+        stiffness[4][1] = unit_db_x * t84 + unit_dc_x * t93;
+        stiffness[4][2] = unit_db_x * t85 + unit_dc_x * t94;
+        stiffness[4][3] = unit_db_y * t83 + unit_dc_y * t92;
+        stiffness[4][4] = t58 + (unit_db_y * t84 + unit_dc_y * t93);
+        stiffness[4][5] = unit_db_y * t85 + unit_dc_y * t94;
+        stiffness[4][6] = unit_db_z * t83 + unit_dc_z * t92;
+        stiffness[4][7] = unit_db_z * t84 + unit_dc_z * t93;
+        stiffness[4][8] = t58 + (unit_db_z * t85 + unit_dc_z * t94);
+        stiffness[5][0] = t58 + (b_x * t80 + c_x * t98);
+        stiffness[5][1] = b_x * t81 + c_x * t99;
+        stiffness[5][2] = b_x * t82 + c_x * t100;
+        stiffness[5][3] = b_y * t80 + c_y * t98;
+        stiffness[5][4] = t58 + (b_y * t81 + c_y * t99);
+        stiffness[5][5] = b_y * t82 + c_y * t100;
+        stiffness[5][6] = b_z * t80 + c_z * t98;
+        stiffness[5][7] = b_z * t81 + c_z * t99;
+        stiffness[5][8] = t58 + (b_z * t82 + c_z * t100);
+        stiffness[6][0] = a_x * t71 + b_x * t83 + c_x * t104;
+        stiffness[6][1] = a_x * t72 + b_x * t84 + c_x * t105;
+        stiffness[6][2] = a_x * t73 + b_x * t85 + c_x * t106;
+        stiffness[6][3] = a_y * t71 + b_y * t83 + c_y * t104;
+        stiffness[6][4] = a_y * t72 + b_y * t84 + c_y * t105;
+        stiffness[6][5] = a_y * t73 + b_y * t85 + c_y * t106;
+        stiffness[6][6] = a_z * t71 + b_z * t83 + c_z * t104;
+        stiffness[6][7] = a_z * t72 + b_z * t84 + c_z * t105;
+        stiffness[6][8] = a_z * t73 + b_z * t85 + c_z * t106;
+        stiffness[7][0] = unit_dc_x * t89;
+        stiffness[7][1] = unit_dc_x * t90;
+        stiffness[7][2] = unit_dc_x * t91;
+        stiffness[7][3] = unit_dc_y * t89;
+        stiffness[7][4] = unit_dc_y * t90;
+        stiffness[7][5] = unit_dc_y * t91;
+        stiffness[7][6] = unit_dc_z * t89;
+        stiffness[7][7] = unit_dc_z * t90;
+        stiffness[7][8] = unit_dc_z * t91;
+        stiffness[8][0] = t60 + unit_dc_x * t95;
+        stiffness[8][1] = unit_dc_x * t96;
+        stiffness[8][2] = unit_dc_x * t97;
+        stiffness[8][3] = unit_dc_y * t95;
+        stiffness[8][4] = t60 + unit_dc_y * t96;
+        stiffness[8][5] = unit_dc_y * t97;
+        stiffness[8][6] = unit_dc_z * t95;
+        stiffness[8][7] = unit_dc_z * t96;
+        stiffness[8][8] = t60 + unit_dc_z * t97;
+        stiffness[9][0] = t63 + c_x * t101;
+        stiffness[9][1] = c_x * t102;
+        stiffness[9][2] = c_x * t103;
+        stiffness[9][3] = c_y * t101;
+        stiffness[9][4] = t63 + c_y * t102;
+        stiffness[9][5] = c_y * t103;
+        stiffness[9][6] = c_z * t101;
+        stiffness[9][7] = c_z * t102;
+        stiffness[9][8] = t63 + c_z * t103;
+        stiffness[10][0] = c_x * t107;
+        stiffness[10][1] = c_x * t108;
+        stiffness[10][2] = c_x * t109;
+        stiffness[10][3] = c_y * t107;
+        stiffness[10][4] = c_y * t108;
+        stiffness[10][5] = c_y * t109;
+        stiffness[10][6] = c_z * t107;
+        stiffness[10][7] = c_z * t108;
+        stiffness[10][8] = c_z * t109;
+        stiffness[11][0] = unit_db_x * t101 + unit_dc_x * t110;
+        stiffness[11][1] = unit_db_x * t102 + unit_dc_x * t111;
+        stiffness[11][2] = unit_db_x * t103 + unit_dc_x * t112;
+        stiffness[11][3] = unit_db_y * t101 + unit_dc_y * t110;
+        stiffness[11][4] = unit_db_y * t102 + unit_dc_y * t111;
+        stiffness[11][5] = unit_db_y * t103 + unit_dc_y * t112;
+        stiffness[11][6] = unit_db_z * t101 + unit_dc_z * t110;
+        stiffness[11][7] = unit_db_z * t102 + unit_dc_z * t111;
+        stiffness[11][8] = unit_db_z * t103 + unit_dc_z * t112;
+        stiffness[12][0] = t66 + (unit_db_x * t107 + unit_dc_x * t113);
+        stiffness[12][1] = unit_db_x * t108 + unit_dc_x * t114;
+        stiffness[12][2] = unit_db_x * t109 + unit_dc_x * t115;
+        stiffness[12][3] = unit_db_y * t107 + unit_dc_y * t113;
+        stiffness[12][4] = t66 + (unit_db_y * t108 + unit_dc_y * t114);
+        stiffness[12][5] = unit_db_y * t109 + unit_dc_y * t115;
+        stiffness[12][6] = unit_db_z * t107 + unit_dc_z * t113;
+        stiffness[12][7] = unit_db_z * t108 + unit_dc_z * t114;
+        stiffness[12][8] = t66 + (unit_db_z * t109 + unit_dc_z * t115);
+        stiffness[13][0] = t66 + (b_x * t89 + c_x * t110);
+        stiffness[13][1] = b_x * t90 + c_x * t111;
+        stiffness[13][2] = b_x * t91 + c_x * t112;
+        stiffness[13][3] = b_y * t89 + c_y * t110;
+        stiffness[13][4] = t66 + (b_y * t90 + c_y * t111);
+        stiffness[13][5] = b_y * t91 + c_y * t112;
+        stiffness[13][6] = b_z * t89 + c_z * t110;
+        stiffness[13][7] = b_z * t90 + c_z * t111;
+        stiffness[13][8] = t66 + (b_z * t91 + c_z * t112);
+        stiffness[14][0] = a_x * t77 + b_x * t95 + c_x * t113;
+        stiffness[14][1] = a_x * t78 + b_x * t96 + c_x * t114;
+        stiffness[14][2] = a_x * t79 + b_x * t97 + c_x * t115;
+        stiffness[14][3] = a_y * t77 + b_y * t95 + c_y * t113;
+        stiffness[14][4] = a_y * t78 + b_y * t96 + c_y * t114;
+        stiffness[14][5] = a_y * t79 + b_y * t97 + c_y * t115;
+        stiffness[14][6] = a_z * t77 + b_z * t95 + c_z * t113;
+        stiffness[14][7] = a_z * t78 + b_z * t96 + c_z * t114;
+        stiffness[14][8] = a_z * t79 + b_z * t97 + c_z * t115;
     }
     /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 17 additions, 45 multiplications, 1 divisions.
+    /// Operations: 19 additions, 49 multiplications, 1 divisions.
     pub fn beam_spatial_points2_energy(
         row: &BeamSpatial,
         fields: &[[f64; 3]; 5],
         energy: &mut f64,
     ) {
-        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let BeamSpatial {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            halfEA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            GIyz,
+            ..
+        } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z], [unit_db_x, unit_db_y,
         unit_db_z], [unit_dc_x, unit_dc_y, unit_dc_z]] = *fields;
         let inverse_length = 1.0 / length;
@@ -796,14 +879,14 @@ pub mod lateral_buckling_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t40 = c_x * db_x + c_y * db_y + c_z * db_z
-            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t41 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y + a_z * db_z).powi(2);
-        let t42 = 0.5 * (length * EIy) * (a_x * dc_x + a_y * dc_y + a_z * dc_z).powi(2);
-        let t43 = 0.5 * (length * GIz) * (b_x * db_x + b_y * db_y + b_z * db_z).powi(2);
-        let t44 = 0.5 * (length * GIy) * (c_x * dc_x + c_y * dc_y + c_z * dc_z).powi(2);
-        let t45 = t41 + t42 + 0.5 * (length * GJ) * (0.5 * t40).powi(2) + t43 + t44;
-        *energy = t45;
+        let t41 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
+        let t42 = c_x * db_x + c_y * db_y + c_z * db_z;
+        let t43 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y + a_z * db_z).powi(2);
+        let t44 = 0.5 * (length * EIy) * (a_x * dc_x + a_y * dc_y + a_z * dc_z).powi(2);
+        let t45 = 0.5 * (length * GIz) * (b_x * db_x + b_y * db_y + b_z * db_z).powi(2);
+        let t46 = t43 + t44 + 0.5 * (length * GJ) * (0.5 * (t42 - t41)).powi(2) + t45;
+        let t47 = 0.5 * (length * GIy) * (c_x * dc_x + c_y * dc_y + c_z * dc_z).powi(2);
+        *energy = t46 + t47 + 0.5 * (length * GIyz) * (t41 + t42).powi(2);
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
@@ -811,7 +894,7 @@ pub mod lateral_buckling_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 509 additions, 710 multiplications, 2 divisions.
+    /// Operations: 515 additions, 714 multiplications, 2 divisions.
     pub fn beam_spatial_elastic_force(
         row: &BeamSpatial,
         q: &[f64; 30],
@@ -849,7 +932,7 @@ pub mod lateral_buckling_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 4538 additions, 5207 multiplications, 2 divisions.
+    /// Operations: 4552 additions, 5211 multiplications, 2 divisions.
     pub fn beam_spatial_elastic_tangent(
         row: &BeamSpatial,
         q: &[f64; 30],
@@ -885,7 +968,7 @@ pub mod lateral_buckling_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 270 additions, 389 multiplications, 2 divisions.
+    /// Operations: 274 additions, 397 multiplications, 2 divisions.
     pub fn beam_spatial_strain_energy(
         row: &BeamSpatial,
         q: &[f64; 30],
@@ -1126,105 +1209,127 @@ pub mod lateral_buckling_equations {
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
-    /// Operations: 115 additions, 184 multiplications.
+    /// Operations: 130 additions, 197 multiplications.
     pub fn beam_spatial_field_forces(
         row: &BeamSpatial,
         stress_free: &[f64; 15],
         fields: &[f64; 15],
         forces: &mut [f64; 15],
     ) {
-        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
-        let t51 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
-            - (fields[3] * fields[12] + fields[4] * fields[13] + fields[5] * fields[14]);
-        let t52 = 0.5
+        let BeamSpatial {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            halfEA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            GIyz,
+            ..
+        } = *row;
+        let t52 = fields[3] * fields[12] + fields[4] * fields[13]
+            + fields[5] * fields[14];
+        let t53 = fields[6] * fields[9] + fields[7] * fields[10]
+            + fields[8] * fields[11];
+        let t54 = 0.5
             * (fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2]
                 - 1.0)
             - 0.5
                 * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
                     + stress_free[2] * stress_free[2] - 1.0);
-        let t53 = EA * t52;
-        let t54 = 0.5
+        let t55 = EA * t54;
+        let t56 = 0.5
             * (fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5]
                 - 1.0)
             - 0.5
                 * (stress_free[3] * stress_free[3] + stress_free[4] * stress_free[4]
                     + stress_free[5] * stress_free[5] - 1.0);
-        let t55 = EA * t54;
-        let t56 = 0.5
+        let t57 = EA * t56;
+        let t58 = 0.5
             * (fields[6] * fields[6] + fields[7] * fields[7] + fields[8] * fields[8]
                 - 1.0)
             - 0.5
                 * (stress_free[6] * stress_free[6] + stress_free[7] * stress_free[7]
                     + stress_free[8] * stress_free[8] - 1.0);
-        let t57 = EA * t56;
-        let t58 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
+        let t59 = EA * t58;
+        let t60 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
             - (stress_free[0] * stress_free[3] + stress_free[1] * stress_free[4]
                 + stress_free[2] * stress_free[5]);
-        let t59 = kyGA * t58;
-        let t60 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
+        let t61 = kyGA * t60;
+        let t62 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
             - (stress_free[0] * stress_free[6] + stress_free[1] * stress_free[7]
                 + stress_free[2] * stress_free[8]);
-        let t61 = kzGA * t60;
-        let t62 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
+        let t63 = kzGA * t62;
+        let t64 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
             - (stress_free[3] * stress_free[6] + stress_free[4] * stress_free[7]
                 + stress_free[5] * stress_free[8]);
-        let t63 = GA * t62;
-        let t64 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
+        let t65 = halfEA * t64;
+        let t66 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
             - (stress_free[0] * stress_free[9] + stress_free[1] * stress_free[10]
                 + stress_free[2] * stress_free[11]);
-        let t65 = EIz * t64;
-        let t66 = t53 * (0.5 * (fields[0] * 2.0)) + fields[3] * t59 + fields[6] * t61
-            + fields[9] * t65;
-        let t67 = t53 * (0.5 * (fields[1] * 2.0)) + fields[4] * t59 + fields[7] * t61
-            + fields[10] * t65;
-        let t68 = t53 * (0.5 * (fields[2] * 2.0)) + fields[5] * t59 + fields[8] * t61
-            + fields[11] * t65;
-        let t69 = fields[0] * fields[12] + fields[1] * fields[13]
+        let t67 = EIz * t66;
+        let t68 = t55 * (0.5 * (fields[0] * 2.0)) + fields[3] * t61 + fields[6] * t63
+            + fields[9] * t67;
+        let t69 = t55 * (0.5 * (fields[1] * 2.0)) + fields[4] * t61 + fields[7] * t63
+            + fields[10] * t67;
+        let t70 = t55 * (0.5 * (fields[2] * 2.0)) + fields[5] * t61 + fields[8] * t63
+            + fields[11] * t67;
+        let t71 = fields[0] * fields[12] + fields[1] * fields[13]
             + fields[2] * fields[14]
             - (stress_free[0] * stress_free[12] + stress_free[1] * stress_free[13]
                 + stress_free[2] * stress_free[14]);
-        let t70 = EIy * t69;
-        let t71 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
-            + stress_free[8] * stress_free[11]
-            - (stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
-                + stress_free[5] * stress_free[14]);
-        let t72 = GJ * (0.5 * t51 - 0.5 * t71);
-        let t73 = t55 * (0.5 * (fields[3] * 2.0)) + fields[0] * t59 + fields[6] * t63
-            - t72 * (fields[12] * 0.5);
-        let t74 = t55 * (0.5 * (fields[4] * 2.0)) + fields[1] * t59 + fields[7] * t63
-            - t72 * (fields[13] * 0.5);
-        let t75 = t55 * (0.5 * (fields[5] * 2.0)) + fields[2] * t59 + fields[8] * t63
-            - t72 * (fields[14] * 0.5);
-        let t76 = t57 * (0.5 * (fields[6] * 2.0)) + fields[0] * t61 + fields[3] * t63
-            + t72 * (fields[9] * 0.5);
-        let t77 = t57 * (0.5 * (fields[7] * 2.0)) + fields[1] * t61 + fields[4] * t63
-            + t72 * (fields[10] * 0.5);
-        let t78 = t57 * (0.5 * (fields[8] * 2.0)) + fields[2] * t61 + fields[5] * t63
-            + t72 * (fields[11] * 0.5);
-        let t79 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
+        let t72 = EIy * t71;
+        let t73 = stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
+            + stress_free[5] * stress_free[14];
+        let t74 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
+            + stress_free[8] * stress_free[11];
+        let t75 = GJ * (0.5 * (t53 - t52) - 0.5 * (t74 - t73));
+        let t76 = t57 * (0.5 * (fields[3] * 2.0)) + fields[0] * t61 + fields[6] * t65
+            - t75 * (fields[12] * 0.5);
+        let t77 = t57 * (0.5 * (fields[4] * 2.0)) + fields[1] * t61 + fields[7] * t65
+            - t75 * (fields[13] * 0.5);
+        let t78 = t57 * (0.5 * (fields[5] * 2.0)) + fields[2] * t61 + fields[8] * t65
+            - t75 * (fields[14] * 0.5);
+        let t79 = t59 * (0.5 * (fields[6] * 2.0)) + fields[0] * t63 + fields[3] * t65
+            + t75 * (fields[9] * 0.5);
+        let t80 = t59 * (0.5 * (fields[7] * 2.0)) + fields[1] * t63 + fields[4] * t65
+            + t75 * (fields[10] * 0.5);
+        let t81 = t59 * (0.5 * (fields[8] * 2.0)) + fields[2] * t63 + fields[5] * t65
+            + t75 * (fields[11] * 0.5);
+        let t82 = fields[3] * fields[9] + fields[4] * fields[10] + fields[5] * fields[11]
             - (stress_free[3] * stress_free[9] + stress_free[4] * stress_free[10]
                 + stress_free[5] * stress_free[11]);
-        let t80 = GIz * t79;
-        let t81 = fields[6] * fields[12] + fields[7] * fields[13]
+        let t83 = GIz * t82;
+        let t84 = fields[6] * fields[12] + fields[7] * fields[13]
             + fields[8] * fields[14]
             - (stress_free[6] * stress_free[12] + stress_free[7] * stress_free[13]
                 + stress_free[8] * stress_free[14]);
-        let t82 = GIy * t81;
-        forces[0] = t66 + fields[12] * t70;
-        forces[1] = t67 + fields[13] * t70;
-        forces[2] = t68 + fields[14] * t70;
-        forces[3] = t73 + fields[9] * t80;
-        forces[4] = t74 + fields[10] * t80;
-        forces[5] = t75 + fields[11] * t80;
-        forces[6] = t76 + fields[12] * t82;
-        forces[7] = t77 + fields[13] * t82;
-        forces[8] = t78 + fields[14] * t82;
-        forces[9] = fields[0] * t65 + t72 * (fields[6] * 0.5) + fields[3] * t80;
-        forces[10] = fields[1] * t65 + t72 * (fields[7] * 0.5) + fields[4] * t80;
-        forces[11] = fields[2] * t65 + t72 * (fields[8] * 0.5) + fields[5] * t80;
-        forces[12] = fields[0] * t70 - t72 * (fields[3] * 0.5) + fields[6] * t82;
-        forces[13] = fields[1] * t70 - t72 * (fields[4] * 0.5) + fields[7] * t82;
-        forces[14] = fields[2] * t70 - t72 * (fields[5] * 0.5) + fields[8] * t82;
+        let t85 = GIy * t84;
+        let t86 = GIyz * (t52 + t53 - (t73 + t74));
+        forces[0] = t68 + fields[12] * t72;
+        forces[1] = t69 + fields[13] * t72;
+        forces[2] = t70 + fields[14] * t72;
+        forces[3] = t76 + fields[9] * t83 + fields[12] * t86;
+        forces[4] = t77 + fields[10] * t83 + fields[13] * t86;
+        forces[5] = t78 + fields[11] * t83 + fields[14] * t86;
+        forces[6] = t79 + fields[12] * t85 + fields[9] * t86;
+        forces[7] = t80 + fields[13] * t85 + fields[10] * t86;
+        forces[8] = t81 + fields[14] * t85 + fields[11] * t86;
+        forces[9] = fields[0] * t67 + t75 * (fields[6] * 0.5) + fields[3] * t83
+            + fields[6] * t86;
+        forces[10] = fields[1] * t67 + t75 * (fields[7] * 0.5) + fields[4] * t83
+            + fields[7] * t86;
+        forces[11] = fields[2] * t67 + t75 * (fields[8] * 0.5) + fields[5] * t83
+            + fields[8] * t86;
+        forces[12] = fields[0] * t72 - t75 * (fields[3] * 0.5) + fields[6] * t85
+            + fields[3] * t86;
+        forces[13] = fields[1] * t72 - t75 * (fields[4] * 0.5) + fields[7] * t85
+            + fields[4] * t86;
+        forces[14] = fields[2] * t72 - t75 * (fields[5] * 0.5) + fields[8] * t85
+            + fields[5] * t86;
     }
     /// Writes the conserving forces on the fields a, b, c at a point of weight one on the unit element between two states, for the terms that are integrated with 3 points.
     ///
@@ -1235,7 +1340,20 @@ pub mod lateral_buckling_equations {
         end: &[[f64; 3]; 3],
         forces: &mut [[f64; 3]; 3],
     ) {
-        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let BeamSpatial {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            halfEA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            GIyz,
+            ..
+        } = *row;
         let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z]] = *start;
         let [[e_a_x, e_a_y, e_a_z], [e_b_x, e_b_y, e_b_z], [e_c_x, e_c_y, e_c_z]] = *end;
         let t35 = 0.5 * (o_a_x + e_a_x);
@@ -1264,7 +1382,7 @@ pub mod lateral_buckling_equations {
         let t52 = 0.5 * t45 * (length * kyGA);
         let t53 = 0.5 * t46 * (length * kzGA);
         let t54 = 0.5 * (t50 * (0.5 * (0.5 * t47 - 1.0)));
-        let t55 = 0.5 * t48 * (length * GA);
+        let t55 = 0.5 * t48 * (length * halfEA);
         let t56 = 0.5 * (t50 * (0.5 * (0.5 * t49 - 1.0)));
         forces[0][0] = t51 * (t35 * 2.0) + t38 * t52 + t41 * t53;
         forces[0][1] = t51 * (t36 * 2.0) + t39 * t52 + t42 * t53;
@@ -1285,7 +1403,20 @@ pub mod lateral_buckling_equations {
         end: &[[f64; 3]; 3],
         stiffness: &mut [[f64; 9]; 9],
     ) {
-        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let BeamSpatial {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            halfEA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            GIyz,
+            ..
+        } = *row;
         let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z]] = *start;
         let [[e_a_x, e_a_y, e_a_z], [e_b_x, e_b_y, e_b_z], [e_c_x, e_c_y, e_c_z]] = *end;
         let t35 = 0.5 * (o_a_x + e_a_x);
@@ -1312,7 +1443,7 @@ pub mod lateral_buckling_equations {
         let t50 = length * EA;
         let t51 = length * kyGA;
         let t52 = length * kzGA;
-        let t53 = length * GA;
+        let t53 = length * halfEA;
         let t54 = 0.5 * (0.5 * t50);
         let t55 = 0.5 * t45 * t51;
         let t56 = 0.5 * t46 * t52;
@@ -1440,14 +1571,27 @@ pub mod lateral_buckling_equations {
     }
     /// Writes the conserving forces on the fields a, b, c, db, dc at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
     ///
-    /// Operations: 67 additions, 124 multiplications, 1 divisions.
+    /// Operations: 70 additions, 126 multiplications, 1 divisions.
     pub fn beam_spatial_points2_conserving_force(
         row: &BeamSpatial,
         start: &[[f64; 3]; 5],
         end: &[[f64; 3]; 5],
         forces: &mut [[f64; 3]; 5],
     ) {
-        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let BeamSpatial {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            halfEA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            GIyz,
+            ..
+        } = *row;
         let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z],
         [o_unit_db_x, o_unit_db_y, o_unit_db_z], [o_unit_dc_x, o_unit_dc_y, o_unit_dc_z],
         ] = *start;
@@ -1467,66 +1611,82 @@ pub mod lateral_buckling_equations {
         let e_dc_x = inverse_length * e_unit_dc_x;
         let e_dc_y = inverse_length * e_unit_dc_y;
         let e_dc_z = inverse_length * e_unit_dc_z;
-        let t61 = 0.5 * (o_a_x + e_a_x);
-        let t62 = 0.5 * (o_a_y + e_a_y);
-        let t63 = 0.5 * (o_a_z + e_a_z);
-        let t64 = 0.5 * (o_b_x + e_b_x);
-        let t65 = 0.5 * (o_b_y + e_b_y);
-        let t66 = 0.5 * (o_b_z + e_b_z);
-        let t67 = 0.5 * (o_c_x + e_c_x);
-        let t68 = 0.5 * (o_c_y + e_c_y);
-        let t69 = 0.5 * (o_c_z + e_c_z);
-        let t70 = 0.5 * (o_unit_db_x + e_unit_db_x);
-        let t71 = 0.5 * (o_unit_db_y + e_unit_db_y);
-        let t72 = 0.5 * (o_unit_db_z + e_unit_db_z);
-        let t73 = 0.5 * (o_unit_dc_x + e_unit_dc_x);
-        let t74 = 0.5 * (o_unit_dc_y + e_unit_dc_y);
-        let t75 = 0.5 * (o_unit_dc_z + e_unit_dc_z);
-        let t76 = o_a_x * o_db_x + o_a_y * o_db_y + o_a_z * o_db_z
+        let t62 = 0.5 * (o_a_x + e_a_x);
+        let t63 = 0.5 * (o_a_y + e_a_y);
+        let t64 = 0.5 * (o_a_z + e_a_z);
+        let t65 = 0.5 * (o_b_x + e_b_x);
+        let t66 = 0.5 * (o_b_y + e_b_y);
+        let t67 = 0.5 * (o_b_z + e_b_z);
+        let t68 = 0.5 * (o_c_x + e_c_x);
+        let t69 = 0.5 * (o_c_y + e_c_y);
+        let t70 = 0.5 * (o_c_z + e_c_z);
+        let t71 = 0.5 * (o_unit_db_x + e_unit_db_x);
+        let t72 = 0.5 * (o_unit_db_y + e_unit_db_y);
+        let t73 = 0.5 * (o_unit_db_z + e_unit_db_z);
+        let t74 = 0.5 * (o_unit_dc_x + e_unit_dc_x);
+        let t75 = 0.5 * (o_unit_dc_y + e_unit_dc_y);
+        let t76 = 0.5 * (o_unit_dc_z + e_unit_dc_z);
+        let t77 = o_a_x * o_db_x + o_a_y * o_db_y + o_a_z * o_db_z
             + (e_a_x * e_db_x + e_a_y * e_db_y + e_a_z * e_db_z);
-        let t77 = o_a_x * o_dc_x + o_a_y * o_dc_y + o_a_z * o_dc_z
+        let t78 = o_a_x * o_dc_x + o_a_y * o_dc_y + o_a_z * o_dc_z
             + (e_a_x * e_dc_x + e_a_y * e_dc_y + e_a_z * e_dc_z);
-        let t78 = o_b_x * o_db_x + o_b_y * o_db_y + o_b_z * o_db_z
+        let t79 = o_b_x * o_db_x + o_b_y * o_db_y + o_b_z * o_db_z
             + (e_b_x * e_db_x + e_b_y * e_db_y + e_b_z * e_db_z);
-        let t79 = o_b_x * o_dc_x + o_b_y * o_dc_y + o_b_z * o_dc_z
+        let t80 = o_b_x * o_dc_x + o_b_y * o_dc_y + o_b_z * o_dc_z
             + (e_b_x * e_dc_x + e_b_y * e_dc_y + e_b_z * e_dc_z);
-        let t80 = o_c_x * o_db_x + o_c_y * o_db_y + o_c_z * o_db_z
+        let t81 = 0.5 * t80;
+        let t82 = o_c_x * o_db_x + o_c_y * o_db_y + o_c_z * o_db_z
             + (e_c_x * e_db_x + e_c_y * e_db_y + e_c_z * e_db_z);
-        let t81 = o_c_x * o_dc_x + o_c_y * o_dc_y + o_c_z * o_dc_z
+        let t83 = 0.5 * t82;
+        let t84 = o_c_x * o_dc_x + o_c_y * o_dc_y + o_c_z * o_dc_z
             + (e_c_x * e_dc_x + e_c_y * e_dc_y + e_c_z * e_dc_z);
-        let t82 = length * GJ * (0.5 * (0.5 * t80 - 0.5 * t79));
-        let t83 = inverse_length * (0.5 * t76 * (length * EIz));
-        let t84 = inverse_length * (0.5 * t77 * (length * EIy));
-        let t85 = inverse_length * (0.5 * t78 * (length * GIz));
-        let t86 = inverse_length * (-0.5 * t82);
-        let t87 = inverse_length * (0.5 * t82);
-        let t88 = inverse_length * (0.5 * t81 * (length * GIy));
-        forces[0][0] = t70 * t83 + t73 * t84;
-        forces[0][1] = t71 * t83 + t74 * t84;
-        forces[0][2] = t72 * t83 + t75 * t84;
-        forces[1][0] = t70 * t85 + t73 * t86;
-        forces[1][1] = t71 * t85 + t74 * t86;
-        forces[1][2] = t72 * t85 + t75 * t86;
-        forces[2][0] = t70 * t87 + t73 * t88;
-        forces[2][1] = t71 * t87 + t74 * t88;
-        forces[2][2] = t72 * t87 + t75 * t88;
-        forces[3][0] = t61 * t83 + t64 * t85 + t67 * t87;
-        forces[3][1] = t62 * t83 + t65 * t85 + t68 * t87;
-        forces[3][2] = t63 * t83 + t66 * t85 + t69 * t87;
-        forces[4][0] = t61 * t84 + t64 * t86 + t67 * t88;
-        forces[4][1] = t62 * t84 + t65 * t86 + t68 * t88;
-        forces[4][2] = t63 * t84 + t66 * t86 + t69 * t88;
+        let t85 = length * GJ * (0.5 * (t83 - t81));
+        let t86 = length * GIyz * (t81 + t83);
+        let t87 = inverse_length * (0.5 * t77 * (length * EIz));
+        let t88 = inverse_length * (0.5 * t78 * (length * EIy));
+        let t89 = inverse_length * (0.5 * t79 * (length * GIz));
+        let t90 = inverse_length * (-0.5 * t85 + t86);
+        let t91 = inverse_length * (t86 + 0.5 * t85);
+        let t92 = inverse_length * (0.5 * t84 * (length * GIy));
+        forces[0][0] = t71 * t87 + t74 * t88;
+        forces[0][1] = t72 * t87 + t75 * t88;
+        forces[0][2] = t73 * t87 + t76 * t88;
+        forces[1][0] = t71 * t89 + t74 * t90;
+        forces[1][1] = t72 * t89 + t75 * t90;
+        forces[1][2] = t73 * t89 + t76 * t90;
+        forces[2][0] = t71 * t91 + t74 * t92;
+        forces[2][1] = t72 * t91 + t75 * t92;
+        forces[2][2] = t73 * t91 + t76 * t92;
+        forces[3][0] = t62 * t87 + t65 * t89 + t68 * t91;
+        forces[3][1] = t63 * t87 + t66 * t89 + t69 * t91;
+        forces[3][2] = t64 * t87 + t67 * t89 + t70 * t91;
+        forces[4][0] = t62 * t88 + t65 * t90 + t68 * t92;
+        forces[4][1] = t63 * t88 + t66 * t90 + t69 * t92;
+        forces[4][2] = t64 * t88 + t67 * t90 + t70 * t92;
     }
     /// Writes the blocks of the derivative by the mean of both states on the fields a, b, c, db, dc at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
     ///
-    /// Operations: 181 additions, 439 multiplications, 1 divisions.
+    /// Operations: 188 additions, 441 multiplications, 1 divisions.
     pub fn beam_spatial_points2_conserving_tangent(
         row: &BeamSpatial,
         start: &[[f64; 3]; 5],
         end: &[[f64; 3]; 5],
         stiffness: &mut [[f64; 9]; 21],
     ) {
-        let BeamSpatial { length, EA, kyGA, kzGA, GA, EIz, EIy, GJ, GIz, GIy, .. } = *row;
+        let BeamSpatial {
+            length,
+            EA,
+            kyGA,
+            kzGA,
+            halfEA,
+            EIz,
+            EIy,
+            GJ,
+            GIz,
+            GIy,
+            GIyz,
+            ..
+        } = *row;
         let [[o_a_x, o_a_y, o_a_z], [o_b_x, o_b_y, o_b_z], [o_c_x, o_c_y, o_c_z],
         [o_unit_db_x, o_unit_db_y, o_unit_db_z], [o_unit_dc_x, o_unit_dc_y, o_unit_dc_z],
         ] = *start;
@@ -1546,293 +1706,297 @@ pub mod lateral_buckling_equations {
         let e_dc_x = inverse_length * e_unit_dc_x;
         let e_dc_y = inverse_length * e_unit_dc_y;
         let e_dc_z = inverse_length * e_unit_dc_z;
-        let t61 = 0.5 * (o_a_x + e_a_x);
-        let t62 = 0.5 * (o_a_y + e_a_y);
-        let t63 = 0.5 * (o_a_z + e_a_z);
-        let t64 = 0.5 * (o_b_x + e_b_x);
-        let t65 = 0.5 * (o_b_y + e_b_y);
-        let t66 = 0.5 * (o_b_z + e_b_z);
-        let t67 = 0.5 * (o_c_x + e_c_x);
-        let t68 = 0.5 * (o_c_y + e_c_y);
-        let t69 = 0.5 * (o_c_z + e_c_z);
-        let t70 = 0.5 * (o_unit_db_x + e_unit_db_x);
-        let t71 = 0.5 * (o_unit_db_y + e_unit_db_y);
-        let t72 = 0.5 * (o_unit_db_z + e_unit_db_z);
-        let t73 = 0.5 * (o_unit_dc_x + e_unit_dc_x);
-        let t74 = 0.5 * (o_unit_dc_y + e_unit_dc_y);
-        let t75 = 0.5 * (o_unit_dc_z + e_unit_dc_z);
-        let t76 = o_a_x * o_db_x + o_a_y * o_db_y + o_a_z * o_db_z
+        let t62 = 0.5 * (o_a_x + e_a_x);
+        let t63 = 0.5 * (o_a_y + e_a_y);
+        let t64 = 0.5 * (o_a_z + e_a_z);
+        let t65 = 0.5 * (o_b_x + e_b_x);
+        let t66 = 0.5 * (o_b_y + e_b_y);
+        let t67 = 0.5 * (o_b_z + e_b_z);
+        let t68 = 0.5 * (o_c_x + e_c_x);
+        let t69 = 0.5 * (o_c_y + e_c_y);
+        let t70 = 0.5 * (o_c_z + e_c_z);
+        let t71 = 0.5 * (o_unit_db_x + e_unit_db_x);
+        let t72 = 0.5 * (o_unit_db_y + e_unit_db_y);
+        let t73 = 0.5 * (o_unit_db_z + e_unit_db_z);
+        let t74 = 0.5 * (o_unit_dc_x + e_unit_dc_x);
+        let t75 = 0.5 * (o_unit_dc_y + e_unit_dc_y);
+        let t76 = 0.5 * (o_unit_dc_z + e_unit_dc_z);
+        let t77 = o_a_x * o_db_x + o_a_y * o_db_y + o_a_z * o_db_z
             + (e_a_x * e_db_x + e_a_y * e_db_y + e_a_z * e_db_z);
-        let t77 = o_a_x * o_dc_x + o_a_y * o_dc_y + o_a_z * o_dc_z
+        let t78 = o_a_x * o_dc_x + o_a_y * o_dc_y + o_a_z * o_dc_z
             + (e_a_x * e_dc_x + e_a_y * e_dc_y + e_a_z * e_dc_z);
-        let t78 = o_b_x * o_db_x + o_b_y * o_db_y + o_b_z * o_db_z
+        let t79 = o_b_x * o_db_x + o_b_y * o_db_y + o_b_z * o_db_z
             + (e_b_x * e_db_x + e_b_y * e_db_y + e_b_z * e_db_z);
-        let t79 = o_b_x * o_dc_x + o_b_y * o_dc_y + o_b_z * o_dc_z
+        let t80 = o_b_x * o_dc_x + o_b_y * o_dc_y + o_b_z * o_dc_z
             + (e_b_x * e_dc_x + e_b_y * e_dc_y + e_b_z * e_dc_z);
-        let t80 = o_c_x * o_db_x + o_c_y * o_db_y + o_c_z * o_db_z
+        let t81 = 0.5 * t80;
+        let t82 = o_c_x * o_db_x + o_c_y * o_db_y + o_c_z * o_db_z
             + (e_c_x * e_db_x + e_c_y * e_db_y + e_c_z * e_db_z);
-        let t81 = o_c_x * o_dc_x + o_c_y * o_dc_y + o_c_z * o_dc_z
+        let t83 = 0.5 * t82;
+        let t84 = o_c_x * o_dc_x + o_c_y * o_dc_y + o_c_z * o_dc_z
             + (e_c_x * e_dc_x + e_c_y * e_dc_y + e_c_z * e_dc_z);
-        let t82 = length * EIz;
-        let t83 = length * EIy;
-        let t84 = length * GJ;
-        let t85 = 0.5 * t84;
-        let t86 = length * GIz;
-        let t87 = length * GIy;
-        let t88 = t84 * (-0.5);
-        let t89 = t84 * (0.5 * (0.5 * t80 - 0.5 * t79));
-        let t90 = inverse_length * (0.5 * t76 * t82);
-        let t91 = inverse_length * inverse_length;
-        let t92 = t82 * t91;
-        let t93 = inverse_length * (0.5 * t77 * t83);
-        let t94 = t83 * t91;
-        let t95 = inverse_length * (0.5 * t78 * t86);
-        let t96 = t86 * t91;
-        let t97 = inverse_length * (-0.5 * t89);
-        let t98 = -0.5 * t88 * t91;
-        let t99 = -0.5 * t85 * t91;
-        let t100 = inverse_length * (0.5 * t89);
-        let t101 = 0.5 * t88 * t91;
-        let t102 = 0.5 * t85 * t91;
-        let t103 = inverse_length * (0.5 * t81 * t87);
-        let t104 = t87 * t91;
-        let t105 = e_unit_db_x * t92;
-        let t106 = e_unit_db_y * t92;
-        let t107 = e_unit_db_z * t92;
-        let t108 = e_a_x * t92;
-        let t109 = e_a_y * t92;
-        let t110 = e_a_z * t92;
-        let t111 = e_unit_dc_x * t94;
-        let t112 = e_unit_dc_y * t94;
-        let t113 = e_unit_dc_z * t94;
-        let t114 = e_a_x * t94;
-        let t115 = e_a_y * t94;
-        let t116 = e_a_z * t94;
-        let t117 = e_unit_db_x * t96;
-        let t118 = e_unit_db_y * t96;
-        let t119 = e_unit_db_z * t96;
-        let t120 = e_b_x * t96;
-        let t121 = e_b_y * t96;
-        let t122 = e_b_z * t96;
-        let t123 = e_unit_dc_x * t98;
-        let t124 = e_unit_dc_y * t98;
-        let t125 = e_unit_dc_z * t98;
-        let t126 = e_unit_db_x * t99;
-        let t127 = e_unit_db_y * t99;
-        let t128 = e_unit_db_z * t99;
-        let t129 = e_c_x * t99;
-        let t130 = e_c_y * t99;
-        let t131 = e_c_z * t99;
-        let t132 = e_b_x * t98;
-        let t133 = e_b_y * t98;
-        let t134 = e_b_z * t98;
-        let t135 = e_unit_dc_x * t101;
-        let t136 = e_unit_dc_y * t101;
-        let t137 = e_unit_dc_z * t101;
-        let t138 = e_unit_db_x * t102;
-        let t139 = e_unit_db_y * t102;
-        let t140 = e_unit_db_z * t102;
-        let t141 = e_c_x * t102;
-        let t142 = e_c_y * t102;
-        let t143 = e_c_z * t102;
-        let t144 = e_b_x * t101;
-        let t145 = e_b_y * t101;
-        let t146 = e_b_z * t101;
-        let t147 = e_unit_dc_x * t104;
-        let t148 = e_unit_dc_y * t104;
-        let t149 = e_unit_dc_z * t104;
-        let t150 = e_c_x * t104;
-        let t151 = e_c_y * t104;
-        let t152 = e_c_z * t104;
-        stiffness[0][0] = t70 * t105 + t73 * t111;
-        stiffness[0][1] = t70 * t106 + t73 * t112;
-        stiffness[0][2] = t70 * t107 + t73 * t113;
-        stiffness[0][3] = t71 * t105 + t74 * t111;
-        stiffness[0][4] = t71 * t106 + t74 * t112;
-        stiffness[0][5] = t71 * t107 + t74 * t113;
-        stiffness[0][6] = t72 * t105 + t75 * t111;
-        stiffness[0][7] = t72 * t106 + t75 * t112;
-        stiffness[0][8] = t72 * t107 + t75 * t113;
-        stiffness[1][0] = t90 + t70 * t108;
-        stiffness[1][1] = t70 * t109;
-        stiffness[1][2] = t70 * t110;
-        stiffness[1][3] = t71 * t108;
-        stiffness[1][4] = t90 + t71 * t109;
-        stiffness[1][5] = t71 * t110;
-        stiffness[1][6] = t72 * t108;
-        stiffness[1][7] = t72 * t109;
-        stiffness[1][8] = t90 + t72 * t110;
-        stiffness[2][0] = t93 + t73 * t114;
-        stiffness[2][1] = t73 * t115;
-        stiffness[2][2] = t73 * t116;
-        stiffness[2][3] = t74 * t114;
-        stiffness[2][4] = t93 + t74 * t115;
-        stiffness[2][5] = t74 * t116;
-        stiffness[2][6] = t75 * t114;
-        stiffness[2][7] = t75 * t115;
-        stiffness[2][8] = t93 + t75 * t116;
-        stiffness[3][0] = t90 + t61 * t105;
-        stiffness[3][1] = t61 * t106;
-        stiffness[3][2] = t61 * t107;
-        stiffness[3][3] = t62 * t105;
-        stiffness[3][4] = t90 + t62 * t106;
-        stiffness[3][5] = t62 * t107;
-        stiffness[3][6] = t63 * t105;
-        stiffness[3][7] = t63 * t106;
-        stiffness[3][8] = t90 + t63 * t107;
-        stiffness[4][0] = t70 * t117 + t73 * t123;
-        stiffness[4][1] = t70 * t118 + t73 * t124;
-        stiffness[4][2] = t70 * t119 + t73 * t125;
-        stiffness[4][3] = t71 * t117 + t74 * t123;
-        stiffness[4][4] = t71 * t118 + t74 * t124;
-        stiffness[4][5] = t71 * t119 + t74 * t125;
-        stiffness[4][6] = t72 * t117 + t75 * t123;
-        stiffness[4][7] = t72 * t118 + t75 * t124;
-        stiffness[4][8] = t72 * t119 + t75 * t125;
-        stiffness[5][0] = t95 + (t70 * t120 + t73 * t129);
-        stiffness[5][1] = t70 * t121 + t73 * t130;
-        stiffness[5][2] = t70 * t122 + t73 * t131;
-        stiffness[5][3] = t71 * t120 + t74 * t129;
-        stiffness[5][4] = t95 + (t71 * t121 + t74 * t130);
-        stiffness[5][5] = t71 * t122 + t74 * t131;
-        stiffness[5][6] = t72 * t120 + t75 * t129;
-        stiffness[5][7] = t72 * t121 + t75 * t130;
-        stiffness[5][8] = t95 + (t72 * t122 + t75 * t131);
-        stiffness[6][0] = t95 + (t64 * t117 + t67 * t135);
-        stiffness[6][1] = t64 * t118 + t67 * t136;
-        stiffness[6][2] = t64 * t119 + t67 * t137;
-        stiffness[6][3] = t65 * t117 + t68 * t135;
-        stiffness[6][4] = t95 + (t65 * t118 + t68 * t136);
-        stiffness[6][5] = t65 * t119 + t68 * t137;
-        stiffness[6][6] = t66 * t117 + t69 * t135;
-        stiffness[6][7] = t66 * t118 + t69 * t136;
-        stiffness[6][8] = t95 + (t66 * t119 + t69 * t137);
-        stiffness[7][0] = t61 * t108 + t64 * t120 + t67 * t141;
-        stiffness[7][1] = t61 * t109 + t64 * t121 + t67 * t142;
-        stiffness[7][2] = t61 * t110 + t64 * t122 + t67 * t143;
-        stiffness[7][3] = t62 * t108 + t65 * t120 + t68 * t141;
-        stiffness[7][4] = t62 * t109 + t65 * t121 + t68 * t142;
-        stiffness[7][5] = t62 * t110 + t65 * t122 + t68 * t143;
-        stiffness[7][6] = t63 * t108 + t66 * t120 + t69 * t141;
-        stiffness[7][7] = t63 * t109 + t66 * t121 + t69 * t142;
-        stiffness[7][8] = t63 * t110 + t66 * t122 + t69 * t143;
-        stiffness[8][0] = t73 * t126;
-        stiffness[8][1] = t73 * t127;
-        stiffness[8][2] = t73 * t128;
-        stiffness[8][3] = t74 * t126;
-        stiffness[8][4] = t74 * t127;
-        stiffness[8][5] = t74 * t128;
-        stiffness[8][6] = t75 * t126;
-        stiffness[8][7] = t75 * t127;
-        stiffness[8][8] = t75 * t128;
-        stiffness[9][0] = t97 + t73 * t132;
-        stiffness[9][1] = t73 * t133;
-        stiffness[9][2] = t73 * t134;
-        stiffness[9][3] = t74 * t132;
-        stiffness[9][4] = t97 + t74 * t133;
-        stiffness[9][5] = t74 * t134;
-        stiffness[9][6] = t75 * t132;
-        stiffness[9][7] = t75 * t133;
-        stiffness[9][8] = t97 + t75 * t134;
-        stiffness[10][0] = t100 + t67 * t138;
-        stiffness[10][1] = t67 * t139;
-        stiffness[10][2] = t67 * t140;
-        stiffness[10][3] = t68 * t138;
-        stiffness[10][4] = t100 + t68 * t139;
-        stiffness[10][5] = t68 * t140;
-        stiffness[10][6] = t69 * t138;
-        stiffness[10][7] = t69 * t139;
-        stiffness[10][8] = t100 + t69 * t140;
-        stiffness[11][0] = t67 * t144;
-        stiffness[11][1] = t67 * t145;
-        stiffness[11][2] = t67 * t146;
-        stiffness[11][3] = t68 * t144;
-        stiffness[11][4] = t68 * t145;
-        stiffness[11][5] = t68 * t146;
-        stiffness[11][6] = t69 * t144;
-        stiffness[11][7] = t69 * t145;
-        stiffness[11][8] = t69 * t146;
-        stiffness[12][0] = t93 + t61 * t111;
-        stiffness[12][1] = t61 * t112;
-        stiffness[12][2] = t61 * t113;
-        stiffness[12][3] = t62 * t111;
-        stiffness[12][4] = t93 + t62 * t112;
-        stiffness[12][5] = t62 * t113;
-        stiffness[12][6] = t63 * t111;
-        stiffness[12][7] = t63 * t112;
-        stiffness[12][8] = t93 + t63 * t113;
-        stiffness[13][0] = t70 * t135;
-        stiffness[13][1] = t70 * t136;
-        stiffness[13][2] = t70 * t137;
-        stiffness[13][3] = t71 * t135;
-        stiffness[13][4] = t71 * t136;
-        stiffness[13][5] = t71 * t137;
-        stiffness[13][6] = t72 * t135;
-        stiffness[13][7] = t72 * t136;
-        stiffness[13][8] = t72 * t137;
-        stiffness[14][0] = t100 + t70 * t141;
-        stiffness[14][1] = t70 * t142;
-        stiffness[14][2] = t70 * t143;
-        stiffness[14][3] = t71 * t141;
-        stiffness[14][4] = t100 + t71 * t142;
-        stiffness[14][5] = t71 * t143;
-        stiffness[14][6] = t72 * t141;
-        stiffness[14][7] = t72 * t142;
-        stiffness[14][8] = t100 + t72 * t143;
-        stiffness[15][0] = t97 + t64 * t123;
-        stiffness[15][1] = t64 * t124;
-        stiffness[15][2] = t64 * t125;
-        stiffness[15][3] = t65 * t123;
-        stiffness[15][4] = t97 + t65 * t124;
-        stiffness[15][5] = t65 * t125;
-        stiffness[15][6] = t66 * t123;
-        stiffness[15][7] = t66 * t124;
-        stiffness[15][8] = t97 + t66 * t125;
-        stiffness[16][0] = t64 * t129;
-        stiffness[16][1] = t64 * t130;
-        stiffness[16][2] = t64 * t131;
-        stiffness[16][3] = t65 * t129;
-        stiffness[16][4] = t65 * t130;
-        stiffness[16][5] = t65 * t131;
-        stiffness[16][6] = t66 * t129;
-        stiffness[16][7] = t66 * t130;
-        stiffness[16][8] = t66 * t131;
-        stiffness[17][0] = t70 * t138 + t73 * t147;
-        stiffness[17][1] = t70 * t139 + t73 * t148;
-        stiffness[17][2] = t70 * t140 + t73 * t149;
-        stiffness[17][3] = t71 * t138 + t74 * t147;
-        stiffness[17][4] = t71 * t139 + t74 * t148;
-        stiffness[17][5] = t71 * t140 + t74 * t149;
-        stiffness[17][6] = t72 * t138 + t75 * t147;
-        stiffness[17][7] = t72 * t139 + t75 * t148;
-        stiffness[17][8] = t72 * t140 + t75 * t149;
-        stiffness[18][0] = t103 + (t70 * t144 + t73 * t150);
-        stiffness[18][1] = t70 * t145 + t73 * t151;
-        stiffness[18][2] = t70 * t146 + t73 * t152;
-        stiffness[18][3] = t71 * t144 + t74 * t150;
-        stiffness[18][4] = t103 + (t71 * t145 + t74 * t151);
-        stiffness[18][5] = t71 * t146 + t74 * t152;
-        stiffness[18][6] = t72 * t144 + t75 * t150;
-        stiffness[18][7] = t72 * t145 + t75 * t151;
-        stiffness[18][8] = t103 + (t72 * t146 + t75 * t152);
-        stiffness[19][0] = t103 + (t64 * t126 + t67 * t147);
-        stiffness[19][1] = t64 * t127 + t67 * t148;
-        stiffness[19][2] = t64 * t128 + t67 * t149;
-        stiffness[19][3] = t65 * t126 + t68 * t147;
-        stiffness[19][4] = t103 + (t65 * t127 + t68 * t148);
-        stiffness[19][5] = t65 * t128 + t68 * t149;
-        stiffness[19][6] = t66 * t126 + t69 * t147;
-        stiffness[19][7] = t66 * t127 + t69 * t148;
-        stiffness[19][8] = t103 + (t66 * t128 + t69 * t149);
-        stiffness[20][0] = t61 * t114 + t64 * t132 + t67 * t150;
-        stiffness[20][1] = t61 * t115 + t64 * t133 + t67 * t151;
-        stiffness[20][2] = t61 * t116 + t64 * t134 + t67 * t152;
-        stiffness[20][3] = t62 * t114 + t65 * t132 + t68 * t150;
-        stiffness[20][4] = t62 * t115 + t65 * t133 + t68 * t151;
-        stiffness[20][5] = t62 * t116 + t65 * t134 + t68 * t152;
-        stiffness[20][6] = t63 * t114 + t66 * t132 + t69 * t150;
-        stiffness[20][7] = t63 * t115 + t66 * t133 + t69 * t151;
-        stiffness[20][8] = t63 * t116 + t66 * t134 + t69 * t152;
+        let t85 = length * EIz;
+        let t86 = length * EIy;
+        let t87 = length * GJ;
+        let t88 = 0.5 * t87;
+        let t89 = length * GIz;
+        let t90 = length * GIy;
+        let t91 = length * GIyz;
+        let t92 = t87 * (-0.5);
+        let t93 = t87 * (0.5 * (t83 - t81));
+        let t94 = t91 * (t81 + t83);
+        let t95 = inverse_length * (0.5 * t77 * t85);
+        let t96 = inverse_length * inverse_length;
+        let t97 = t85 * t96;
+        let t98 = inverse_length * (0.5 * t78 * t86);
+        let t99 = t86 * t96;
+        let t100 = inverse_length * (0.5 * t79 * t89);
+        let t101 = t89 * t96;
+        let t102 = inverse_length * (-0.5 * t93 + t94);
+        let t103 = (t91 + (-0.5 * t92)) * t96;
+        let t104 = (t91 + (-0.5 * t88)) * t96;
+        let t105 = inverse_length * (t94 + 0.5 * t93);
+        let t106 = (t91 + 0.5 * t92) * t96;
+        let t107 = (t91 + 0.5 * t88) * t96;
+        let t108 = inverse_length * (0.5 * t84 * t90);
+        let t109 = t90 * t96;
+        let t110 = e_unit_db_x * t97;
+        let t111 = e_unit_db_y * t97;
+        let t112 = e_unit_db_z * t97;
+        let t113 = e_a_x * t97;
+        let t114 = e_a_y * t97;
+        let t115 = e_a_z * t97;
+        let t116 = e_unit_dc_x * t99;
+        let t117 = e_unit_dc_y * t99;
+        let t118 = e_unit_dc_z * t99;
+        let t119 = e_a_x * t99;
+        let t120 = e_a_y * t99;
+        let t121 = e_a_z * t99;
+        let t122 = e_unit_db_x * t101;
+        let t123 = e_unit_db_y * t101;
+        let t124 = e_unit_db_z * t101;
+        let t125 = e_b_x * t101;
+        let t126 = e_b_y * t101;
+        let t127 = e_b_z * t101;
+        let t128 = e_unit_dc_x * t103;
+        let t129 = e_unit_dc_y * t103;
+        let t130 = e_unit_dc_z * t103;
+        let t131 = e_unit_db_x * t104;
+        let t132 = e_unit_db_y * t104;
+        let t133 = e_unit_db_z * t104;
+        let t134 = e_c_x * t104;
+        let t135 = e_c_y * t104;
+        let t136 = e_c_z * t104;
+        let t137 = e_b_x * t103;
+        let t138 = e_b_y * t103;
+        let t139 = e_b_z * t103;
+        let t140 = e_unit_dc_x * t106;
+        let t141 = e_unit_dc_y * t106;
+        let t142 = e_unit_dc_z * t106;
+        let t143 = e_unit_db_x * t107;
+        let t144 = e_unit_db_y * t107;
+        let t145 = e_unit_db_z * t107;
+        let t146 = e_c_x * t107;
+        let t147 = e_c_y * t107;
+        let t148 = e_c_z * t107;
+        let t149 = e_b_x * t106;
+        let t150 = e_b_y * t106;
+        let t151 = e_b_z * t106;
+        let t152 = e_unit_dc_x * t109;
+        let t153 = e_unit_dc_y * t109;
+        let t154 = e_unit_dc_z * t109;
+        let t155 = e_c_x * t109;
+        let t156 = e_c_y * t109;
+        let t157 = e_c_z * t109;
+        stiffness[0][0] = t71 * t110 + t74 * t116;
+        stiffness[0][1] = t71 * t111 + t74 * t117;
+        stiffness[0][2] = t71 * t112 + t74 * t118;
+        stiffness[0][3] = t72 * t110 + t75 * t116;
+        stiffness[0][4] = t72 * t111 + t75 * t117;
+        stiffness[0][5] = t72 * t112 + t75 * t118;
+        stiffness[0][6] = t73 * t110 + t76 * t116;
+        stiffness[0][7] = t73 * t111 + t76 * t117;
+        stiffness[0][8] = t73 * t112 + t76 * t118;
+        stiffness[1][0] = t95 + t71 * t113;
+        stiffness[1][1] = t71 * t114;
+        stiffness[1][2] = t71 * t115;
+        stiffness[1][3] = t72 * t113;
+        stiffness[1][4] = t95 + t72 * t114;
+        stiffness[1][5] = t72 * t115;
+        stiffness[1][6] = t73 * t113;
+        stiffness[1][7] = t73 * t114;
+        stiffness[1][8] = t95 + t73 * t115;
+        stiffness[2][0] = t98 + t74 * t119;
+        stiffness[2][1] = t74 * t120;
+        stiffness[2][2] = t74 * t121;
+        stiffness[2][3] = t75 * t119;
+        stiffness[2][4] = t98 + t75 * t120;
+        stiffness[2][5] = t75 * t121;
+        stiffness[2][6] = t76 * t119;
+        stiffness[2][7] = t76 * t120;
+        stiffness[2][8] = t98 + t76 * t121;
+        stiffness[3][0] = t95 + t62 * t110;
+        stiffness[3][1] = t62 * t111;
+        stiffness[3][2] = t62 * t112;
+        stiffness[3][3] = t63 * t110;
+        stiffness[3][4] = t95 + t63 * t111;
+        stiffness[3][5] = t63 * t112;
+        stiffness[3][6] = t64 * t110;
+        stiffness[3][7] = t64 * t111;
+        stiffness[3][8] = t95 + t64 * t112;
+        stiffness[4][0] = t71 * t122 + t74 * t128;
+        stiffness[4][1] = t71 * t123 + t74 * t129;
+        stiffness[4][2] = t71 * t124 + t74 * t130;
+        stiffness[4][3] = t72 * t122 + t75 * t128;
+        stiffness[4][4] = t72 * t123 + t75 * t129;
+        stiffness[4][5] = t72 * t124 + t75 * t130;
+        stiffness[4][6] = t73 * t122 + t76 * t128;
+        stiffness[4][7] = t73 * t123 + t76 * t129;
+        stiffness[4][8] = t73 * t124 + t76 * t130;
+        stiffness[5][0] = t100 + (t71 * t125 + t74 * t134);
+        stiffness[5][1] = t71 * t126 + t74 * t135;
+        stiffness[5][2] = t71 * t127 + t74 * t136;
+        stiffness[5][3] = t72 * t125 + t75 * t134;
+        stiffness[5][4] = t100 + (t72 * t126 + t75 * t135);
+        stiffness[5][5] = t72 * t127 + t75 * t136;
+        stiffness[5][6] = t73 * t125 + t76 * t134;
+        stiffness[5][7] = t73 * t126 + t76 * t135;
+        stiffness[5][8] = t100 + (t73 * t127 + t76 * t136);
+        stiffness[6][0] = t100 + (t65 * t122 + t68 * t140);
+        stiffness[6][1] = t65 * t123 + t68 * t141;
+        stiffness[6][2] = t65 * t124 + t68 * t142;
+        stiffness[6][3] = t66 * t122 + t69 * t140;
+        stiffness[6][4] = t100 + (t66 * t123 + t69 * t141);
+        stiffness[6][5] = t66 * t124 + t69 * t142;
+        stiffness[6][6] = t67 * t122 + t70 * t140;
+        stiffness[6][7] = t67 * t123 + t70 * t141;
+        stiffness[6][8] = t100 + (t67 * t124 + t70 * t142);
+        stiffness[7][0] = t62 * t113 + t65 * t125 + t68 * t146;
+        stiffness[7][1] = t62 * t114 + t65 * t126 + t68 * t147;
+        stiffness[7][2] = t62 * t115 + t65 * t127 + t68 * t148;
+        stiffness[7][3] = t63 * t113 + t66 * t125 + t69 * t146;
+        stiffness[7][4] = t63 * t114 + t66 * t126 + t69 * t147;
+        stiffness[7][5] = t63 * t115 + t66 * t127 + t69 * t148;
+        stiffness[7][6] = t64 * t113 + t67 * t125 + t70 * t146;
+        stiffness[7][7] = t64 * t114 + t67 * t126 + t70 * t147;
+        stiffness[7][8] = t64 * t115 + t67 * t127 + t70 * t148;
+        stiffness[8][0] = t74 * t131;
+        stiffness[8][1] = t74 * t132;
+        stiffness[8][2] = t74 * t133;
+        stiffness[8][3] = t75 * t131;
+        stiffness[8][4] = t75 * t132;
+        stiffness[8][5] = t75 * t133;
+        stiffness[8][6] = t76 * t131;
+        stiffness[8][7] = t76 * t132;
+        stiffness[8][8] = t76 * t133;
+        stiffness[9][0] = t102 + t74 * t137;
+        stiffness[9][1] = t74 * t138;
+        stiffness[9][2] = t74 * t139;
+        stiffness[9][3] = t75 * t137;
+        stiffness[9][4] = t102 + t75 * t138;
+        stiffness[9][5] = t75 * t139;
+        stiffness[9][6] = t76 * t137;
+        stiffness[9][7] = t76 * t138;
+        stiffness[9][8] = t102 + t76 * t139;
+        stiffness[10][0] = t105 + t68 * t143;
+        stiffness[10][1] = t68 * t144;
+        stiffness[10][2] = t68 * t145;
+        stiffness[10][3] = t69 * t143;
+        stiffness[10][4] = t105 + t69 * t144;
+        stiffness[10][5] = t69 * t145;
+        stiffness[10][6] = t70 * t143;
+        stiffness[10][7] = t70 * t144;
+        stiffness[10][8] = t105 + t70 * t145;
+        stiffness[11][0] = t68 * t149;
+        stiffness[11][1] = t68 * t150;
+        stiffness[11][2] = t68 * t151;
+        stiffness[11][3] = t69 * t149;
+        stiffness[11][4] = t69 * t150;
+        stiffness[11][5] = t69 * t151;
+        stiffness[11][6] = t70 * t149;
+        stiffness[11][7] = t70 * t150;
+        stiffness[11][8] = t70 * t151;
+        stiffness[12][0] = t98 + t62 * t116;
+        stiffness[12][1] = t62 * t117;
+        stiffness[12][2] = t62 * t118;
+        stiffness[12][3] = t63 * t116;
+        stiffness[12][4] = t98 + t63 * t117;
+        stiffness[12][5] = t63 * t118;
+        stiffness[12][6] = t64 * t116;
+        stiffness[12][7] = t64 * t117;
+        stiffness[12][8] = t98 + t64 * t118;
+        stiffness[13][0] = t71 * t140;
+        stiffness[13][1] = t71 * t141;
+        stiffness[13][2] = t71 * t142;
+        stiffness[13][3] = t72 * t140;
+        stiffness[13][4] = t72 * t141;
+        stiffness[13][5] = t72 * t142;
+        stiffness[13][6] = t73 * t140;
+        stiffness[13][7] = t73 * t141;
+        stiffness[13][8] = t73 * t142;
+        stiffness[14][0] = t105 + t71 * t146;
+        stiffness[14][1] = t71 * t147;
+        stiffness[14][2] = t71 * t148;
+        stiffness[14][3] = t72 * t146;
+        stiffness[14][4] = t105 + t72 * t147;
+        stiffness[14][5] = t72 * t148;
+        stiffness[14][6] = t73 * t146;
+        stiffness[14][7] = t73 * t147;
+        stiffness[14][8] = t105 + t73 * t148;
+        stiffness[15][0] = t102 + t65 * t128;
+        stiffness[15][1] = t65 * t129;
+        stiffness[15][2] = t65 * t130;
+        stiffness[15][3] = t66 * t128;
+        stiffness[15][4] = t102 + t66 * t129;
+        stiffness[15][5] = t66 * t130;
+        stiffness[15][6] = t67 * t128;
+        stiffness[15][7] = t67 * t129;
+        stiffness[15][8] = t102 + t67 * t130;
+        stiffness[16][0] = t65 * t134;
+        stiffness[16][1] = t65 * t135;
+        stiffness[16][2] = t65 * t136;
+        stiffness[16][3] = t66 * t134;
+        stiffness[16][4] = t66 * t135;
+        stiffness[16][5] = t66 * t136;
+        stiffness[16][6] = t67 * t134;
+        stiffness[16][7] = t67 * t135;
+        stiffness[16][8] = t67 * t136;
+        stiffness[17][0] = t71 * t143 + t74 * t152;
+        stiffness[17][1] = t71 * t144 + t74 * t153;
+        stiffness[17][2] = t71 * t145 + t74 * t154;
+        stiffness[17][3] = t72 * t143 + t75 * t152;
+        stiffness[17][4] = t72 * t144 + t75 * t153;
+        stiffness[17][5] = t72 * t145 + t75 * t154;
+        stiffness[17][6] = t73 * t143 + t76 * t152;
+        stiffness[17][7] = t73 * t144 + t76 * t153;
+        stiffness[17][8] = t73 * t145 + t76 * t154;
+        stiffness[18][0] = t108 + (t71 * t149 + t74 * t155);
+        stiffness[18][1] = t71 * t150 + t74 * t156;
+        stiffness[18][2] = t71 * t151 + t74 * t157;
+        stiffness[18][3] = t72 * t149 + t75 * t155;
+        stiffness[18][4] = t108 + (t72 * t150 + t75 * t156);
+        stiffness[18][5] = t72 * t151 + t75 * t157;
+        stiffness[18][6] = t73 * t149 + t76 * t155;
+        stiffness[18][7] = t73 * t150 + t76 * t156;
+        stiffness[18][8] = t108 + (t73 * t151 + t76 * t157);
+        stiffness[19][0] = t108 + (t65 * t131 + t68 * t152);
+        stiffness[19][1] = t65 * t132 + t68 * t153;
+        stiffness[19][2] = t65 * t133 + t68 * t154;
+        stiffness[19][3] = t66 * t131 + t69 * t152;
+        stiffness[19][4] = t108 + (t66 * t132 + t69 * t153);
+        stiffness[19][5] = t66 * t133 + t69 * t154;
+        stiffness[19][6] = t67 * t131 + t70 * t152;
+        stiffness[19][7] = t67 * t132 + t70 * t153;
+        stiffness[19][8] = t108 + (t67 * t133 + t70 * t154);
+        stiffness[20][0] = t62 * t119 + t65 * t137 + t68 * t155;
+        stiffness[20][1] = t62 * t120 + t65 * t138 + t68 * t156;
+        stiffness[20][2] = t62 * t121 + t65 * t139 + t68 * t157;
+        stiffness[20][3] = t63 * t119 + t66 * t137 + t69 * t155;
+        stiffness[20][4] = t63 * t120 + t66 * t138 + t69 * t156;
+        stiffness[20][5] = t63 * t121 + t66 * t139 + t69 * t157;
+        stiffness[20][6] = t64 * t119 + t67 * t137 + t70 * t155;
+        stiffness[20][7] = t64 * t120 + t67 * t138 + t70 * t156;
+        stiffness[20][8] = t64 * t121 + t67 * t139 + t70 * t157;
     }
     /// Adds the elastic force of one element between two states that does the work U(end) - U(start) over the step and has no moment about the mean positions: S_A(mean of I) dI_A/dq(mean of q).
     ///
@@ -1924,7 +2088,7 @@ pub mod lateral_buckling_equations {
     }
     /// Joint `root`: conditions, position level.
     ///
-    /// Operations: 11 additions, 12 multiplications.
+    /// Operations: 15 additions, 19 multiplications.
     pub fn joint_root_absolute_position(
         model: &super::LateralBuckling,
         t: f64,
@@ -1934,42 +2098,45 @@ pub mod lateral_buckling_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
+        let t30 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
+        let t31 = data.tangent[2] * data.second[0] - data.tangent[0] * data.second[2];
+        let t32 = data.tangent[0] * data.second[1] - data.tangent[1] * data.second[0];
+        let t33 = data.second[0] * q[3] + data.second[1] * q[4] + data.second[2] * q[5]
+            - (data.tangent[0] * q[6] + data.tangent[1] * q[7] + data.tangent[2] * q[8]);
         rows[0] = q[0] - data.point[0];
         rows[1] = q[1] - data.point[1];
         rows[2] = q[2] - data.point[2];
-        rows[3] = data.normals[0][0] * q[3] + data.normals[0][1] * q[4]
-            + data.normals[0][2] * q[5];
-        rows[4] = data.normals[1][0] * q[3] + data.normals[1][1] * q[4]
-            + data.normals[1][2] * q[5];
-        rows[5] = data.second[1][0] * q[6] + data.second[1][1] * q[7]
-            + data.second[1][2] * q[8];
-        rows[6] = data.second[2][0] * q[6] + data.second[2][1] * q[7]
-            + data.second[2][2] * q[8];
+        rows[3] = q[3] * t30 + q[4] * t31 + q[5] * t32;
+        rows[4] = q[6] * t30 + q[7] * t31 + q[8] * t32;
+        rows[5] = 0.5 * t33;
     }
     /// Joint `root`: derivatives of the conditions.
     ///
-    /// Operations: 0 additions, 0 multiplications.
+    /// Operations: 3 additions, 12 multiplications.
     pub fn joint_root_absolute_jacobian(
         model: &super::LateralBuckling,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
     ) {
+        let t18 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
+        let t19 = data.tangent[2] * data.second[0] - data.tangent[0] * data.second[2];
+        let t20 = data.tangent[0] * data.second[1] - data.tangent[1] * data.second[0];
         jacobian[0] = 1.0;
         jacobian[10] = 1.0;
         jacobian[20] = 1.0;
-        jacobian[30] = data.normals[0][0];
-        jacobian[31] = data.normals[0][1];
-        jacobian[32] = data.normals[0][2];
-        jacobian[39] = data.normals[1][0];
-        jacobian[40] = data.normals[1][1];
-        jacobian[41] = data.normals[1][2];
-        jacobian[51] = data.second[1][0];
-        jacobian[52] = data.second[1][1];
-        jacobian[53] = data.second[1][2];
-        jacobian[60] = data.second[2][0];
-        jacobian[61] = data.second[2][1];
-        jacobian[62] = data.second[2][2];
+        jacobian[30] = t18;
+        jacobian[31] = t19;
+        jacobian[32] = t20;
+        jacobian[42] = t18;
+        jacobian[43] = t19;
+        jacobian[44] = t20;
+        jacobian[48] = data.second[0] * 0.5;
+        jacobian[49] = data.second[1] * 0.5;
+        jacobian[50] = data.second[2] * 0.5;
+        jacobian[51] = -data.tangent[0] * 0.5;
+        jacobian[52] = -data.tangent[1] * 0.5;
+        jacobian[53] = -data.tangent[2] * 0.5;
     }
     /// Joint `root`: what it prescribes, and its derivatives.
     ///
@@ -1986,9 +2153,9 @@ pub mod lateral_buckling_equations {
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.second[0][0] = data.second[0][0];
-        prescribed.second[0][1] = data.second[0][1];
-        prescribed.second[0][2] = data.second[0][2];
+        prescribed.second[0][0] = data.second[0];
+        prescribed.second[0][1] = data.second[1];
+        prescribed.second[0][2] = data.second[2];
     }
     /// Output columns from what they observe.
     ///
@@ -2176,17 +2343,20 @@ pub mod lateral_buckling_equations {
             )?;
             let size_z = ::rncf::mesh::positive("section `strip`", "size_z", 0.03, "m")?;
             let shear_modulus = young / (2.0 * (1.0 + poisson));
+            let half_young = 0.5 * young;
+            let quarter_polar_moment = 0.25 * (second_moment_y + second_moment_z);
             self.row_beam = BeamSpatial {
                 length,
                 EA: young * area,
                 kyGA: shear_factor_y * shear_modulus * area,
                 kzGA: shear_factor_z * shear_modulus * area,
-                GA: shear_modulus * area,
+                halfEA: half_young * area,
                 EIz: young * second_moment_z,
                 EIy: young * second_moment_y,
                 GJ: shear_modulus * torsion_constant,
                 GIz: shear_modulus * second_moment_z,
                 GIy: shear_modulus * second_moment_y,
+                GIyz: shear_modulus * quarter_polar_moment,
                 rhoA: density * area,
                 rhoIz: density * second_moment_z,
                 rhoIy: density * second_moment_y,

@@ -5,7 +5,7 @@
 ///
 /// # Chosen and left out
 ///
-/// * Body `shaft` uses `beam_spatial_damped`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1929 and 23641).
+/// * Body `shaft` uses `beam_spatial_damped`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1945 and 23675).
 /// * Body `shaft` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
 /// * Body `shaft`: its axis is straight: no stress-free curvature for each element.
 /// * Body `shaft` moves in the prescribed frame `rotor`: no unknowns for the frame, its reactions are evaluated.
@@ -100,7 +100,7 @@ impl ::rncf::Model for Motor {
     run { t_end = 1.2 s; every = 1 ms; }
 }"#;
     const NOTES: &'static [&'static str] = &[
-        "Body `shaft` uses `beam_spatial_damped`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1929 and 23641).",
+        "Body `shaft` uses `beam_spatial_damped`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1945 and 23675).",
         "Body `shaft` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `shaft`: its axis is straight: no stress-free curvature for each element.",
         "Body `shaft` moves in the prescribed frame `rotor`: no unknowns for the frame, its reactions are evaluated.",
@@ -244,7 +244,7 @@ pub mod motor_equations {
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
     ///
-    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1929 and 23641).
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1945 and 23675).
     ///
     /// The energy is integrated with 3 Gauss points.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -257,8 +257,8 @@ pub mod motor_equations {
         pub kyGA: f64,
         /// shear_factor_z * shear_modulus * area, N.
         pub kzGA: f64,
-        /// shear_modulus * area, N.
-        pub GA: f64,
+        /// half_young * area, N.
+        pub halfEA: f64,
         /// young * second_moment_z, N m^2.
         pub EIz: f64,
         /// young * second_moment_y, N m^2.
@@ -269,6 +269,8 @@ pub mod motor_equations {
         pub GIz: f64,
         /// shear_modulus * second_moment_y, N m^2.
         pub GIy: f64,
+        /// shear_modulus * quarter_polar_moment, N m^2.
+        pub GIyz: f64,
         /// density * area, kg/m.
         pub rhoA: f64,
         /// density * second_moment_z, kg m.
@@ -419,12 +421,13 @@ pub mod motor_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             damping,
             ..
         } = *row;
@@ -448,7 +451,7 @@ pub mod motor_equations {
         let t47 = 0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0)
             + damping * (0.5 * (t39 + t39));
         let t48 = 0.5 * (t42 * t47);
-        let t49 = length * GA * (b_x * c_x + b_y * c_y + b_z * c_z + damping * t40);
+        let t49 = length * halfEA * (b_x * c_x + b_y * c_y + b_z * c_z + damping * t40);
         let t50 = 0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)
             + damping * (0.5 * (t41 + t41));
         let t51 = 0.5 * (t42 * t50);
@@ -477,12 +480,13 @@ pub mod motor_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             damping,
             ..
         } = *row;
@@ -500,7 +504,7 @@ pub mod motor_equations {
         let t42 = length * EA;
         let t43 = length * kyGA;
         let t44 = length * kzGA;
-        let t45 = length * GA;
+        let t45 = length * halfEA;
         let t46 = 0.5 * (0.5 * t42);
         let t47 = 0.5 * (t42 * (damping * 0.5));
         let t48 = damping * t43;
@@ -733,12 +737,13 @@ pub mod motor_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             damping,
             ..
         } = *row;
@@ -749,12 +754,12 @@ pub mod motor_equations {
         let t29 = t26 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0)).powi(2);
         let t30 = 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y + a_z * b_z).powi(2);
         let t31 = 0.5 * (length * kzGA) * (a_x * c_x + a_y * c_y + a_z * c_z).powi(2);
-        let t32 = 0.5 * (length * GA) * (b_x * c_x + b_y * c_y + b_z * c_z).powi(2);
+        let t32 = 0.5 * (length * halfEA) * (b_x * c_x + b_y * c_y + b_z * c_z).powi(2);
         *energy = t27 + t28 + t29 + t30 + t31 + t32;
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 70 additions, 127 multiplications, 1 divisions.
+    /// Operations: 75 additions, 130 multiplications, 1 divisions.
     pub fn beam_spatial_damped_points2_force(
         row: &BeamSpatialDamped,
         fields: &[[f64; 3]; 5],
@@ -766,12 +771,13 @@ pub mod motor_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             damping,
             ..
         } = *row;
@@ -793,50 +799,51 @@ pub mod motor_equations {
         let v_dc_x = inverse_length * v_unit_dc_x;
         let v_dc_y = inverse_length * v_unit_dc_y;
         let v_dc_z = inverse_length * v_unit_dc_z;
-        let t62 = db_x * v_a_x + db_y * v_a_y + db_z * v_a_z
+        let t63 = db_x * v_a_x + db_y * v_a_y + db_z * v_a_z
             + (a_x * v_db_x + a_y * v_db_y + a_z * v_db_z);
-        let t63 = dc_x * v_a_x + dc_y * v_a_y + dc_z * v_a_z
+        let t64 = dc_x * v_a_x + dc_y * v_a_y + dc_z * v_a_z
             + (a_x * v_dc_x + a_y * v_dc_y + a_z * v_dc_z);
-        let t64 = db_x * v_b_x + db_y * v_b_y + db_z * v_b_z
+        let t65 = db_x * v_b_x + db_y * v_b_y + db_z * v_b_z
             + (b_x * v_db_x + b_y * v_db_y + b_z * v_db_z);
-        let t65 = dc_x * v_b_x + dc_y * v_b_y + dc_z * v_b_z
+        let t66 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
+        let t67 = dc_x * v_b_x + dc_y * v_b_y + dc_z * v_b_z
             + (b_x * v_dc_x + b_y * v_dc_y + b_z * v_dc_z);
-        let t66 = db_x * v_c_x + db_y * v_c_y + db_z * v_c_z
+        let t68 = c_x * db_x + c_y * db_y + c_z * db_z;
+        let t69 = db_x * v_c_x + db_y * v_c_y + db_z * v_c_z
             + (c_x * v_db_x + c_y * v_db_y + c_z * v_db_z);
-        let t67 = dc_x * v_c_x + dc_y * v_c_y + dc_z * v_c_z
+        let t70 = dc_x * v_c_x + dc_y * v_c_y + dc_z * v_c_z
             + (c_x * v_dc_x + c_y * v_dc_y + c_z * v_dc_z);
-        let t68 = length * EIz * (a_x * db_x + a_y * db_y + a_z * db_z + damping * t62);
-        let t69 = length * EIy * (a_x * dc_x + a_y * dc_y + a_z * dc_z + damping * t63);
-        let t70 = length * GIz * (b_x * db_x + b_y * db_y + b_z * db_z + damping * t64);
-        let t71 = c_x * db_x + c_y * db_y + c_z * db_z
-            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t72 = length * GJ * (0.5 * t71 + damping * (0.5 * (t66 - t65)));
-        let t73 = length * GIy * (c_x * dc_x + c_y * dc_y + c_z * dc_z + damping * t67);
-        let t74 = inverse_length * t68;
-        let t75 = inverse_length * t69;
-        let t76 = inverse_length * t70;
-        let t77 = inverse_length * (-0.5 * t72);
-        let t78 = inverse_length * (0.5 * t72);
+        let t71 = length * EIz * (a_x * db_x + a_y * db_y + a_z * db_z + damping * t63);
+        let t72 = length * EIy * (a_x * dc_x + a_y * dc_y + a_z * dc_z + damping * t64);
+        let t73 = length * GIz * (b_x * db_x + b_y * db_y + b_z * db_z + damping * t65);
+        let t74 = length * GJ * (0.5 * (t68 - t66) + damping * (0.5 * (t69 - t67)));
+        let t75 = length * GIyz * (t66 + t68 + damping * (t67 + t69));
+        let t76 = length * GIy * (c_x * dc_x + c_y * dc_y + c_z * dc_z + damping * t70);
+        let t77 = inverse_length * t71;
+        let t78 = inverse_length * t72;
         let t79 = inverse_length * t73;
-        forces[0][0] = unit_db_x * t74 + unit_dc_x * t75;
-        forces[0][1] = unit_db_y * t74 + unit_dc_y * t75;
-        forces[0][2] = unit_db_z * t74 + unit_dc_z * t75;
-        forces[1][0] = unit_db_x * t76 + unit_dc_x * t77;
-        forces[1][1] = unit_db_y * t76 + unit_dc_y * t77;
-        forces[1][2] = unit_db_z * t76 + unit_dc_z * t77;
-        forces[2][0] = unit_db_x * t78 + unit_dc_x * t79;
-        forces[2][1] = unit_db_y * t78 + unit_dc_y * t79;
-        forces[2][2] = unit_db_z * t78 + unit_dc_z * t79;
-        forces[3][0] = a_x * t74 + b_x * t76 + c_x * t78;
-        forces[3][1] = a_y * t74 + b_y * t76 + c_y * t78;
-        forces[3][2] = a_z * t74 + b_z * t76 + c_z * t78;
-        forces[4][0] = a_x * t75 + b_x * t77 + c_x * t79;
-        forces[4][1] = a_y * t75 + b_y * t77 + c_y * t79;
-        forces[4][2] = a_z * t75 + b_z * t77 + c_z * t79;
+        let t80 = inverse_length * (-0.5 * t74 + t75);
+        let t81 = inverse_length * (t75 + 0.5 * t74);
+        let t82 = inverse_length * t76;
+        forces[0][0] = unit_db_x * t77 + unit_dc_x * t78;
+        forces[0][1] = unit_db_y * t77 + unit_dc_y * t78;
+        forces[0][2] = unit_db_z * t77 + unit_dc_z * t78;
+        forces[1][0] = unit_db_x * t79 + unit_dc_x * t80;
+        forces[1][1] = unit_db_y * t79 + unit_dc_y * t80;
+        forces[1][2] = unit_db_z * t79 + unit_dc_z * t80;
+        forces[2][0] = unit_db_x * t81 + unit_dc_x * t82;
+        forces[2][1] = unit_db_y * t81 + unit_dc_y * t82;
+        forces[2][2] = unit_db_z * t81 + unit_dc_z * t82;
+        forces[3][0] = a_x * t77 + b_x * t79 + c_x * t81;
+        forces[3][1] = a_y * t77 + b_y * t79 + c_y * t81;
+        forces[3][2] = a_z * t77 + b_z * t79 + c_z * t81;
+        forces[4][0] = a_x * t78 + b_x * t80 + c_x * t82;
+        forces[4][1] = a_y * t78 + b_y * t80 + c_y * t82;
+        forces[4][2] = a_z * t78 + b_z * t80 + c_z * t82;
     }
     /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 331 additions, 792 multiplications, 1 divisions.
+    /// Operations: 344 additions, 796 multiplications, 1 divisions.
     pub fn beam_spatial_damped_points2_tangent(
         row: &BeamSpatialDamped,
         fields: &[[f64; 3]; 5],
@@ -849,12 +856,13 @@ pub mod motor_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             damping,
             ..
         } = *row;
@@ -876,481 +884,484 @@ pub mod motor_equations {
         let v_dc_x = inverse_length * v_unit_dc_x;
         let v_dc_y = inverse_length * v_unit_dc_y;
         let v_dc_z = inverse_length * v_unit_dc_z;
-        let t62 = db_x * v_a_x + db_y * v_a_y + db_z * v_a_z
+        let t63 = db_x * v_a_x + db_y * v_a_y + db_z * v_a_z
             + (a_x * v_db_x + a_y * v_db_y + a_z * v_db_z);
-        let t63 = dc_x * v_a_x + dc_y * v_a_y + dc_z * v_a_z
+        let t64 = dc_x * v_a_x + dc_y * v_a_y + dc_z * v_a_z
             + (a_x * v_dc_x + a_y * v_dc_y + a_z * v_dc_z);
-        let t64 = db_x * v_b_x + db_y * v_b_y + db_z * v_b_z
+        let t65 = db_x * v_b_x + db_y * v_b_y + db_z * v_b_z
             + (b_x * v_db_x + b_y * v_db_y + b_z * v_db_z);
-        let t65 = dc_x * v_b_x + dc_y * v_b_y + dc_z * v_b_z
+        let t66 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
+        let t67 = dc_x * v_b_x + dc_y * v_b_y + dc_z * v_b_z
             + (b_x * v_dc_x + b_y * v_dc_y + b_z * v_dc_z);
-        let t66 = db_x * v_c_x + db_y * v_c_y + db_z * v_c_z
+        let t68 = c_x * db_x + c_y * db_y + c_z * db_z;
+        let t69 = db_x * v_c_x + db_y * v_c_y + db_z * v_c_z
             + (c_x * v_db_x + c_y * v_db_y + c_z * v_db_z);
-        let t67 = dc_x * v_c_x + dc_y * v_c_y + dc_z * v_c_z
+        let t70 = dc_x * v_c_x + dc_y * v_c_y + dc_z * v_c_z
             + (c_x * v_dc_x + c_y * v_dc_y + c_z * v_dc_z);
-        let t68 = length * EIz;
-        let t69 = length * EIy;
-        let t70 = length * GJ;
-        let t71 = 0.5 * t70;
-        let t72 = length * GIz;
-        let t73 = length * GIy;
-        let t74 = t70 * (-0.5);
-        let t75 = t70 * (damping * (-0.5));
-        let t76 = t70 * (damping * 0.5);
-        let t77 = c_x * db_x + c_y * db_y + c_z * db_z
-            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t78 = t70 * (0.5 * t77 + damping * (0.5 * (t66 - t65)));
-        let t79 = inverse_length
-            * (t68 * (a_x * db_x + a_y * db_y + a_z * db_z + damping * t62));
-        let t80 = inverse_length * inverse_length;
-        let t81 = t68 * t80;
-        let t82 = damping * t68 * t80;
-        let t83 = inverse_length
-            * (t69 * (a_x * dc_x + a_y * dc_y + a_z * dc_z + damping * t63));
-        let t84 = t69 * t80;
-        let t85 = damping * t69 * t80;
-        let t86 = inverse_length
-            * (t72 * (b_x * db_x + b_y * db_y + b_z * db_z + damping * t64));
-        let t87 = t72 * t80;
-        let t88 = damping * t72 * t80;
-        let t89 = inverse_length * (-0.5 * t78);
-        let t90 = -0.5 * t74 * t80;
-        let t91 = -0.5 * t71 * t80;
-        let t92 = -0.5 * t75 * t80;
-        let t93 = -0.5 * t76 * t80;
-        let t94 = inverse_length * (0.5 * t78);
-        let t95 = 0.5 * t74 * t80;
-        let t96 = 0.5 * t71 * t80;
-        let t97 = 0.5 * t75 * t80;
-        let t98 = 0.5 * t76 * t80;
-        let t99 = inverse_length
-            * (t73 * (c_x * dc_x + c_y * dc_y + c_z * dc_z + damping * t67));
-        let t100 = t73 * t80;
-        let t101 = damping * t73 * t80;
-        let t102 = unit_db_x * t81 + v_unit_db_x * t82;
-        let t103 = unit_db_y * t81 + v_unit_db_y * t82;
-        let t104 = unit_db_z * t81 + v_unit_db_z * t82;
-        let t105 = a_x * t81 + v_a_x * t82;
-        let t106 = a_y * t81 + v_a_y * t82;
-        let t107 = a_z * t81 + v_a_z * t82;
-        let t108 = unit_dc_x * t84 + v_unit_dc_x * t85;
-        let t109 = unit_dc_y * t84 + v_unit_dc_y * t85;
-        let t110 = unit_dc_z * t84 + v_unit_dc_z * t85;
-        let t111 = a_x * t84 + v_a_x * t85;
-        let t112 = a_y * t84 + v_a_y * t85;
-        let t113 = a_z * t84 + v_a_z * t85;
-        let t114 = unit_db_x * t87 + v_unit_db_x * t88;
-        let t115 = unit_db_y * t87 + v_unit_db_y * t88;
-        let t116 = unit_db_z * t87 + v_unit_db_z * t88;
-        let t117 = b_x * t87 + v_b_x * t88;
-        let t118 = b_y * t87 + v_b_y * t88;
-        let t119 = b_z * t87 + v_b_z * t88;
-        let t120 = unit_dc_x * t90 + v_unit_dc_x * t92;
-        let t121 = unit_dc_y * t90 + v_unit_dc_y * t92;
-        let t122 = unit_dc_z * t90 + v_unit_dc_z * t92;
-        let t123 = unit_db_x * t91 + v_unit_db_x * t93;
-        let t124 = unit_db_y * t91 + v_unit_db_y * t93;
-        let t125 = unit_db_z * t91 + v_unit_db_z * t93;
-        let t126 = c_x * t91 + v_c_x * t93;
-        let t127 = c_y * t91 + v_c_y * t93;
-        let t128 = c_z * t91 + v_c_z * t93;
-        let t129 = b_x * t90 + v_b_x * t92;
-        let t130 = b_y * t90 + v_b_y * t92;
-        let t131 = b_z * t90 + v_b_z * t92;
-        let t132 = unit_dc_x * t95 + v_unit_dc_x * t97;
-        let t133 = unit_dc_y * t95 + v_unit_dc_y * t97;
-        let t134 = unit_dc_z * t95 + v_unit_dc_z * t97;
-        let t135 = unit_db_x * t96 + v_unit_db_x * t98;
-        let t136 = unit_db_y * t96 + v_unit_db_y * t98;
-        let t137 = unit_db_z * t96 + v_unit_db_z * t98;
-        let t138 = c_x * t96 + v_c_x * t98;
-        let t139 = c_y * t96 + v_c_y * t98;
-        let t140 = c_z * t96 + v_c_z * t98;
-        let t141 = b_x * t95 + v_b_x * t97;
-        let t142 = b_y * t95 + v_b_y * t97;
-        let t143 = b_z * t95 + v_b_z * t97;
-        let t144 = unit_dc_x * t100 + v_unit_dc_x * t101;
-        let t145 = unit_dc_y * t100 + v_unit_dc_y * t101;
-        let t146 = unit_dc_z * t100 + v_unit_dc_z * t101;
-        let t147 = c_x * t100 + v_c_x * t101;
-        let t148 = c_y * t100 + v_c_y * t101;
-        let t149 = c_z * t100 + v_c_z * t101;
-        let t150 = unit_db_x * t82;
-        let t151 = unit_db_y * t82;
-        let t152 = unit_db_z * t82;
-        let t153 = a_x * t82;
-        let t154 = a_y * t82;
-        let t155 = a_z * t82;
-        let t156 = unit_dc_x * t85;
-        let t157 = unit_dc_y * t85;
-        let t158 = unit_dc_z * t85;
-        let t159 = a_x * t85;
-        let t160 = a_y * t85;
-        let t161 = a_z * t85;
-        let t162 = unit_db_x * t88;
-        let t163 = unit_db_y * t88;
-        let t164 = unit_db_z * t88;
-        let t165 = b_x * t88;
-        let t166 = b_y * t88;
-        let t167 = b_z * t88;
-        let t168 = unit_dc_x * t92;
-        let t169 = unit_dc_y * t92;
-        let t170 = unit_dc_z * t92;
-        let t171 = unit_db_x * t93;
-        let t172 = unit_db_y * t93;
-        let t173 = unit_db_z * t93;
-        let t174 = c_x * t93;
-        let t175 = c_y * t93;
-        let t176 = c_z * t93;
-        let t177 = b_x * t92;
-        let t178 = b_y * t92;
-        let t179 = b_z * t92;
-        let t180 = unit_dc_x * t97;
-        let t181 = unit_dc_y * t97;
-        let t182 = unit_dc_z * t97;
-        let t183 = unit_db_x * t98;
-        let t184 = unit_db_y * t98;
-        let t185 = unit_db_z * t98;
-        let t186 = c_x * t98;
-        let t187 = c_y * t98;
-        let t188 = c_z * t98;
-        let t189 = b_x * t97;
-        let t190 = b_y * t97;
-        let t191 = b_z * t97;
-        let t192 = unit_dc_x * t101;
-        let t193 = unit_dc_y * t101;
-        let t194 = unit_dc_z * t101;
-        let t195 = c_x * t101;
-        let t196 = c_y * t101;
-        let t197 = c_z * t101;
-        stiffness[0][0] = unit_db_x * t102 + unit_dc_x * t108;
-        stiffness[0][1] = unit_db_x * t103 + unit_dc_x * t109;
-        stiffness[0][2] = unit_db_x * t104 + unit_dc_x * t110;
-        stiffness[0][3] = unit_db_y * t102 + unit_dc_y * t108;
-        stiffness[0][4] = unit_db_y * t103 + unit_dc_y * t109;
-        stiffness[0][5] = unit_db_y * t104 + unit_dc_y * t110;
-        stiffness[0][6] = unit_db_z * t102 + unit_dc_z * t108;
-        stiffness[0][7] = unit_db_z * t103 + unit_dc_z * t109;
-        stiffness[0][8] = unit_db_z * t104 + unit_dc_z * t110;
-        stiffness[1][0] = t79 + unit_db_x * t105;
-        stiffness[1][1] = unit_db_x * t106;
-        stiffness[1][2] = unit_db_x * t107;
-        stiffness[1][3] = unit_db_y * t105;
-        stiffness[1][4] = t79 + unit_db_y * t106;
-        stiffness[1][5] = unit_db_y * t107;
-        stiffness[1][6] = unit_db_z * t105;
-        stiffness[1][7] = unit_db_z * t106;
-        stiffness[1][8] = t79 + unit_db_z * t107;
-        stiffness[2][0] = t83 + unit_dc_x * t111;
-        stiffness[2][1] = unit_dc_x * t112;
-        stiffness[2][2] = unit_dc_x * t113;
-        stiffness[2][3] = unit_dc_y * t111;
-        stiffness[2][4] = t83 + unit_dc_y * t112;
-        stiffness[2][5] = unit_dc_y * t113;
-        stiffness[2][6] = unit_dc_z * t111;
-        stiffness[2][7] = unit_dc_z * t112;
-        stiffness[2][8] = t83 + unit_dc_z * t113;
-        stiffness[3][0] = t79 + a_x * t102;
-        stiffness[3][1] = a_x * t103;
-        stiffness[3][2] = a_x * t104;
-        stiffness[3][3] = a_y * t102;
-        stiffness[3][4] = t79 + a_y * t103;
-        stiffness[3][5] = a_y * t104;
-        stiffness[3][6] = a_z * t102;
-        stiffness[3][7] = a_z * t103;
-        stiffness[3][8] = t79 + a_z * t104;
-        stiffness[4][0] = unit_db_x * t114 + unit_dc_x * t120;
-        stiffness[4][1] = unit_db_x * t115 + unit_dc_x * t121;
-        stiffness[4][2] = unit_db_x * t116 + unit_dc_x * t122;
-        stiffness[4][3] = unit_db_y * t114 + unit_dc_y * t120;
-        stiffness[4][4] = unit_db_y * t115 + unit_dc_y * t121;
-        stiffness[4][5] = unit_db_y * t116 + unit_dc_y * t122;
-        stiffness[4][6] = unit_db_z * t114 + unit_dc_z * t120;
-        stiffness[4][7] = unit_db_z * t115 + unit_dc_z * t121;
-        stiffness[4][8] = unit_db_z * t116 + unit_dc_z * t122;
-        stiffness[5][0] = t86 + (unit_db_x * t117 + unit_dc_x * t126);
-        stiffness[5][1] = unit_db_x * t118 + unit_dc_x * t127;
-        stiffness[5][2] = unit_db_x * t119 + unit_dc_x * t128;
-        stiffness[5][3] = unit_db_y * t117 + unit_dc_y * t126;
-        stiffness[5][4] = t86 + (unit_db_y * t118 + unit_dc_y * t127);
-        stiffness[5][5] = unit_db_y * t119 + unit_dc_y * t128;
-        stiffness[5][6] = unit_db_z * t117 + unit_dc_z * t126;
-        stiffness[5][7] = unit_db_z * t118 + unit_dc_z * t127;
-        stiffness[5][8] = t86 + (unit_db_z * t119 + unit_dc_z * t128);
-        stiffness[6][0] = t86 + (b_x * t114 + c_x * t132);
-        stiffness[6][1] = b_x * t115 + c_x * t133;
-        stiffness[6][2] = b_x * t116 + c_x * t134;
-        stiffness[6][3] = b_y * t114 + c_y * t132;
-        stiffness[6][4] = t86 + (b_y * t115 + c_y * t133);
-        stiffness[6][5] = b_y * t116 + c_y * t134;
-        stiffness[6][6] = b_z * t114 + c_z * t132;
-        stiffness[6][7] = b_z * t115 + c_z * t133;
-        stiffness[6][8] = t86 + (b_z * t116 + c_z * t134);
-        stiffness[7][0] = a_x * t105 + b_x * t117 + c_x * t138;
-        stiffness[7][1] = a_x * t106 + b_x * t118 + c_x * t139;
-        stiffness[7][2] = a_x * t107 + b_x * t119 + c_x * t140;
-        stiffness[7][3] = a_y * t105 + b_y * t117 + c_y * t138;
-        stiffness[7][4] = a_y * t106 + b_y * t118 + c_y * t139;
-        stiffness[7][5] = a_y * t107 + b_y * t119 + c_y * t140;
-        stiffness[7][6] = a_z * t105 + b_z * t117 + c_z * t138;
-        stiffness[7][7] = a_z * t106 + b_z * t118 + c_z * t139;
-        stiffness[7][8] = a_z * t107 + b_z * t119 + c_z * t140;
-        stiffness[8][0] = unit_dc_x * t123;
-        stiffness[8][1] = unit_dc_x * t124;
-        stiffness[8][2] = unit_dc_x * t125;
-        stiffness[8][3] = unit_dc_y * t123;
-        stiffness[8][4] = unit_dc_y * t124;
-        stiffness[8][5] = unit_dc_y * t125;
-        stiffness[8][6] = unit_dc_z * t123;
-        stiffness[8][7] = unit_dc_z * t124;
-        stiffness[8][8] = unit_dc_z * t125;
-        stiffness[9][0] = t89 + unit_dc_x * t129;
-        stiffness[9][1] = unit_dc_x * t130;
-        stiffness[9][2] = unit_dc_x * t131;
-        stiffness[9][3] = unit_dc_y * t129;
-        stiffness[9][4] = t89 + unit_dc_y * t130;
-        stiffness[9][5] = unit_dc_y * t131;
-        stiffness[9][6] = unit_dc_z * t129;
-        stiffness[9][7] = unit_dc_z * t130;
-        stiffness[9][8] = t89 + unit_dc_z * t131;
-        stiffness[10][0] = t94 + c_x * t135;
-        stiffness[10][1] = c_x * t136;
-        stiffness[10][2] = c_x * t137;
-        stiffness[10][3] = c_y * t135;
-        stiffness[10][4] = t94 + c_y * t136;
-        stiffness[10][5] = c_y * t137;
-        stiffness[10][6] = c_z * t135;
-        stiffness[10][7] = c_z * t136;
-        stiffness[10][8] = t94 + c_z * t137;
-        stiffness[11][0] = c_x * t141;
-        stiffness[11][1] = c_x * t142;
-        stiffness[11][2] = c_x * t143;
-        stiffness[11][3] = c_y * t141;
-        stiffness[11][4] = c_y * t142;
-        stiffness[11][5] = c_y * t143;
-        stiffness[11][6] = c_z * t141;
-        stiffness[11][7] = c_z * t142;
-        stiffness[11][8] = c_z * t143;
-        stiffness[12][0] = t83 + a_x * t108;
-        stiffness[12][1] = a_x * t109;
-        stiffness[12][2] = a_x * t110;
-        stiffness[12][3] = a_y * t108;
-        stiffness[12][4] = t83 + a_y * t109;
-        stiffness[12][5] = a_y * t110;
-        stiffness[12][6] = a_z * t108;
-        stiffness[12][7] = a_z * t109;
-        stiffness[12][8] = t83 + a_z * t110;
-        stiffness[13][0] = unit_db_x * t132;
-        stiffness[13][1] = unit_db_x * t133;
-        stiffness[13][2] = unit_db_x * t134;
-        stiffness[13][3] = unit_db_y * t132;
-        stiffness[13][4] = unit_db_y * t133;
-        stiffness[13][5] = unit_db_y * t134;
-        stiffness[13][6] = unit_db_z * t132;
-        stiffness[13][7] = unit_db_z * t133;
-        stiffness[13][8] = unit_db_z * t134;
-        stiffness[14][0] = t94 + unit_db_x * t138;
-        stiffness[14][1] = unit_db_x * t139;
-        stiffness[14][2] = unit_db_x * t140;
-        stiffness[14][3] = unit_db_y * t138;
-        stiffness[14][4] = t94 + unit_db_y * t139;
-        stiffness[14][5] = unit_db_y * t140;
-        stiffness[14][6] = unit_db_z * t138;
-        stiffness[14][7] = unit_db_z * t139;
-        stiffness[14][8] = t94 + unit_db_z * t140;
-        stiffness[15][0] = t89 + b_x * t120;
-        stiffness[15][1] = b_x * t121;
-        stiffness[15][2] = b_x * t122;
-        stiffness[15][3] = b_y * t120;
-        stiffness[15][4] = t89 + b_y * t121;
-        stiffness[15][5] = b_y * t122;
-        stiffness[15][6] = b_z * t120;
-        stiffness[15][7] = b_z * t121;
-        stiffness[15][8] = t89 + b_z * t122;
-        stiffness[16][0] = b_x * t126;
-        stiffness[16][1] = b_x * t127;
-        stiffness[16][2] = b_x * t128;
-        stiffness[16][3] = b_y * t126;
-        stiffness[16][4] = b_y * t127;
-        stiffness[16][5] = b_y * t128;
-        stiffness[16][6] = b_z * t126;
-        stiffness[16][7] = b_z * t127;
-        stiffness[16][8] = b_z * t128;
-        stiffness[17][0] = unit_db_x * t135 + unit_dc_x * t144;
-        stiffness[17][1] = unit_db_x * t136 + unit_dc_x * t145;
-        stiffness[17][2] = unit_db_x * t137 + unit_dc_x * t146;
-        stiffness[17][3] = unit_db_y * t135 + unit_dc_y * t144;
-        stiffness[17][4] = unit_db_y * t136 + unit_dc_y * t145;
-        stiffness[17][5] = unit_db_y * t137 + unit_dc_y * t146;
-        stiffness[17][6] = unit_db_z * t135 + unit_dc_z * t144;
-        stiffness[17][7] = unit_db_z * t136 + unit_dc_z * t145;
-        stiffness[17][8] = unit_db_z * t137 + unit_dc_z * t146;
-        stiffness[18][0] = t99 + (unit_db_x * t141 + unit_dc_x * t147);
-        stiffness[18][1] = unit_db_x * t142 + unit_dc_x * t148;
-        stiffness[18][2] = unit_db_x * t143 + unit_dc_x * t149;
-        stiffness[18][3] = unit_db_y * t141 + unit_dc_y * t147;
-        stiffness[18][4] = t99 + (unit_db_y * t142 + unit_dc_y * t148);
-        stiffness[18][5] = unit_db_y * t143 + unit_dc_y * t149;
-        stiffness[18][6] = unit_db_z * t141 + unit_dc_z * t147;
-        stiffness[18][7] = unit_db_z * t142 + unit_dc_z * t148;
-        stiffness[18][8] = t99 + (unit_db_z * t143 + unit_dc_z * t149);
-        stiffness[19][0] = t99 + (b_x * t123 + c_x * t144);
-        stiffness[19][1] = b_x * t124 + c_x * t145;
-        stiffness[19][2] = b_x * t125 + c_x * t146;
-        stiffness[19][3] = b_y * t123 + c_y * t144;
-        stiffness[19][4] = t99 + (b_y * t124 + c_y * t145);
-        stiffness[19][5] = b_y * t125 + c_y * t146;
-        stiffness[19][6] = b_z * t123 + c_z * t144;
-        stiffness[19][7] = b_z * t124 + c_z * t145;
-        stiffness[19][8] = t99 + (b_z * t125 + c_z * t146);
-        stiffness[20][0] = a_x * t111 + b_x * t129 + c_x * t147;
-        stiffness[20][1] = a_x * t112 + b_x * t130 + c_x * t148;
-        stiffness[20][2] = a_x * t113 + b_x * t131 + c_x * t149;
-        stiffness[20][3] = a_y * t111 + b_y * t129 + c_y * t147;
-        stiffness[20][4] = a_y * t112 + b_y * t130 + c_y * t148;
-        stiffness[20][5] = a_y * t113 + b_y * t131 + c_y * t149;
-        stiffness[20][6] = a_z * t111 + b_z * t129 + c_z * t147;
-        stiffness[20][7] = a_z * t112 + b_z * t130 + c_z * t148;
-        stiffness[20][8] = a_z * t113 + b_z * t131 + c_z * t149;
-        damping_matrix[0][0] = unit_db_x * t150 + unit_dc_x * t156;
-        damping_matrix[0][1] = unit_db_x * t151 + unit_dc_x * t157;
-        damping_matrix[0][2] = unit_db_x * t152 + unit_dc_x * t158;
-        damping_matrix[0][3] = unit_db_y * t150 + unit_dc_y * t156;
-        damping_matrix[0][4] = unit_db_y * t151 + unit_dc_y * t157;
-        damping_matrix[0][5] = unit_db_y * t152 + unit_dc_y * t158;
-        damping_matrix[0][6] = unit_db_z * t150 + unit_dc_z * t156;
-        damping_matrix[0][7] = unit_db_z * t151 + unit_dc_z * t157;
-        damping_matrix[0][8] = unit_db_z * t152 + unit_dc_z * t158;
-        damping_matrix[1][0] = unit_db_x * t153;
-        damping_matrix[1][1] = unit_db_x * t154;
-        damping_matrix[1][2] = unit_db_x * t155;
-        damping_matrix[1][3] = unit_db_y * t153;
-        damping_matrix[1][4] = unit_db_y * t154;
-        damping_matrix[1][5] = unit_db_y * t155;
-        damping_matrix[1][6] = unit_db_z * t153;
-        damping_matrix[1][7] = unit_db_z * t154;
-        damping_matrix[1][8] = unit_db_z * t155;
-        damping_matrix[2][0] = unit_dc_x * t159;
-        damping_matrix[2][1] = unit_dc_x * t160;
-        damping_matrix[2][2] = unit_dc_x * t161;
-        damping_matrix[2][3] = unit_dc_y * t159;
-        damping_matrix[2][4] = unit_dc_y * t160;
-        damping_matrix[2][5] = unit_dc_y * t161;
-        damping_matrix[2][6] = unit_dc_z * t159;
-        damping_matrix[2][7] = unit_dc_z * t160;
-        damping_matrix[2][8] = unit_dc_z * t161;
-        damping_matrix[3][0] = unit_db_x * t162 + unit_dc_x * t168;
-        damping_matrix[3][1] = unit_db_x * t163 + unit_dc_x * t169;
-        damping_matrix[3][2] = unit_db_x * t164 + unit_dc_x * t170;
-        damping_matrix[3][3] = unit_db_y * t162 + unit_dc_y * t168;
-        damping_matrix[3][4] = unit_db_y * t163 + unit_dc_y * t169;
-        damping_matrix[3][5] = unit_db_y * t164 + unit_dc_y * t170;
-        damping_matrix[3][6] = unit_db_z * t162 + unit_dc_z * t168;
-        damping_matrix[3][7] = unit_db_z * t163 + unit_dc_z * t169;
-        damping_matrix[3][8] = unit_db_z * t164 + unit_dc_z * t170;
-        damping_matrix[4][0] = unit_db_x * t165 + unit_dc_x * t174;
-        damping_matrix[4][1] = unit_db_x * t166 + unit_dc_x * t175;
-        damping_matrix[4][2] = unit_db_x * t167 + unit_dc_x * t176;
-        damping_matrix[4][3] = unit_db_y * t165 + unit_dc_y * t174;
-        damping_matrix[4][4] = unit_db_y * t166 + unit_dc_y * t175;
-        damping_matrix[4][5] = unit_db_y * t167 + unit_dc_y * t176;
-        damping_matrix[4][6] = unit_db_z * t165 + unit_dc_z * t174;
-        damping_matrix[4][7] = unit_db_z * t166 + unit_dc_z * t175;
-        damping_matrix[4][8] = unit_db_z * t167 + unit_dc_z * t176;
-        damping_matrix[5][0] = b_x * t162 + c_x * t180;
-        damping_matrix[5][1] = b_x * t163 + c_x * t181;
-        damping_matrix[5][2] = b_x * t164 + c_x * t182;
-        damping_matrix[5][3] = b_y * t162 + c_y * t180;
-        damping_matrix[5][4] = b_y * t163 + c_y * t181;
-        damping_matrix[5][5] = b_y * t164 + c_y * t182;
-        damping_matrix[5][6] = b_z * t162 + c_z * t180;
-        damping_matrix[5][7] = b_z * t163 + c_z * t181;
-        damping_matrix[5][8] = b_z * t164 + c_z * t182;
-        damping_matrix[6][0] = a_x * t153 + b_x * t165 + c_x * t186;
-        damping_matrix[6][1] = a_x * t154 + b_x * t166 + c_x * t187;
-        damping_matrix[6][2] = a_x * t155 + b_x * t167 + c_x * t188;
-        damping_matrix[6][3] = a_y * t153 + b_y * t165 + c_y * t186;
-        damping_matrix[6][4] = a_y * t154 + b_y * t166 + c_y * t187;
-        damping_matrix[6][5] = a_y * t155 + b_y * t167 + c_y * t188;
-        damping_matrix[6][6] = a_z * t153 + b_z * t165 + c_z * t186;
-        damping_matrix[6][7] = a_z * t154 + b_z * t166 + c_z * t187;
-        damping_matrix[6][8] = a_z * t155 + b_z * t167 + c_z * t188;
-        damping_matrix[7][0] = unit_dc_x * t171;
-        damping_matrix[7][1] = unit_dc_x * t172;
-        damping_matrix[7][2] = unit_dc_x * t173;
-        damping_matrix[7][3] = unit_dc_y * t171;
-        damping_matrix[7][4] = unit_dc_y * t172;
-        damping_matrix[7][5] = unit_dc_y * t173;
-        damping_matrix[7][6] = unit_dc_z * t171;
-        damping_matrix[7][7] = unit_dc_z * t172;
-        damping_matrix[7][8] = unit_dc_z * t173;
-        damping_matrix[8][0] = unit_dc_x * t177;
-        damping_matrix[8][1] = unit_dc_x * t178;
-        damping_matrix[8][2] = unit_dc_x * t179;
-        damping_matrix[8][3] = unit_dc_y * t177;
-        damping_matrix[8][4] = unit_dc_y * t178;
-        damping_matrix[8][5] = unit_dc_y * t179;
-        damping_matrix[8][6] = unit_dc_z * t177;
-        damping_matrix[8][7] = unit_dc_z * t178;
-        damping_matrix[8][8] = unit_dc_z * t179;
-        damping_matrix[9][0] = c_x * t183;
-        damping_matrix[9][1] = c_x * t184;
-        damping_matrix[9][2] = c_x * t185;
-        damping_matrix[9][3] = c_y * t183;
-        damping_matrix[9][4] = c_y * t184;
-        damping_matrix[9][5] = c_y * t185;
-        damping_matrix[9][6] = c_z * t183;
-        damping_matrix[9][7] = c_z * t184;
-        damping_matrix[9][8] = c_z * t185;
-        damping_matrix[10][0] = c_x * t189;
-        damping_matrix[10][1] = c_x * t190;
-        damping_matrix[10][2] = c_x * t191;
-        damping_matrix[10][3] = c_y * t189;
-        damping_matrix[10][4] = c_y * t190;
-        damping_matrix[10][5] = c_y * t191;
-        damping_matrix[10][6] = c_z * t189;
-        damping_matrix[10][7] = c_z * t190;
-        damping_matrix[10][8] = c_z * t191;
-        damping_matrix[11][0] = unit_db_x * t183 + unit_dc_x * t192;
-        damping_matrix[11][1] = unit_db_x * t184 + unit_dc_x * t193;
-        damping_matrix[11][2] = unit_db_x * t185 + unit_dc_x * t194;
-        damping_matrix[11][3] = unit_db_y * t183 + unit_dc_y * t192;
-        damping_matrix[11][4] = unit_db_y * t184 + unit_dc_y * t193;
-        damping_matrix[11][5] = unit_db_y * t185 + unit_dc_y * t194;
-        damping_matrix[11][6] = unit_db_z * t183 + unit_dc_z * t192;
-        damping_matrix[11][7] = unit_db_z * t184 + unit_dc_z * t193;
-        damping_matrix[11][8] = unit_db_z * t185 + unit_dc_z * t194;
-        damping_matrix[12][0] = unit_db_x * t189 + unit_dc_x * t195;
-        damping_matrix[12][1] = unit_db_x * t190 + unit_dc_x * t196;
-        damping_matrix[12][2] = unit_db_x * t191 + unit_dc_x * t197;
-        damping_matrix[12][3] = unit_db_y * t189 + unit_dc_y * t195;
-        damping_matrix[12][4] = unit_db_y * t190 + unit_dc_y * t196;
-        damping_matrix[12][5] = unit_db_y * t191 + unit_dc_y * t197;
-        damping_matrix[12][6] = unit_db_z * t189 + unit_dc_z * t195;
-        damping_matrix[12][7] = unit_db_z * t190 + unit_dc_z * t196;
-        damping_matrix[12][8] = unit_db_z * t191 + unit_dc_z * t197;
-        damping_matrix[13][0] = b_x * t171 + c_x * t192;
-        damping_matrix[13][1] = b_x * t172 + c_x * t193;
-        damping_matrix[13][2] = b_x * t173 + c_x * t194;
-        damping_matrix[13][3] = b_y * t171 + c_y * t192;
-        damping_matrix[13][4] = b_y * t172 + c_y * t193;
-        damping_matrix[13][5] = b_y * t173 + c_y * t194;
-        damping_matrix[13][6] = b_z * t171 + c_z * t192;
-        damping_matrix[13][7] = b_z * t172 + c_z * t193;
-        damping_matrix[13][8] = b_z * t173 + c_z * t194;
-        damping_matrix[14][0] = a_x * t159 + b_x * t177 + c_x * t195;
-        damping_matrix[14][1] = a_x * t160 + b_x * t178 + c_x * t196;
-        damping_matrix[14][2] = a_x * t161 + b_x * t179 + c_x * t197;
-        damping_matrix[14][3] = a_y * t159 + b_y * t177 + c_y * t195;
-        damping_matrix[14][4] = a_y * t160 + b_y * t178 + c_y * t196;
-        damping_matrix[14][5] = a_y * t161 + b_y * t179 + c_y * t197;
-        damping_matrix[14][6] = a_z * t159 + b_z * t177 + c_z * t195;
-        damping_matrix[14][7] = a_z * t160 + b_z * t178 + c_z * t196;
-        damping_matrix[14][8] = a_z * t161 + b_z * t179 + c_z * t197;
+        let t71 = length * EIz;
+        let t72 = length * EIy;
+        let t73 = length * GJ;
+        let t74 = 0.5 * t73;
+        let t75 = length * GIz;
+        let t76 = length * GIy;
+        let t77 = length * GIyz;
+        let t78 = t73 * (-0.5);
+        let t79 = t73 * (damping * (-0.5));
+        let t80 = damping * t77;
+        let t81 = t73 * (damping * 0.5);
+        let t82 = t73 * (0.5 * (t68 - t66) + damping * (0.5 * (t69 - t67)));
+        let t83 = t77 * (t66 + t68 + damping * (t67 + t69));
+        let t84 = inverse_length
+            * (t71 * (a_x * db_x + a_y * db_y + a_z * db_z + damping * t63));
+        let t85 = inverse_length * inverse_length;
+        let t86 = t71 * t85;
+        let t87 = damping * t71 * t85;
+        let t88 = inverse_length
+            * (t72 * (a_x * dc_x + a_y * dc_y + a_z * dc_z + damping * t64));
+        let t89 = t72 * t85;
+        let t90 = damping * t72 * t85;
+        let t91 = inverse_length
+            * (t75 * (b_x * db_x + b_y * db_y + b_z * db_z + damping * t65));
+        let t92 = t75 * t85;
+        let t93 = damping * t75 * t85;
+        let t94 = inverse_length * (-0.5 * t82 + t83);
+        let t95 = (t77 + (-0.5 * t78)) * t85;
+        let t96 = (t77 + (-0.5 * t74)) * t85;
+        let t97 = (-0.5 * t79 + t80) * t85;
+        let t98 = (t80 + (-0.5 * t81)) * t85;
+        let t99 = inverse_length * (t83 + 0.5 * t82);
+        let t100 = (t77 + 0.5 * t78) * t85;
+        let t101 = (t77 + 0.5 * t74) * t85;
+        let t102 = (t80 + 0.5 * t79) * t85;
+        let t103 = (t80 + 0.5 * t81) * t85;
+        let t104 = inverse_length
+            * (t76 * (c_x * dc_x + c_y * dc_y + c_z * dc_z + damping * t70));
+        let t105 = t76 * t85;
+        let t106 = damping * t76 * t85;
+        let t107 = unit_db_x * t86 + v_unit_db_x * t87;
+        let t108 = unit_db_y * t86 + v_unit_db_y * t87;
+        let t109 = unit_db_z * t86 + v_unit_db_z * t87;
+        let t110 = a_x * t86 + v_a_x * t87;
+        let t111 = a_y * t86 + v_a_y * t87;
+        let t112 = a_z * t86 + v_a_z * t87;
+        let t113 = unit_dc_x * t89 + v_unit_dc_x * t90;
+        let t114 = unit_dc_y * t89 + v_unit_dc_y * t90;
+        let t115 = unit_dc_z * t89 + v_unit_dc_z * t90;
+        let t116 = a_x * t89 + v_a_x * t90;
+        let t117 = a_y * t89 + v_a_y * t90;
+        let t118 = a_z * t89 + v_a_z * t90;
+        let t119 = unit_db_x * t92 + v_unit_db_x * t93;
+        let t120 = unit_db_y * t92 + v_unit_db_y * t93;
+        let t121 = unit_db_z * t92 + v_unit_db_z * t93;
+        let t122 = b_x * t92 + v_b_x * t93;
+        let t123 = b_y * t92 + v_b_y * t93;
+        let t124 = b_z * t92 + v_b_z * t93;
+        let t125 = unit_dc_x * t95 + v_unit_dc_x * t97;
+        let t126 = unit_dc_y * t95 + v_unit_dc_y * t97;
+        let t127 = unit_dc_z * t95 + v_unit_dc_z * t97;
+        let t128 = unit_db_x * t96 + v_unit_db_x * t98;
+        let t129 = unit_db_y * t96 + v_unit_db_y * t98;
+        let t130 = unit_db_z * t96 + v_unit_db_z * t98;
+        let t131 = c_x * t96 + v_c_x * t98;
+        let t132 = c_y * t96 + v_c_y * t98;
+        let t133 = c_z * t96 + v_c_z * t98;
+        let t134 = b_x * t95 + v_b_x * t97;
+        let t135 = b_y * t95 + v_b_y * t97;
+        let t136 = b_z * t95 + v_b_z * t97;
+        let t137 = unit_dc_x * t100 + v_unit_dc_x * t102;
+        let t138 = unit_dc_y * t100 + v_unit_dc_y * t102;
+        let t139 = unit_dc_z * t100 + v_unit_dc_z * t102;
+        let t140 = unit_db_x * t101 + v_unit_db_x * t103;
+        let t141 = unit_db_y * t101 + v_unit_db_y * t103;
+        let t142 = unit_db_z * t101 + v_unit_db_z * t103;
+        let t143 = c_x * t101 + v_c_x * t103;
+        let t144 = c_y * t101 + v_c_y * t103;
+        let t145 = c_z * t101 + v_c_z * t103;
+        let t146 = b_x * t100 + v_b_x * t102;
+        let t147 = b_y * t100 + v_b_y * t102;
+        let t148 = b_z * t100 + v_b_z * t102;
+        let t149 = unit_dc_x * t105 + v_unit_dc_x * t106;
+        let t150 = unit_dc_y * t105 + v_unit_dc_y * t106;
+        let t151 = unit_dc_z * t105 + v_unit_dc_z * t106;
+        let t152 = c_x * t105 + v_c_x * t106;
+        let t153 = c_y * t105 + v_c_y * t106;
+        let t154 = c_z * t105 + v_c_z * t106;
+        let t155 = unit_db_x * t87;
+        let t156 = unit_db_y * t87;
+        let t157 = unit_db_z * t87;
+        let t158 = a_x * t87;
+        let t159 = a_y * t87;
+        let t160 = a_z * t87;
+        let t161 = unit_dc_x * t90;
+        let t162 = unit_dc_y * t90;
+        let t163 = unit_dc_z * t90;
+        let t164 = a_x * t90;
+        let t165 = a_y * t90;
+        let t166 = a_z * t90;
+        let t167 = unit_db_x * t93;
+        let t168 = unit_db_y * t93;
+        let t169 = unit_db_z * t93;
+        let t170 = b_x * t93;
+        let t171 = b_y * t93;
+        let t172 = b_z * t93;
+        let t173 = unit_dc_x * t97;
+        let t174 = unit_dc_y * t97;
+        let t175 = unit_dc_z * t97;
+        let t176 = unit_db_x * t98;
+        let t177 = unit_db_y * t98;
+        let t178 = unit_db_z * t98;
+        let t179 = c_x * t98;
+        let t180 = c_y * t98;
+        let t181 = c_z * t98;
+        let t182 = b_x * t97;
+        let t183 = b_y * t97;
+        let t184 = b_z * t97;
+        let t185 = unit_dc_x * t102;
+        let t186 = unit_dc_y * t102;
+        let t187 = unit_dc_z * t102;
+        let t188 = unit_db_x * t103;
+        let t189 = unit_db_y * t103;
+        let t190 = unit_db_z * t103;
+        let t191 = c_x * t103;
+        let t192 = c_y * t103;
+        let t193 = c_z * t103;
+        let t194 = b_x * t102;
+        let t195 = b_y * t102;
+        let t196 = b_z * t102;
+        let t197 = unit_dc_x * t106;
+        let t198 = unit_dc_y * t106;
+        let t199 = unit_dc_z * t106;
+        let t200 = c_x * t106;
+        let t201 = c_y * t106;
+        let t202 = c_z * t106;
+        stiffness[0][0] = unit_db_x * t107 + unit_dc_x * t113;
+        stiffness[0][1] = unit_db_x * t108 + unit_dc_x * t114;
+        stiffness[0][2] = unit_db_x * t109 + unit_dc_x * t115;
+        stiffness[0][3] = unit_db_y * t107 + unit_dc_y * t113;
+        stiffness[0][4] = unit_db_y * t108 + unit_dc_y * t114;
+        stiffness[0][5] = unit_db_y * t109 + unit_dc_y * t115;
+        stiffness[0][6] = unit_db_z * t107 + unit_dc_z * t113;
+        stiffness[0][7] = unit_db_z * t108 + unit_dc_z * t114;
+        stiffness[0][8] = unit_db_z * t109 + unit_dc_z * t115;
+        stiffness[1][0] = t84 + unit_db_x * t110;
+        stiffness[1][1] = unit_db_x * t111;
+        stiffness[1][2] = unit_db_x * t112;
+        stiffness[1][3] = unit_db_y * t110;
+        stiffness[1][4] = t84 + unit_db_y * t111;
+        stiffness[1][5] = unit_db_y * t112;
+        stiffness[1][6] = unit_db_z * t110;
+        stiffness[1][7] = unit_db_z * t111;
+        stiffness[1][8] = t84 + unit_db_z * t112;
+        stiffness[2][0] = t88 + unit_dc_x * t116;
+        stiffness[2][1] = unit_dc_x * t117;
+        stiffness[2][2] = unit_dc_x * t118;
+        stiffness[2][3] = unit_dc_y * t116;
+        stiffness[2][4] = t88 + unit_dc_y * t117;
+        stiffness[2][5] = unit_dc_y * t118;
+        stiffness[2][6] = unit_dc_z * t116;
+        stiffness[2][7] = unit_dc_z * t117;
+        stiffness[2][8] = t88 + unit_dc_z * t118;
+        stiffness[3][0] = t84 + a_x * t107;
+        stiffness[3][1] = a_x * t108;
+        stiffness[3][2] = a_x * t109;
+        stiffness[3][3] = a_y * t107;
+        stiffness[3][4] = t84 + a_y * t108;
+        stiffness[3][5] = a_y * t109;
+        stiffness[3][6] = a_z * t107;
+        stiffness[3][7] = a_z * t108;
+        stiffness[3][8] = t84 + a_z * t109;
+        stiffness[4][0] = unit_db_x * t119 + unit_dc_x * t125;
+        stiffness[4][1] = unit_db_x * t120 + unit_dc_x * t126;
+        stiffness[4][2] = unit_db_x * t121 + unit_dc_x * t127;
+        stiffness[4][3] = unit_db_y * t119 + unit_dc_y * t125;
+        stiffness[4][4] = unit_db_y * t120 + unit_dc_y * t126;
+        stiffness[4][5] = unit_db_y * t121 + unit_dc_y * t127;
+        stiffness[4][6] = unit_db_z * t119 + unit_dc_z * t125;
+        stiffness[4][7] = unit_db_z * t120 + unit_dc_z * t126;
+        stiffness[4][8] = unit_db_z * t121 + unit_dc_z * t127;
+        stiffness[5][0] = t91 + (unit_db_x * t122 + unit_dc_x * t131);
+        stiffness[5][1] = unit_db_x * t123 + unit_dc_x * t132;
+        stiffness[5][2] = unit_db_x * t124 + unit_dc_x * t133;
+        stiffness[5][3] = unit_db_y * t122 + unit_dc_y * t131;
+        stiffness[5][4] = t91 + (unit_db_y * t123 + unit_dc_y * t132);
+        stiffness[5][5] = unit_db_y * t124 + unit_dc_y * t133;
+        stiffness[5][6] = unit_db_z * t122 + unit_dc_z * t131;
+        stiffness[5][7] = unit_db_z * t123 + unit_dc_z * t132;
+        stiffness[5][8] = t91 + (unit_db_z * t124 + unit_dc_z * t133);
+        stiffness[6][0] = t91 + (b_x * t119 + c_x * t137);
+        stiffness[6][1] = b_x * t120 + c_x * t138;
+        stiffness[6][2] = b_x * t121 + c_x * t139;
+        stiffness[6][3] = b_y * t119 + c_y * t137;
+        stiffness[6][4] = t91 + (b_y * t120 + c_y * t138);
+        stiffness[6][5] = b_y * t121 + c_y * t139;
+        stiffness[6][6] = b_z * t119 + c_z * t137;
+        stiffness[6][7] = b_z * t120 + c_z * t138;
+        stiffness[6][8] = t91 + (b_z * t121 + c_z * t139);
+        stiffness[7][0] = a_x * t110 + b_x * t122 + c_x * t143;
+        stiffness[7][1] = a_x * t111 + b_x * t123 + c_x * t144;
+        stiffness[7][2] = a_x * t112 + b_x * t124 + c_x * t145;
+        stiffness[7][3] = a_y * t110 + b_y * t122 + c_y * t143;
+        stiffness[7][4] = a_y * t111 + b_y * t123 + c_y * t144;
+        stiffness[7][5] = a_y * t112 + b_y * t124 + c_y * t145;
+        stiffness[7][6] = a_z * t110 + b_z * t122 + c_z * t143;
+        stiffness[7][7] = a_z * t111 + b_z * t123 + c_z * t144;
+        stiffness[7][8] = a_z * t112 + b_z * t124 + c_z * t145;
+        stiffness[8][0] = unit_dc_x * t128;
+        stiffness[8][1] = unit_dc_x * t129;
+        stiffness[8][2] = unit_dc_x * t130;
+        stiffness[8][3] = unit_dc_y * t128;
+        stiffness[8][4] = unit_dc_y * t129;
+        stiffness[8][5] = unit_dc_y * t130;
+        stiffness[8][6] = unit_dc_z * t128;
+        stiffness[8][7] = unit_dc_z * t129;
+        stiffness[8][8] = unit_dc_z * t130;
+        stiffness[9][0] = t94 + unit_dc_x * t134;
+        stiffness[9][1] = unit_dc_x * t135;
+        stiffness[9][2] = unit_dc_x * t136;
+        stiffness[9][3] = unit_dc_y * t134;
+        stiffness[9][4] = t94 + unit_dc_y * t135;
+        stiffness[9][5] = unit_dc_y * t136;
+        stiffness[9][6] = unit_dc_z * t134;
+        stiffness[9][7] = unit_dc_z * t135;
+        stiffness[9][8] = t94 + unit_dc_z * t136;
+        stiffness[10][0] = t99 + c_x * t140;
+        stiffness[10][1] = c_x * t141;
+        stiffness[10][2] = c_x * t142;
+        stiffness[10][3] = c_y * t140;
+        stiffness[10][4] = t99 + c_y * t141;
+        stiffness[10][5] = c_y * t142;
+        stiffness[10][6] = c_z * t140;
+        stiffness[10][7] = c_z * t141;
+        stiffness[10][8] = t99 + c_z * t142;
+        stiffness[11][0] = c_x * t146;
+        stiffness[11][1] = c_x * t147;
+        stiffness[11][2] = c_x * t148;
+        stiffness[11][3] = c_y * t146;
+        stiffness[11][4] = c_y * t147;
+        stiffness[11][5] = c_y * t148;
+        stiffness[11][6] = c_z * t146;
+        stiffness[11][7] = c_z * t147;
+        stiffness[11][8] = c_z * t148;
+        stiffness[12][0] = t88 + a_x * t113;
+        stiffness[12][1] = a_x * t114;
+        stiffness[12][2] = a_x * t115;
+        stiffness[12][3] = a_y * t113;
+        stiffness[12][4] = t88 + a_y * t114;
+        stiffness[12][5] = a_y * t115;
+        stiffness[12][6] = a_z * t113;
+        stiffness[12][7] = a_z * t114;
+        stiffness[12][8] = t88 + a_z * t115;
+        stiffness[13][0] = unit_db_x * t137;
+        stiffness[13][1] = unit_db_x * t138;
+        stiffness[13][2] = unit_db_x * t139;
+        stiffness[13][3] = unit_db_y * t137;
+        stiffness[13][4] = unit_db_y * t138;
+        stiffness[13][5] = unit_db_y * t139;
+        stiffness[13][6] = unit_db_z * t137;
+        stiffness[13][7] = unit_db_z * t138;
+        stiffness[13][8] = unit_db_z * t139;
+        stiffness[14][0] = t99 + unit_db_x * t143;
+        stiffness[14][1] = unit_db_x * t144;
+        stiffness[14][2] = unit_db_x * t145;
+        stiffness[14][3] = unit_db_y * t143;
+        stiffness[14][4] = t99 + unit_db_y * t144;
+        stiffness[14][5] = unit_db_y * t145;
+        stiffness[14][6] = unit_db_z * t143;
+        stiffness[14][7] = unit_db_z * t144;
+        stiffness[14][8] = t99 + unit_db_z * t145;
+        stiffness[15][0] = t94 + b_x * t125;
+        stiffness[15][1] = b_x * t126;
+        stiffness[15][2] = b_x * t127;
+        stiffness[15][3] = b_y * t125;
+        stiffness[15][4] = t94 + b_y * t126;
+        stiffness[15][5] = b_y * t127;
+        stiffness[15][6] = b_z * t125;
+        stiffness[15][7] = b_z * t126;
+        stiffness[15][8] = t94 + b_z * t127;
+        stiffness[16][0] = b_x * t131;
+        stiffness[16][1] = b_x * t132;
+        stiffness[16][2] = b_x * t133;
+        stiffness[16][3] = b_y * t131;
+        stiffness[16][4] = b_y * t132;
+        stiffness[16][5] = b_y * t133;
+        stiffness[16][6] = b_z * t131;
+        stiffness[16][7] = b_z * t132;
+        stiffness[16][8] = b_z * t133;
+        stiffness[17][0] = unit_db_x * t140 + unit_dc_x * t149;
+        stiffness[17][1] = unit_db_x * t141 + unit_dc_x * t150;
+        stiffness[17][2] = unit_db_x * t142 + unit_dc_x * t151;
+        stiffness[17][3] = unit_db_y * t140 + unit_dc_y * t149;
+        stiffness[17][4] = unit_db_y * t141 + unit_dc_y * t150;
+        stiffness[17][5] = unit_db_y * t142 + unit_dc_y * t151;
+        stiffness[17][6] = unit_db_z * t140 + unit_dc_z * t149;
+        stiffness[17][7] = unit_db_z * t141 + unit_dc_z * t150;
+        stiffness[17][8] = unit_db_z * t142 + unit_dc_z * t151;
+        stiffness[18][0] = t104 + (unit_db_x * t146 + unit_dc_x * t152);
+        stiffness[18][1] = unit_db_x * t147 + unit_dc_x * t153;
+        stiffness[18][2] = unit_db_x * t148 + unit_dc_x * t154;
+        stiffness[18][3] = unit_db_y * t146 + unit_dc_y * t152;
+        stiffness[18][4] = t104 + (unit_db_y * t147 + unit_dc_y * t153);
+        stiffness[18][5] = unit_db_y * t148 + unit_dc_y * t154;
+        stiffness[18][6] = unit_db_z * t146 + unit_dc_z * t152;
+        stiffness[18][7] = unit_db_z * t147 + unit_dc_z * t153;
+        stiffness[18][8] = t104 + (unit_db_z * t148 + unit_dc_z * t154);
+        stiffness[19][0] = t104 + (b_x * t128 + c_x * t149);
+        stiffness[19][1] = b_x * t129 + c_x * t150;
+        stiffness[19][2] = b_x * t130 + c_x * t151;
+        stiffness[19][3] = b_y * t128 + c_y * t149;
+        stiffness[19][4] = t104 + (b_y * t129 + c_y * t150);
+        stiffness[19][5] = b_y * t130 + c_y * t151;
+        stiffness[19][6] = b_z * t128 + c_z * t149;
+        stiffness[19][7] = b_z * t129 + c_z * t150;
+        stiffness[19][8] = t104 + (b_z * t130 + c_z * t151);
+        stiffness[20][0] = a_x * t116 + b_x * t134 + c_x * t152;
+        stiffness[20][1] = a_x * t117 + b_x * t135 + c_x * t153;
+        stiffness[20][2] = a_x * t118 + b_x * t136 + c_x * t154;
+        stiffness[20][3] = a_y * t116 + b_y * t134 + c_y * t152;
+        stiffness[20][4] = a_y * t117 + b_y * t135 + c_y * t153;
+        stiffness[20][5] = a_y * t118 + b_y * t136 + c_y * t154;
+        stiffness[20][6] = a_z * t116 + b_z * t134 + c_z * t152;
+        stiffness[20][7] = a_z * t117 + b_z * t135 + c_z * t153;
+        stiffness[20][8] = a_z * t118 + b_z * t136 + c_z * t154;
+        damping_matrix[0][0] = unit_db_x * t155 + unit_dc_x * t161;
+        damping_matrix[0][1] = unit_db_x * t156 + unit_dc_x * t162;
+        damping_matrix[0][2] = unit_db_x * t157 + unit_dc_x * t163;
+        damping_matrix[0][3] = unit_db_y * t155 + unit_dc_y * t161;
+        damping_matrix[0][4] = unit_db_y * t156 + unit_dc_y * t162;
+        damping_matrix[0][5] = unit_db_y * t157 + unit_dc_y * t163;
+        damping_matrix[0][6] = unit_db_z * t155 + unit_dc_z * t161;
+        damping_matrix[0][7] = unit_db_z * t156 + unit_dc_z * t162;
+        damping_matrix[0][8] = unit_db_z * t157 + unit_dc_z * t163;
+        damping_matrix[1][0] = unit_db_x * t158;
+        damping_matrix[1][1] = unit_db_x * t159;
+        damping_matrix[1][2] = unit_db_x * t160;
+        damping_matrix[1][3] = unit_db_y * t158;
+        damping_matrix[1][4] = unit_db_y * t159;
+        damping_matrix[1][5] = unit_db_y * t160;
+        damping_matrix[1][6] = unit_db_z * t158;
+        damping_matrix[1][7] = unit_db_z * t159;
+        damping_matrix[1][8] = unit_db_z * t160;
+        damping_matrix[2][0] = unit_dc_x * t164;
+        damping_matrix[2][1] = unit_dc_x * t165;
+        damping_matrix[2][2] = unit_dc_x * t166;
+        damping_matrix[2][3] = unit_dc_y * t164;
+        damping_matrix[2][4] = unit_dc_y * t165;
+        damping_matrix[2][5] = unit_dc_y * t166;
+        damping_matrix[2][6] = unit_dc_z * t164;
+        damping_matrix[2][7] = unit_dc_z * t165;
+        damping_matrix[2][8] = unit_dc_z * t166;
+        damping_matrix[3][0] = unit_db_x * t167 + unit_dc_x * t173;
+        damping_matrix[3][1] = unit_db_x * t168 + unit_dc_x * t174;
+        damping_matrix[3][2] = unit_db_x * t169 + unit_dc_x * t175;
+        damping_matrix[3][3] = unit_db_y * t167 + unit_dc_y * t173;
+        damping_matrix[3][4] = unit_db_y * t168 + unit_dc_y * t174;
+        damping_matrix[3][5] = unit_db_y * t169 + unit_dc_y * t175;
+        damping_matrix[3][6] = unit_db_z * t167 + unit_dc_z * t173;
+        damping_matrix[3][7] = unit_db_z * t168 + unit_dc_z * t174;
+        damping_matrix[3][8] = unit_db_z * t169 + unit_dc_z * t175;
+        damping_matrix[4][0] = unit_db_x * t170 + unit_dc_x * t179;
+        damping_matrix[4][1] = unit_db_x * t171 + unit_dc_x * t180;
+        damping_matrix[4][2] = unit_db_x * t172 + unit_dc_x * t181;
+        damping_matrix[4][3] = unit_db_y * t170 + unit_dc_y * t179;
+        damping_matrix[4][4] = unit_db_y * t171 + unit_dc_y * t180;
+        damping_matrix[4][5] = unit_db_y * t172 + unit_dc_y * t181;
+        damping_matrix[4][6] = unit_db_z * t170 + unit_dc_z * t179;
+        damping_matrix[4][7] = unit_db_z * t171 + unit_dc_z * t180;
+        damping_matrix[4][8] = unit_db_z * t172 + unit_dc_z * t181;
+        damping_matrix[5][0] = b_x * t167 + c_x * t185;
+        damping_matrix[5][1] = b_x * t168 + c_x * t186;
+        damping_matrix[5][2] = b_x * t169 + c_x * t187;
+        damping_matrix[5][3] = b_y * t167 + c_y * t185;
+        damping_matrix[5][4] = b_y * t168 + c_y * t186;
+        damping_matrix[5][5] = b_y * t169 + c_y * t187;
+        damping_matrix[5][6] = b_z * t167 + c_z * t185;
+        damping_matrix[5][7] = b_z * t168 + c_z * t186;
+        damping_matrix[5][8] = b_z * t169 + c_z * t187;
+        damping_matrix[6][0] = a_x * t158 + b_x * t170 + c_x * t191;
+        damping_matrix[6][1] = a_x * t159 + b_x * t171 + c_x * t192;
+        damping_matrix[6][2] = a_x * t160 + b_x * t172 + c_x * t193;
+        damping_matrix[6][3] = a_y * t158 + b_y * t170 + c_y * t191;
+        damping_matrix[6][4] = a_y * t159 + b_y * t171 + c_y * t192;
+        damping_matrix[6][5] = a_y * t160 + b_y * t172 + c_y * t193;
+        damping_matrix[6][6] = a_z * t158 + b_z * t170 + c_z * t191;
+        damping_matrix[6][7] = a_z * t159 + b_z * t171 + c_z * t192;
+        damping_matrix[6][8] = a_z * t160 + b_z * t172 + c_z * t193;
+        damping_matrix[7][0] = unit_dc_x * t176;
+        damping_matrix[7][1] = unit_dc_x * t177;
+        damping_matrix[7][2] = unit_dc_x * t178;
+        damping_matrix[7][3] = unit_dc_y * t176;
+        damping_matrix[7][4] = unit_dc_y * t177;
+        damping_matrix[7][5] = unit_dc_y * t178;
+        damping_matrix[7][6] = unit_dc_z * t176;
+        damping_matrix[7][7] = unit_dc_z * t177;
+        damping_matrix[7][8] = unit_dc_z * t178;
+        damping_matrix[8][0] = unit_dc_x * t182;
+        damping_matrix[8][1] = unit_dc_x * t183;
+        damping_matrix[8][2] = unit_dc_x * t184;
+        damping_matrix[8][3] = unit_dc_y * t182;
+        damping_matrix[8][4] = unit_dc_y * t183;
+        damping_matrix[8][5] = unit_dc_y * t184;
+        damping_matrix[8][6] = unit_dc_z * t182;
+        damping_matrix[8][7] = unit_dc_z * t183;
+        damping_matrix[8][8] = unit_dc_z * t184;
+        damping_matrix[9][0] = c_x * t188;
+        damping_matrix[9][1] = c_x * t189;
+        damping_matrix[9][2] = c_x * t190;
+        damping_matrix[9][3] = c_y * t188;
+        damping_matrix[9][4] = c_y * t189;
+        damping_matrix[9][5] = c_y * t190;
+        damping_matrix[9][6] = c_z * t188;
+        damping_matrix[9][7] = c_z * t189;
+        damping_matrix[9][8] = c_z * t190;
+        damping_matrix[10][0] = c_x * t194;
+        damping_matrix[10][1] = c_x * t195;
+        damping_matrix[10][2] = c_x * t196;
+        damping_matrix[10][3] = c_y * t194;
+        damping_matrix[10][4] = c_y * t195;
+        damping_matrix[10][5] = c_y * t196;
+        damping_matrix[10][6] = c_z * t194;
+        damping_matrix[10][7] = c_z * t195;
+        damping_matrix[10][8] = c_z * t196;
+        damping_matrix[11][0] = unit_db_x * t188 + unit_dc_x * t197;
+        damping_matrix[11][1] = unit_db_x * t189 + unit_dc_x * t198;
+        damping_matrix[11][2] = unit_db_x * t190 + unit_dc_x * t199;
+        damping_matrix[11][3] = unit_db_y * t188 + unit_dc_y * t197;
+        damping_matrix[11][4] = unit_db_y * t189 + unit_dc_y * t198;
+        damping_matrix[11][5] = unit_db_y * t190 + unit_dc_y * t199;
+        damping_matrix[11][6] = unit_db_z * t188 + unit_dc_z * t197;
+        damping_matrix[11][7] = unit_db_z * t189 + unit_dc_z * t198;
+        damping_matrix[11][8] = unit_db_z * t190 + unit_dc_z * t199;
+        damping_matrix[12][0] = unit_db_x * t194 + unit_dc_x * t200;
+        damping_matrix[12][1] = unit_db_x * t195 + unit_dc_x * t201;
+        damping_matrix[12][2] = unit_db_x * t196 + unit_dc_x * t202;
+        damping_matrix[12][3] = unit_db_y * t194 + unit_dc_y * t200;
+        damping_matrix[12][4] = unit_db_y * t195 + unit_dc_y * t201;
+        damping_matrix[12][5] = unit_db_y * t196 + unit_dc_y * t202;
+        damping_matrix[12][6] = unit_db_z * t194 + unit_dc_z * t200;
+        damping_matrix[12][7] = unit_db_z * t195 + unit_dc_z * t201;
+        damping_matrix[12][8] = unit_db_z * t196 + unit_dc_z * t202;
+        damping_matrix[13][0] = b_x * t176 + c_x * t197;
+        damping_matrix[13][1] = b_x * t177 + c_x * t198;
+        damping_matrix[13][2] = b_x * t178 + c_x * t199;
+        damping_matrix[13][3] = b_y * t176 + c_y * t197;
+        damping_matrix[13][4] = b_y * t177 + c_y * t198;
+        damping_matrix[13][5] = b_y * t178 + c_y * t199;
+        damping_matrix[13][6] = b_z * t176 + c_z * t197;
+        damping_matrix[13][7] = b_z * t177 + c_z * t198;
+        damping_matrix[13][8] = b_z * t178 + c_z * t199;
+        damping_matrix[14][0] = a_x * t164 + b_x * t182 + c_x * t200;
+        damping_matrix[14][1] = a_x * t165 + b_x * t183 + c_x * t201;
+        damping_matrix[14][2] = a_x * t166 + b_x * t184 + c_x * t202;
+        damping_matrix[14][3] = a_y * t164 + b_y * t182 + c_y * t200;
+        damping_matrix[14][4] = a_y * t165 + b_y * t183 + c_y * t201;
+        damping_matrix[14][5] = a_y * t166 + b_y * t184 + c_y * t202;
+        damping_matrix[14][6] = a_z * t164 + b_z * t182 + c_z * t200;
+        damping_matrix[14][7] = a_z * t165 + b_z * t183 + c_z * t201;
+        damping_matrix[14][8] = a_z * t166 + b_z * t184 + c_z * t202;
     }
     /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
     ///
-    /// Operations: 17 additions, 45 multiplications, 1 divisions.
+    /// Operations: 19 additions, 49 multiplications, 1 divisions.
     pub fn beam_spatial_damped_points2_energy(
         row: &BeamSpatialDamped,
         fields: &[[f64; 3]; 5],
@@ -1361,12 +1372,13 @@ pub mod motor_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             damping,
             ..
         } = *row;
@@ -1379,14 +1391,14 @@ pub mod motor_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t40 = c_x * db_x + c_y * db_y + c_z * db_z
-            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
-        let t41 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y + a_z * db_z).powi(2);
-        let t42 = 0.5 * (length * EIy) * (a_x * dc_x + a_y * dc_y + a_z * dc_z).powi(2);
-        let t43 = 0.5 * (length * GIz) * (b_x * db_x + b_y * db_y + b_z * db_z).powi(2);
-        let t44 = 0.5 * (length * GIy) * (c_x * dc_x + c_y * dc_y + c_z * dc_z).powi(2);
-        let t45 = t41 + t42 + 0.5 * (length * GJ) * (0.5 * t40).powi(2) + t43 + t44;
-        *energy = t45;
+        let t41 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
+        let t42 = c_x * db_x + c_y * db_y + c_z * db_z;
+        let t43 = 0.5 * (length * EIz) * (a_x * db_x + a_y * db_y + a_z * db_z).powi(2);
+        let t44 = 0.5 * (length * EIy) * (a_x * dc_x + a_y * dc_y + a_z * dc_z).powi(2);
+        let t45 = 0.5 * (length * GIz) * (b_x * db_x + b_y * db_y + b_z * db_z).powi(2);
+        let t46 = t43 + t44 + 0.5 * (length * GJ) * (0.5 * (t42 - t41)).powi(2) + t45;
+        let t47 = 0.5 * (length * GIy) * (c_x * dc_x + c_y * dc_y + c_z * dc_z).powi(2);
+        *energy = t46 + t47 + 0.5 * (length * GIyz) * (t41 + t42).powi(2);
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
@@ -1394,7 +1406,7 @@ pub mod motor_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 842 additions, 1085 multiplications, 2 divisions.
+    /// Operations: 852 additions, 1091 multiplications, 2 divisions.
     pub fn beam_spatial_damped_elastic_force(
         row: &BeamSpatialDamped,
         q: &[f64; 30],
@@ -1436,7 +1448,7 @@ pub mod motor_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 11048 additions, 12591 multiplications, 2 divisions.
+    /// Operations: 11074 additions, 12599 multiplications, 2 divisions.
     pub fn beam_spatial_damped_elastic_tangent(
         row: &BeamSpatialDamped,
         q: &[f64; 30],
@@ -1483,7 +1495,7 @@ pub mod motor_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 270 additions, 389 multiplications, 2 divisions.
+    /// Operations: 274 additions, 397 multiplications, 2 divisions.
     pub fn beam_spatial_damped_strain_energy(
         row: &BeamSpatialDamped,
         q: &[f64; 30],
@@ -1724,7 +1736,7 @@ pub mod motor_equations {
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
-    /// Operations: 178 additions, 262 multiplications.
+    /// Operations: 195 additions, 276 multiplications.
     pub fn beam_spatial_damped_field_forces(
         row: &BeamSpatialDamped,
         stress_free: &[f64; 15],
@@ -1737,149 +1749,161 @@ pub mod motor_equations {
             EA,
             kyGA,
             kzGA,
-            GA,
+            halfEA,
             EIz,
             EIy,
             GJ,
             GIz,
             GIy,
+            GIyz,
             damping,
             ..
         } = *row;
-        let t67 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
-            - (fields[3] * fields[12] + fields[4] * fields[13] + fields[5] * fields[14]);
-        let t68 = 0.5
+        let t68 = fields[3] * fields[12] + fields[4] * fields[13]
+            + fields[5] * fields[14];
+        let t69 = fields[6] * fields[9] + fields[7] * fields[10]
+            + fields[8] * fields[11];
+        let t70 = 0.5
             * (fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2]
                 - 1.0)
             - 0.5
                 * (stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
                     + stress_free[2] * stress_free[2] - 1.0);
-        let t69 = fields[0] * 2.0;
-        let t70 = fields[1] * 2.0;
-        let t71 = fields[2] * 2.0;
-        let t72 = EA
-            * (t68
-                + damping * (0.5 * (rates[0] * t69 + rates[1] * t70 + rates[2] * t71)));
-        let t73 = 0.5
+        let t71 = fields[0] * 2.0;
+        let t72 = fields[1] * 2.0;
+        let t73 = fields[2] * 2.0;
+        let t74 = EA
+            * (t70
+                + damping * (0.5 * (rates[0] * t71 + rates[1] * t72 + rates[2] * t73)));
+        let t75 = 0.5
             * (fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5]
                 - 1.0)
             - 0.5
                 * (stress_free[3] * stress_free[3] + stress_free[4] * stress_free[4]
                     + stress_free[5] * stress_free[5] - 1.0);
-        let t74 = fields[3] * 2.0;
-        let t75 = fields[4] * 2.0;
-        let t76 = fields[5] * 2.0;
-        let t77 = EA
-            * (t73
-                + damping * (0.5 * (rates[3] * t74 + rates[4] * t75 + rates[5] * t76)));
-        let t78 = 0.5
+        let t76 = fields[3] * 2.0;
+        let t77 = fields[4] * 2.0;
+        let t78 = fields[5] * 2.0;
+        let t79 = EA
+            * (t75
+                + damping * (0.5 * (rates[3] * t76 + rates[4] * t77 + rates[5] * t78)));
+        let t80 = 0.5
             * (fields[6] * fields[6] + fields[7] * fields[7] + fields[8] * fields[8]
                 - 1.0)
             - 0.5
                 * (stress_free[6] * stress_free[6] + stress_free[7] * stress_free[7]
                     + stress_free[8] * stress_free[8] - 1.0);
-        let t79 = fields[6] * 2.0;
-        let t80 = fields[7] * 2.0;
-        let t81 = fields[8] * 2.0;
-        let t82 = EA
-            * (t78
-                + damping * (0.5 * (rates[6] * t79 + rates[7] * t80 + rates[8] * t81)));
-        let t83 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
+        let t81 = fields[6] * 2.0;
+        let t82 = fields[7] * 2.0;
+        let t83 = fields[8] * 2.0;
+        let t84 = EA
+            * (t80
+                + damping * (0.5 * (rates[6] * t81 + rates[7] * t82 + rates[8] * t83)));
+        let t85 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5]
             - (stress_free[0] * stress_free[3] + stress_free[1] * stress_free[4]
                 + stress_free[2] * stress_free[5]);
-        let t84 = fields[3] * rates[0] + fields[0] * rates[3]
+        let t86 = fields[3] * rates[0] + fields[0] * rates[3]
             + (fields[4] * rates[1] + fields[1] * rates[4])
             + (fields[5] * rates[2] + fields[2] * rates[5]);
-        let t85 = kyGA * (t83 + damping * t84);
-        let t86 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
+        let t87 = kyGA * (t85 + damping * t86);
+        let t88 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8]
             - (stress_free[0] * stress_free[6] + stress_free[1] * stress_free[7]
                 + stress_free[2] * stress_free[8]);
-        let t87 = fields[6] * rates[0] + fields[0] * rates[6]
+        let t89 = fields[6] * rates[0] + fields[0] * rates[6]
             + (fields[7] * rates[1] + fields[1] * rates[7])
             + (fields[8] * rates[2] + fields[2] * rates[8]);
-        let t88 = kzGA * (t86 + damping * t87);
-        let t89 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
+        let t90 = kzGA * (t88 + damping * t89);
+        let t91 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
             - (stress_free[3] * stress_free[6] + stress_free[4] * stress_free[7]
                 + stress_free[5] * stress_free[8]);
-        let t90 = fields[6] * rates[3] + fields[3] * rates[6]
+        let t92 = fields[6] * rates[3] + fields[3] * rates[6]
             + (fields[7] * rates[4] + fields[4] * rates[7])
             + (fields[8] * rates[5] + fields[5] * rates[8]);
-        let t91 = GA * (t89 + damping * t90);
-        let t92 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
+        let t93 = halfEA * (t91 + damping * t92);
+        let t94 = fields[0] * fields[9] + fields[1] * fields[10] + fields[2] * fields[11]
             - (stress_free[0] * stress_free[9] + stress_free[1] * stress_free[10]
                 + stress_free[2] * stress_free[11]);
-        let t93 = fields[9] * rates[0] + fields[0] * rates[9]
+        let t95 = fields[9] * rates[0] + fields[0] * rates[9]
             + (fields[10] * rates[1] + fields[1] * rates[10])
             + (fields[11] * rates[2] + fields[2] * rates[11]);
-        let t94 = EIz * (t92 + damping * t93);
-        let t95 = fields[0] * fields[12] + fields[1] * fields[13]
+        let t96 = EIz * (t94 + damping * t95);
+        let t97 = fields[0] * fields[12] + fields[1] * fields[13]
             + fields[2] * fields[14]
             - (stress_free[0] * stress_free[12] + stress_free[1] * stress_free[13]
                 + stress_free[2] * stress_free[14]);
-        let t96 = fields[12] * rates[0] + fields[0] * rates[12]
+        let t98 = fields[12] * rates[0] + fields[0] * rates[12]
             + (fields[13] * rates[1] + fields[1] * rates[13])
             + (fields[14] * rates[2] + fields[2] * rates[14]);
-        let t97 = EIy * (t95 + damping * t96);
-        let t98 = t72 * (0.5 * t69) + fields[3] * t85 + fields[6] * t88 + fields[9] * t94
-            + fields[12] * t97;
-        let t99 = t72 * (0.5 * t70) + fields[4] * t85 + fields[7] * t88
-            + fields[10] * t94 + fields[13] * t97;
-        let t100 = t72 * (0.5 * t71) + fields[5] * t85 + fields[8] * t88
-            + fields[11] * t94 + fields[14] * t97;
-        let t101 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
-            + stress_free[8] * stress_free[11]
-            - (stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
-                + stress_free[5] * stress_free[14]);
-        let t102 = fields[12] * rates[3] + fields[3] * rates[12]
+        let t99 = EIy * (t97 + damping * t98);
+        let t100 = t74 * (0.5 * t71) + fields[3] * t87 + fields[6] * t90
+            + fields[9] * t96 + fields[12] * t99;
+        let t101 = t74 * (0.5 * t72) + fields[4] * t87 + fields[7] * t90
+            + fields[10] * t96 + fields[13] * t99;
+        let t102 = t74 * (0.5 * t73) + fields[5] * t87 + fields[8] * t90
+            + fields[11] * t96 + fields[14] * t99;
+        let t103 = stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
+            + stress_free[5] * stress_free[14];
+        let t104 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
+            + stress_free[8] * stress_free[11];
+        let t105 = fields[12] * rates[3] + fields[3] * rates[12]
             + (fields[13] * rates[4] + fields[4] * rates[13])
             + (fields[14] * rates[5] + fields[5] * rates[14]);
-        let t103 = fields[9] * rates[6] + fields[6] * rates[9]
+        let t106 = fields[9] * rates[6] + fields[6] * rates[9]
             + (fields[10] * rates[7] + fields[7] * rates[10])
             + (fields[11] * rates[8] + fields[8] * rates[11]);
-        let t104 = GJ * (0.5 * t67 - 0.5 * t101 + damping * (0.5 * (t103 - t102)));
-        let t105 = t77 * (0.5 * t74) + fields[0] * t85 + fields[6] * t91
-            - t104 * (fields[12] * 0.5);
-        let t106 = t77 * (0.5 * t75) + fields[1] * t85 + fields[7] * t91
-            - t104 * (fields[13] * 0.5);
-        let t107 = t77 * (0.5 * t76) + fields[2] * t85 + fields[8] * t91
-            - t104 * (fields[14] * 0.5);
-        let t108 = t82 * (0.5 * t79) + fields[0] * t88 + fields[3] * t91
-            + t104 * (fields[9] * 0.5);
-        let t109 = t82 * (0.5 * t80) + fields[1] * t88 + fields[4] * t91
-            + t104 * (fields[10] * 0.5);
-        let t110 = t82 * (0.5 * t81) + fields[2] * t88 + fields[5] * t91
-            + t104 * (fields[11] * 0.5);
-        let t111 = fields[3] * fields[9] + fields[4] * fields[10]
+        let t107 = 0.5 * (t69 - t68) - 0.5 * (t104 - t103)
+            + damping * (0.5 * (t106 - t105));
+        let t108 = GJ * t107;
+        let t109 = t79 * (0.5 * t76) + fields[0] * t87 + fields[6] * t93
+            - t108 * (fields[12] * 0.5);
+        let t110 = t79 * (0.5 * t77) + fields[1] * t87 + fields[7] * t93
+            - t108 * (fields[13] * 0.5);
+        let t111 = t79 * (0.5 * t78) + fields[2] * t87 + fields[8] * t93
+            - t108 * (fields[14] * 0.5);
+        let t112 = t84 * (0.5 * t81) + fields[0] * t90 + fields[3] * t93
+            + t108 * (fields[9] * 0.5);
+        let t113 = t84 * (0.5 * t82) + fields[1] * t90 + fields[4] * t93
+            + t108 * (fields[10] * 0.5);
+        let t114 = t84 * (0.5 * t83) + fields[2] * t90 + fields[5] * t93
+            + t108 * (fields[11] * 0.5);
+        let t115 = fields[3] * fields[9] + fields[4] * fields[10]
             + fields[5] * fields[11]
             - (stress_free[3] * stress_free[9] + stress_free[4] * stress_free[10]
                 + stress_free[5] * stress_free[11]);
-        let t112 = fields[9] * rates[3] + fields[3] * rates[9]
+        let t116 = fields[9] * rates[3] + fields[3] * rates[9]
             + (fields[10] * rates[4] + fields[4] * rates[10])
             + (fields[11] * rates[5] + fields[5] * rates[11]);
-        let t113 = GIz * (t111 + damping * t112);
-        let t114 = fields[6] * fields[12] + fields[7] * fields[13]
+        let t117 = GIz * (t115 + damping * t116);
+        let t118 = fields[6] * fields[12] + fields[7] * fields[13]
             + fields[8] * fields[14]
             - (stress_free[6] * stress_free[12] + stress_free[7] * stress_free[13]
                 + stress_free[8] * stress_free[14]);
-        let t115 = fields[12] * rates[6] + fields[6] * rates[12]
+        let t119 = fields[12] * rates[6] + fields[6] * rates[12]
             + (fields[13] * rates[7] + fields[7] * rates[13])
             + (fields[14] * rates[8] + fields[8] * rates[14]);
-        let t116 = GIy * (t114 + damping * t115);
-        forces[0] = t98;
-        forces[1] = t99;
-        forces[2] = t100;
-        forces[3] = t105 + fields[9] * t113;
-        forces[4] = t106 + fields[10] * t113;
-        forces[5] = t107 + fields[11] * t113;
-        forces[6] = t108 + fields[12] * t116;
-        forces[7] = t109 + fields[13] * t116;
-        forces[8] = t110 + fields[14] * t116;
-        forces[9] = fields[0] * t94 + t104 * (fields[6] * 0.5) + fields[3] * t113;
-        forces[10] = fields[1] * t94 + t104 * (fields[7] * 0.5) + fields[4] * t113;
-        forces[11] = fields[2] * t94 + t104 * (fields[8] * 0.5) + fields[5] * t113;
-        forces[12] = fields[0] * t97 - t104 * (fields[3] * 0.5) + fields[6] * t116;
-        forces[13] = fields[1] * t97 - t104 * (fields[4] * 0.5) + fields[7] * t116;
-        forces[14] = fields[2] * t97 - t104 * (fields[5] * 0.5) + fields[8] * t116;
+        let t120 = GIy * (t118 + damping * t119);
+        let t121 = GIyz * (t68 + t69 - (t103 + t104) + damping * (t105 + t106));
+        forces[0] = t100;
+        forces[1] = t101;
+        forces[2] = t102;
+        forces[3] = t109 + fields[9] * t117 + fields[12] * t121;
+        forces[4] = t110 + fields[10] * t117 + fields[13] * t121;
+        forces[5] = t111 + fields[11] * t117 + fields[14] * t121;
+        forces[6] = t112 + fields[12] * t120 + fields[9] * t121;
+        forces[7] = t113 + fields[13] * t120 + fields[10] * t121;
+        forces[8] = t114 + fields[14] * t120 + fields[11] * t121;
+        forces[9] = fields[0] * t96 + t108 * (fields[6] * 0.5) + fields[3] * t117
+            + fields[6] * t121;
+        forces[10] = fields[1] * t96 + t108 * (fields[7] * 0.5) + fields[4] * t117
+            + fields[7] * t121;
+        forces[11] = fields[2] * t96 + t108 * (fields[8] * 0.5) + fields[5] * t117
+            + fields[8] * t121;
+        forces[12] = fields[0] * t99 - t108 * (fields[3] * 0.5) + fields[6] * t120
+            + fields[3] * t121;
+        forces[13] = fields[1] * t99 - t108 * (fields[4] * 0.5) + fields[7] * t120
+            + fields[4] * t121;
+        forces[14] = fields[2] * t99 - t108 * (fields[5] * 0.5) + fields[8] * t120
+            + fields[5] * t121;
     }
     /// Motion of frame `rotor` and its first two derivatives.
     ///
@@ -1921,7 +1945,7 @@ pub mod motor_equations {
     }
     /// Joint `drive_end`: conditions, position level.
     ///
-    /// Operations: 11 additions, 12 multiplications.
+    /// Operations: 15 additions, 19 multiplications.
     pub fn joint_drive_end_referenced_position(
         model: &super::Motor,
         t: f64,
@@ -1931,42 +1955,45 @@ pub mod motor_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
+        let t30 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
+        let t31 = data.tangent[2] * data.second[0] - data.tangent[0] * data.second[2];
+        let t32 = data.tangent[0] * data.second[1] - data.tangent[1] * data.second[0];
+        let t33 = data.second[0] * q[3] + data.second[1] * q[4] + data.second[2] * q[5]
+            - (data.tangent[0] * q[6] + data.tangent[1] * q[7] + data.tangent[2] * q[8]);
         rows[0] = q[0] - data.point[0];
         rows[1] = q[1] - data.point[1];
         rows[2] = q[2] - data.point[2];
-        rows[3] = data.normals[0][0] * q[3] + data.normals[0][1] * q[4]
-            + data.normals[0][2] * q[5];
-        rows[4] = data.normals[1][0] * q[3] + data.normals[1][1] * q[4]
-            + data.normals[1][2] * q[5];
-        rows[5] = data.second[1][0] * q[6] + data.second[1][1] * q[7]
-            + data.second[1][2] * q[8];
-        rows[6] = data.second[2][0] * q[6] + data.second[2][1] * q[7]
-            + data.second[2][2] * q[8];
+        rows[3] = q[3] * t30 + q[4] * t31 + q[5] * t32;
+        rows[4] = q[6] * t30 + q[7] * t31 + q[8] * t32;
+        rows[5] = 0.5 * t33;
     }
     /// Joint `drive_end`: derivatives of the conditions.
     ///
-    /// Operations: 0 additions, 0 multiplications.
+    /// Operations: 3 additions, 12 multiplications.
     pub fn joint_drive_end_referenced_jacobian(
         model: &super::Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
     ) {
+        let t18 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
+        let t19 = data.tangent[2] * data.second[0] - data.tangent[0] * data.second[2];
+        let t20 = data.tangent[0] * data.second[1] - data.tangent[1] * data.second[0];
         jacobian[0] = 1.0;
         jacobian[10] = 1.0;
         jacobian[20] = 1.0;
-        jacobian[30] = data.normals[0][0];
-        jacobian[31] = data.normals[0][1];
-        jacobian[32] = data.normals[0][2];
-        jacobian[39] = data.normals[1][0];
-        jacobian[40] = data.normals[1][1];
-        jacobian[41] = data.normals[1][2];
-        jacobian[51] = data.second[1][0];
-        jacobian[52] = data.second[1][1];
-        jacobian[53] = data.second[1][2];
-        jacobian[60] = data.second[2][0];
-        jacobian[61] = data.second[2][1];
-        jacobian[62] = data.second[2][2];
+        jacobian[30] = t18;
+        jacobian[31] = t19;
+        jacobian[32] = t20;
+        jacobian[42] = t18;
+        jacobian[43] = t19;
+        jacobian[44] = t20;
+        jacobian[48] = data.second[0] * 0.5;
+        jacobian[49] = data.second[1] * 0.5;
+        jacobian[50] = data.second[2] * 0.5;
+        jacobian[51] = -data.tangent[0] * 0.5;
+        jacobian[52] = -data.tangent[1] * 0.5;
+        jacobian[53] = -data.tangent[2] * 0.5;
     }
     /// Joint `drive_end`: what it prescribes, and its derivatives.
     ///
@@ -1983,13 +2010,13 @@ pub mod motor_equations {
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.second[0][0] = data.second[0][0];
-        prescribed.second[0][1] = data.second[0][1];
-        prescribed.second[0][2] = data.second[0][2];
+        prescribed.second[0][0] = data.second[0];
+        prescribed.second[0][1] = data.second[1];
+        prescribed.second[0][2] = data.second[2];
     }
     /// Joint `drive_end`: conditions, position level.
     ///
-    /// Operations: 25 additions, 38 multiplications, 5 divisions, 3 function calls.
+    /// Operations: 25 additions, 37 multiplications, 5 divisions, 3 function calls.
     pub fn joint_drive_end_absolute_position(
         model: &super::Motor,
         t: f64,
@@ -1999,39 +2026,35 @@ pub mod motor_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t39 = t * t / 2.0
+        let t33 = t * t / 2.0
             + (model.T_s / 6.283185307179586).powi(2)
                 * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
         let theta = (if t <= model.T_s {
-            model.speed / model.T_s * t39
+            model.speed / model.T_s * t33
         } else {
             model.speed * (t - model.T_s / 2.0)
         });
-        let t41 = theta.cos();
-        let t42 = theta.sin();
-        let t43 = data.normals[0][0] * q[3]
-            + q[4] * (t41 * data.normals[0][1] - t42 * data.normals[0][2])
-            + q[5] * (t42 * data.normals[0][1] + t41 * data.normals[0][2]);
-        let t44 = data.normals[1][0] * q[3]
-            + q[4] * (t41 * data.normals[1][1] - t42 * data.normals[1][2])
-            + q[5] * (t42 * data.normals[1][1] + t41 * data.normals[1][2]);
-        let t45 = data.second[1][0] * q[6]
-            + q[7] * (t41 * data.second[1][1] - t42 * data.second[1][2])
-            + q[8] * (t42 * data.second[1][1] + t41 * data.second[1][2]);
-        let t46 = data.second[2][0] * q[6]
-            + q[7] * (t41 * data.second[2][1] - t42 * data.second[2][2])
-            + q[8] * (t42 * data.second[2][1] + t41 * data.second[2][2]);
+        let t35 = theta.cos();
+        let t36 = theta.sin();
+        let t37 = t35 * data.tangent[1] - t36 * data.tangent[2];
+        let t38 = t36 * data.tangent[1] + t35 * data.tangent[2];
+        let t39 = t35 * data.second[1] - t36 * data.second[2];
+        let t40 = t36 * data.second[1] + t35 * data.second[2];
+        let t41 = t37 * t40 - t38 * t39;
+        let t42 = data.second[0] * t38 - data.tangent[0] * t40;
+        let t43 = data.tangent[0] * t39 - data.second[0] * t37;
+        let t44 = data.second[0] * q[3] + q[4] * t39 + q[5] * t40
+            - (data.tangent[0] * q[6] + q[7] * t37 + q[8] * t38);
         rows[0] = q[0] - data.point[0];
-        rows[1] = q[1] - (t41 * data.point[1] - t42 * data.point[2]);
-        rows[2] = q[2] - (t42 * data.point[1] + t41 * data.point[2]);
-        rows[3] = t43;
-        rows[4] = t44;
-        rows[5] = t45;
-        rows[6] = t46;
+        rows[1] = q[1] - (t35 * data.point[1] - t36 * data.point[2]);
+        rows[2] = q[2] - (t36 * data.point[1] + t35 * data.point[2]);
+        rows[3] = q[3] * t41 + q[4] * t42 + q[5] * t43;
+        rows[4] = q[6] * t41 + q[7] * t42 + q[8] * t43;
+        rows[5] = 0.5 * t44;
     }
     /// Joint `drive_end`: conditions, velocity level.
     ///
-    /// Operations: 20 additions, 39 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 28 additions, 50 multiplications, 6 divisions, 4 function calls.
     pub fn joint_drive_end_absolute_velocity(
         model: &super::Motor,
         t: f64,
@@ -2049,31 +2072,35 @@ pub mod motor_equations {
         } else {
             model.speed * (t - model.T_s / 2.0)
         });
-        let t33 = (if t <= model.T_s {
+        let t33 = theta.cos();
+        let t34 = theta.sin();
+        let t35 = (if t <= model.T_s {
             t29 * (t - t30 * (6.283185307179586 / model.T_s * t31.sin()))
         } else {
             model.speed
         });
-        let t34 = theta.sin() * t33;
-        let t35 = theta.cos() * t33;
-        let t36 = q[5] * (data.normals[0][1] * t35 - data.normals[0][2] * t34)
-            - q[4] * (data.normals[0][1] * t34 + data.normals[0][2] * t35);
-        let t37 = q[5] * (data.normals[1][1] * t35 - data.normals[1][2] * t34)
-            - q[4] * (data.normals[1][1] * t34 + data.normals[1][2] * t35);
-        let t38 = q[8] * (data.second[1][1] * t35 - data.second[1][2] * t34)
-            - q[7] * (data.second[1][1] * t34 + data.second[1][2] * t35);
-        let t39 = q[8] * (data.second[2][1] * t35 - data.second[2][2] * t34)
-            - q[7] * (data.second[2][1] * t34 + data.second[2][2] * t35);
-        rows[1] = data.point[1] * t34 + data.point[2] * t35;
-        rows[2] = data.point[2] * t34 - data.point[1] * t35;
-        rows[3] = t36;
-        rows[4] = t37;
-        rows[5] = t38;
-        rows[6] = t39;
+        let t36 = t34 * t35;
+        let t37 = t33 * t35;
+        let t38 = data.tangent[1] * t36 + data.tangent[2] * t37;
+        let t39 = data.tangent[1] * t37 - data.tangent[2] * t36;
+        let t40 = data.second[1] * t36 + data.second[2] * t37;
+        let t41 = data.second[1] * t37 - data.second[2] * t36;
+        let t42 = (t33 * data.tangent[1] - t34 * data.tangent[2]) * t41
+            - (t34 * data.second[1] + t33 * data.second[2]) * t38;
+        let t43 = (t33 * data.second[1] - t34 * data.second[2]) * t39
+            - (t34 * data.tangent[1] + t33 * data.tangent[2]) * t40;
+        let t44 = t42 - t43;
+        let t45 = data.second[0] * t39 - data.tangent[0] * t41;
+        let t46 = data.second[0] * t38 - data.tangent[0] * t40;
+        rows[1] = data.point[1] * t36 + data.point[2] * t37;
+        rows[2] = data.point[2] * t36 - data.point[1] * t37;
+        rows[3] = q[5] * t46 + (q[3] * t44 + q[4] * t45);
+        rows[4] = q[8] * t46 + (q[6] * t44 + q[7] * t45);
+        rows[5] = 0.5 * (q[5] * t41 - q[4] * t40 - (q[8] * t39 - q[7] * t38));
     }
     /// Joint `drive_end`: conditions, acceleration level.
     ///
-    /// Operations: 48 additions, 71 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 65 additions, 86 multiplications, 6 divisions, 4 function calls.
     pub fn joint_drive_end_absolute_acceleration(
         model: &super::Motor,
         t: f64,
@@ -2083,64 +2110,78 @@ pub mod motor_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t33 = model.speed / model.T_s;
-        let t34 = (model.T_s / 6.283185307179586).powi(2);
-        let t35 = t * 6.283185307179586 / model.T_s;
-        let t36 = t35.cos();
+        let t35 = model.speed / model.T_s;
+        let t36 = (model.T_s / 6.283185307179586).powi(2);
+        let t37 = t * 6.283185307179586 / model.T_s;
+        let t38 = t37.cos();
         let theta = (if t <= model.T_s {
-            t33 * (t * t / 2.0 + t34 * (t36 - 1.0))
+            t35 * (t * t / 2.0 + t36 * (t38 - 1.0))
         } else {
             model.speed * (t - model.T_s / 2.0)
         });
-        let t38 = theta.cos();
-        let t39 = theta.sin();
-        let t40 = 6.283185307179586 / model.T_s;
-        let t41 = (if t <= model.T_s {
-            t33 * (t - t34 * (t40 * t35.sin()))
+        let t40 = theta.cos();
+        let t41 = theta.sin();
+        let t42 = t40 * data.tangent[1] - t41 * data.tangent[2];
+        let t43 = t41 * data.tangent[1] + t40 * data.tangent[2];
+        let t44 = t40 * data.second[1] - t41 * data.second[2];
+        let t45 = t41 * data.second[1] + t40 * data.second[2];
+        let t46 = 6.283185307179586 / model.T_s;
+        let t47 = (if t <= model.T_s {
+            t35 * (t - t36 * (t46 * t37.sin()))
         } else {
             model.speed
         });
-        let t42 = t39 * t41;
-        let t43 = t38 * t41;
-        let t44 = (if t <= model.T_s {
-            t33 * (1.0 - t34 * (t40 * (t36 * t40)))
+        let t48 = t41 * t47;
+        let t49 = t40 * t47;
+        let t50 = data.tangent[1] * t48 + data.tangent[2] * t49;
+        let t51 = data.tangent[1] * t49 - data.tangent[2] * t48;
+        let t52 = data.second[1] * t48 + data.second[2] * t49;
+        let t53 = data.second[1] * t49 - data.second[2] * t48;
+        let t54 = t42 * t53 - t45 * t50 - (t44 * t51 - t43 * t52);
+        let t55 = data.second[0] * t51 - data.tangent[0] * t53;
+        let t56 = data.second[0] * t50 - data.tangent[0] * t52;
+        let t57 = (if t <= model.T_s {
+            t35 * (1.0 - t36 * (t46 * (t38 * t46)))
         } else {
             0.0
         });
-        let t45 = t41 * t43 + t39 * t44;
-        let t46 = t38 * t44 - t41 * t42;
-        let t47 = v[4] * (data.normals[0][1] * t42 + data.normals[0][2] * t43);
-        let t48 = v[5] * (data.normals[0][1] * t43 - data.normals[0][2] * t42);
-        let t49 = v[4] * (data.normals[1][1] * t42 + data.normals[1][2] * t43);
-        let t50 = v[5] * (data.normals[1][1] * t43 - data.normals[1][2] * t42);
-        let t51 = v[7] * (data.second[1][1] * t42 + data.second[1][2] * t43);
-        let t52 = v[8] * (data.second[1][1] * t43 - data.second[1][2] * t42);
-        let t53 = v[7] * (data.second[2][1] * t42 + data.second[2][2] * t43);
-        let t54 = v[8] * (data.second[2][1] * t43 - data.second[2][2] * t42);
-        let t55 = t48
-            + (t48 + q[5] * (data.normals[0][1] * t46 - data.normals[0][2] * t45))
-            - (t47
-                + (t47 + q[4] * (data.normals[0][1] * t45 + data.normals[0][2] * t46)));
-        let t56 = t50
-            + (t50 + q[5] * (data.normals[1][1] * t46 - data.normals[1][2] * t45))
-            - (t49
-                + (t49 + q[4] * (data.normals[1][1] * t45 + data.normals[1][2] * t46)));
-        let t57 = t52
-            + (t52 + q[8] * (data.second[1][1] * t46 - data.second[1][2] * t45))
-            - (t51 + (t51 + q[7] * (data.second[1][1] * t45 + data.second[1][2] * t46)));
-        let t58 = t54
-            + (t54 + q[8] * (data.second[2][1] * t46 - data.second[2][2] * t45))
-            - (t53 + (t53 + q[7] * (data.second[2][1] * t45 + data.second[2][2] * t46)));
-        rows[1] = data.point[1] * t45 + data.point[2] * t46;
-        rows[2] = data.point[2] * t45 - data.point[1] * t46;
-        rows[3] = t55;
-        rows[4] = t56;
-        rows[5] = t57;
-        rows[6] = t58;
+        let t58 = t47 * t49 + t41 * t57;
+        let t59 = t40 * t57 - t47 * t48;
+        let t60 = data.tangent[1] * t58 + data.tangent[2] * t59;
+        let t61 = data.tangent[1] * t59 - data.tangent[2] * t58;
+        let t62 = data.second[1] * t58 + data.second[2] * t59;
+        let t63 = data.second[1] * t59 - data.second[2] * t58;
+        let t64 = t50 * t53;
+        let t65 = t51 * t52;
+        let t66 = t42 * t63 - t64 - (t64 + t45 * t60)
+            - (t44 * t61 - t65 - (t65 + t43 * t62));
+        let t67 = data.second[0] * t61 - data.tangent[0] * t63;
+        let t68 = data.second[0] * t60 - data.tangent[0] * t62;
+        let t69 = v[3] * t54;
+        let t70 = v[4] * t55;
+        let t71 = v[5] * t56;
+        let t72 = v[6] * t54;
+        let t73 = v[7] * t55;
+        let t74 = v[8] * t56;
+        let t75 = v[4] * t52;
+        let t76 = v[5] * t53;
+        let t77 = v[7] * t50;
+        let t78 = v[8] * t51;
+        let t79 = t69 + (t69 + q[3] * t66) + (t70 + (t70 + q[4] * t67))
+            + (t71 + (t71 + q[5] * t68));
+        let t80 = t72 + (t72 + q[6] * t66) + (t73 + (t73 + q[7] * t67))
+            + (t74 + (t74 + q[8] * t68));
+        let t81 = t76 + (t76 + q[5] * t63) - (t75 + (t75 + q[4] * t62))
+            - (t78 + (t78 + q[8] * t61) - (t77 + (t77 + q[7] * t60)));
+        rows[1] = data.point[1] * t58 + data.point[2] * t59;
+        rows[2] = data.point[2] * t58 - data.point[1] * t59;
+        rows[3] = t79;
+        rows[4] = t80;
+        rows[5] = 0.5 * t81;
     }
     /// Joint `drive_end`: conditions, jerk level.
     ///
-    /// Operations: 87 additions, 105 multiplications, 6 divisions, 4 function calls.
+    /// Operations: 121 additions, 126 multiplications, 6 divisions, 4 function calls.
     pub fn joint_drive_end_absolute_jerk(
         model: &super::Motor,
         t: f64,
@@ -2150,127 +2191,156 @@ pub mod motor_equations {
         a: &[f64],
         rows: &mut [f64],
     ) {
-        let t37 = model.speed / model.T_s;
-        let t38 = (model.T_s / 6.283185307179586).powi(2);
-        let t39 = t * 6.283185307179586 / model.T_s;
-        let t40 = t39.cos();
+        let t41 = model.speed / model.T_s;
+        let t42 = (model.T_s / 6.283185307179586).powi(2);
+        let t43 = t * 6.283185307179586 / model.T_s;
+        let t44 = t43.cos();
         let theta = (if t <= model.T_s {
-            t37 * (t * t / 2.0 + t38 * (t40 - 1.0))
+            t41 * (t * t / 2.0 + t42 * (t44 - 1.0))
         } else {
             model.speed * (t - model.T_s / 2.0)
         });
-        let t42 = theta.cos();
-        let t43 = theta.sin();
-        let t44 = 6.283185307179586 / model.T_s;
-        let t45 = t44 * t39.sin();
-        let t46 = (if t <= model.T_s { t37 * (t - t38 * t45) } else { model.speed });
-        let t47 = t43 * t46;
-        let t48 = t42 * t46;
-        let t49 = (if t <= model.T_s {
-            t37 * (1.0 - t38 * (t44 * (t40 * t44)))
+        let t46 = theta.cos();
+        let t47 = theta.sin();
+        let t48 = t46 * data.tangent[1] - t47 * data.tangent[2];
+        let t49 = t47 * data.tangent[1] + t46 * data.tangent[2];
+        let t50 = t46 * data.second[1] - t47 * data.second[2];
+        let t51 = t47 * data.second[1] + t46 * data.second[2];
+        let t52 = 6.283185307179586 / model.T_s;
+        let t53 = t52 * t43.sin();
+        let t54 = (if t <= model.T_s { t41 * (t - t42 * t53) } else { model.speed });
+        let t55 = t47 * t54;
+        let t56 = t46 * t54;
+        let t57 = data.tangent[1] * t55 + data.tangent[2] * t56;
+        let t58 = data.tangent[1] * t56 - data.tangent[2] * t55;
+        let t59 = data.second[1] * t55 + data.second[2] * t56;
+        let t60 = data.second[1] * t56 - data.second[2] * t55;
+        let t61 = t48 * t60 - t51 * t57 - (t50 * t58 - t49 * t59);
+        let t62 = data.second[0] * t58 - data.tangent[0] * t60;
+        let t63 = data.second[0] * t57 - data.tangent[0] * t59;
+        let t64 = (if t <= model.T_s {
+            t41 * (1.0 - t42 * (t52 * (t44 * t52)))
         } else {
             0.0
         });
-        let t50 = t46 * t48 + t43 * t49;
-        let t51 = t42 * t49 - t46 * t47;
-        let t52 = (if t <= model.T_s { t37 * (t38 * (t44 * (t44 * t45))) } else { 0.0 });
-        let t53 = t48 * t49;
-        let t54 = t53 + t46 * t51 + (t53 + t43 * t52);
-        let t55 = t47 * t49;
-        let t56 = t42 * t52 - t55 - (t55 + t46 * t50);
-        let t57 = a[4] * (data.normals[0][1] * t47 + data.normals[0][2] * t48);
-        let t58 = v[4] * (data.normals[0][1] * t50 + data.normals[0][2] * t51);
-        let t59 = t57 + t58;
-        let t60 = a[5] * (data.normals[0][1] * t48 - data.normals[0][2] * t47);
-        let t61 = v[5] * (data.normals[0][1] * t51 - data.normals[0][2] * t50);
-        let t62 = t60 + t61;
-        let t63 = t60 + t62
-            + (t62
-                + (t61 + q[5] * (data.normals[0][1] * t56 - data.normals[0][2] * t54)))
-            - (t57 + t59
-                + (t59
-                    + (t58
-                        + q[4]
-                            * (data.normals[0][1] * t54 + data.normals[0][2] * t56))));
-        let t64 = a[4] * (data.normals[1][1] * t47 + data.normals[1][2] * t48);
-        let t65 = v[4] * (data.normals[1][1] * t50 + data.normals[1][2] * t51);
-        let t66 = t64 + t65;
-        let t67 = a[5] * (data.normals[1][1] * t48 - data.normals[1][2] * t47);
-        let t68 = v[5] * (data.normals[1][1] * t51 - data.normals[1][2] * t50);
-        let t69 = t67 + t68;
-        let t70 = t67 + t69
-            + (t69
-                + (t68 + q[5] * (data.normals[1][1] * t56 - data.normals[1][2] * t54)))
-            - (t64 + t66
-                + (t66
-                    + (t65
-                        + q[4]
-                            * (data.normals[1][1] * t54 + data.normals[1][2] * t56))));
-        let t71 = a[7] * (data.second[1][1] * t47 + data.second[1][2] * t48);
-        let t72 = v[7] * (data.second[1][1] * t50 + data.second[1][2] * t51);
-        let t73 = t71 + t72;
-        let t74 = a[8] * (data.second[1][1] * t48 - data.second[1][2] * t47);
-        let t75 = v[8] * (data.second[1][1] * t51 - data.second[1][2] * t50);
-        let t76 = t74 + t75;
-        let t77 = t74 + t76
-            + (t76 + (t75 + q[8] * (data.second[1][1] * t56 - data.second[1][2] * t54)))
-            - (t71 + t73
-                + (t73
-                    + (t72
-                        + q[7] * (data.second[1][1] * t54 + data.second[1][2] * t56))));
-        let t78 = a[7] * (data.second[2][1] * t47 + data.second[2][2] * t48);
-        let t79 = v[7] * (data.second[2][1] * t50 + data.second[2][2] * t51);
-        let t80 = t78 + t79;
-        let t81 = a[8] * (data.second[2][1] * t48 - data.second[2][2] * t47);
-        let t82 = v[8] * (data.second[2][1] * t51 - data.second[2][2] * t50);
-        let t83 = t81 + t82;
-        let t84 = t81 + t83
-            + (t83 + (t82 + q[8] * (data.second[2][1] * t56 - data.second[2][2] * t54)))
-            - (t78 + t80
-                + (t80
-                    + (t79
-                        + q[7] * (data.second[2][1] * t54 + data.second[2][2] * t56))));
-        rows[1] = data.point[1] * t54 + data.point[2] * t56;
-        rows[2] = data.point[2] * t54 - data.point[1] * t56;
-        rows[3] = t63;
-        rows[4] = t70;
-        rows[5] = t77;
-        rows[6] = t84;
+        let t65 = t54 * t56 + t47 * t64;
+        let t66 = t46 * t64 - t54 * t55;
+        let t67 = data.tangent[1] * t65 + data.tangent[2] * t66;
+        let t68 = data.tangent[1] * t66 - data.tangent[2] * t65;
+        let t69 = data.second[1] * t65 + data.second[2] * t66;
+        let t70 = data.second[1] * t66 - data.second[2] * t65;
+        let t71 = t57 * t60;
+        let t72 = t58 * t59;
+        let t73 = t48 * t70 - t71 - (t71 + t51 * t67)
+            - (t50 * t68 - t72 - (t72 + t49 * t69));
+        let t74 = data.second[0] * t68 - data.tangent[0] * t70;
+        let t75 = data.second[0] * t67 - data.tangent[0] * t69;
+        let t76 = (if t <= model.T_s { t41 * (t42 * (t52 * (t52 * t53))) } else { 0.0 });
+        let t77 = t56 * t64;
+        let t78 = t77 + t54 * t66 + (t77 + t47 * t76);
+        let t79 = t55 * t64;
+        let t80 = t46 * t76 - t79 - (t79 + t54 * t65);
+        let t81 = data.tangent[1] * t78 + data.tangent[2] * t80;
+        let t82 = data.tangent[1] * t80 - data.tangent[2] * t78;
+        let t83 = data.second[1] * t78 + data.second[2] * t80;
+        let t84 = data.second[1] * t80 - data.second[2] * t78;
+        let t85 = t60 * t67;
+        let t86 = t57 * t70;
+        let t87 = t85 + t86;
+        let t88 = t59 * t68;
+        let t89 = t58 * t69;
+        let t90 = t88 + t89;
+        let t91 = t48 * t84 - t86 - t87 - (t87 + (t85 + t51 * t81))
+            - (t50 * t82 - t88 - t90 - (t90 + (t89 + t49 * t83)));
+        let t92 = data.second[0] * t82 - data.tangent[0] * t84;
+        let t93 = data.second[0] * t81 - data.tangent[0] * t83;
+        let t94 = a[3] * t61;
+        let t95 = v[3] * t73;
+        let t96 = t94 + t95;
+        let t97 = a[4] * t62;
+        let t98 = v[4] * t74;
+        let t99 = t97 + t98;
+        let t100 = t94 + t96 + (t96 + (t95 + q[3] * t91))
+            + (t97 + t99 + (t99 + (t98 + q[4] * t92)));
+        let t101 = a[5] * t63;
+        let t102 = v[5] * t75;
+        let t103 = t101 + t102;
+        let t104 = a[6] * t61;
+        let t105 = v[6] * t73;
+        let t106 = t104 + t105;
+        let t107 = a[7] * t62;
+        let t108 = v[7] * t74;
+        let t109 = t107 + t108;
+        let t110 = t104 + t106 + (t106 + (t105 + q[6] * t91))
+            + (t107 + t109 + (t109 + (t108 + q[7] * t92)));
+        let t111 = a[8] * t63;
+        let t112 = v[8] * t75;
+        let t113 = t111 + t112;
+        let t114 = a[4] * t59;
+        let t115 = v[4] * t69;
+        let t116 = t114 + t115;
+        let t117 = a[5] * t60;
+        let t118 = v[5] * t70;
+        let t119 = t117 + t118;
+        let t120 = t117 + t119 + (t119 + (t118 + q[5] * t84))
+            - (t114 + t116 + (t116 + (t115 + q[4] * t83)));
+        let t121 = a[7] * t57;
+        let t122 = v[7] * t67;
+        let t123 = t121 + t122;
+        let t124 = a[8] * t58;
+        let t125 = v[8] * t68;
+        let t126 = t124 + t125;
+        let t127 = t124 + t126 + (t126 + (t125 + q[8] * t82))
+            - (t121 + t123 + (t123 + (t122 + q[7] * t81)));
+        rows[1] = data.point[1] * t78 + data.point[2] * t80;
+        rows[2] = data.point[2] * t78 - data.point[1] * t80;
+        rows[3] = t100 + (t101 + t103 + (t103 + (t102 + q[5] * t93)));
+        rows[4] = t110 + (t111 + t113 + (t113 + (t112 + q[8] * t93)));
+        rows[5] = 0.5 * (t120 - t127);
     }
     /// Joint `drive_end`: derivatives of the conditions.
     ///
-    /// Operations: 12 additions, 22 multiplications, 5 divisions, 3 function calls.
+    /// Operations: 12 additions, 26 multiplications, 5 divisions, 3 function calls.
     pub fn joint_drive_end_absolute_jacobian(
         model: &super::Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
     ) {
-        let t27 = t * t / 2.0
+        let t21 = t * t / 2.0
             + (model.T_s / 6.283185307179586).powi(2)
                 * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
         let theta = (if t <= model.T_s {
-            model.speed / model.T_s * t27
+            model.speed / model.T_s * t21
         } else {
             model.speed * (t - model.T_s / 2.0)
         });
-        let t29 = theta.cos();
-        let t30 = theta.sin();
+        let t23 = theta.cos();
+        let t24 = theta.sin();
+        let t25 = t23 * data.tangent[1];
+        let t26 = t24 * data.tangent[2];
+        let t27 = t25 - t26;
+        let t28 = t24 * data.tangent[1] + t23 * data.tangent[2];
+        let t29 = t23 * data.second[1] - t24 * data.second[2];
+        let t30 = t24 * data.second[1] + t23 * data.second[2];
+        let t31 = t27 * t30 - t28 * t29;
+        let t32 = data.second[0] * t28 - data.tangent[0] * t30;
+        let t33 = data.tangent[0] * t29 - data.second[0] * t27;
         jacobian[0] = 1.0;
         jacobian[10] = 1.0;
         jacobian[20] = 1.0;
-        jacobian[30] = data.normals[0][0];
-        jacobian[31] = t29 * data.normals[0][1] - t30 * data.normals[0][2];
-        jacobian[32] = t30 * data.normals[0][1] + t29 * data.normals[0][2];
-        jacobian[39] = data.normals[1][0];
-        jacobian[40] = t29 * data.normals[1][1] - t30 * data.normals[1][2];
-        jacobian[41] = t30 * data.normals[1][1] + t29 * data.normals[1][2];
-        jacobian[51] = data.second[1][0];
-        jacobian[52] = t29 * data.second[1][1] - t30 * data.second[1][2];
-        jacobian[53] = t30 * data.second[1][1] + t29 * data.second[1][2];
-        jacobian[60] = data.second[2][0];
-        jacobian[61] = t29 * data.second[2][1] - t30 * data.second[2][2];
-        jacobian[62] = t30 * data.second[2][1] + t29 * data.second[2][2];
+        jacobian[30] = t31;
+        jacobian[31] = t32;
+        jacobian[32] = t33;
+        jacobian[42] = t31;
+        jacobian[43] = t32;
+        jacobian[44] = t33;
+        jacobian[48] = data.second[0] * 0.5;
+        jacobian[49] = t29 * 0.5;
+        jacobian[50] = t30 * 0.5;
+        jacobian[51] = -data.tangent[0] * 0.5;
+        jacobian[52] = 0.5 * (t26 - t25);
+        jacobian[53] = -t28 * 0.5;
     }
     /// Joint `drive_end`: what it prescribes, and its derivatives.
     ///
@@ -2321,13 +2391,13 @@ pub mod motor_equations {
         prescribed.slope[1][2] = data.tangent[1] * t34 - data.tangent[2] * t33;
         prescribed.slope[2][1] = -(data.tangent[1] * t36 + data.tangent[2] * t37);
         prescribed.slope[2][2] = data.tangent[1] * t37 - data.tangent[2] * t36;
-        prescribed.second[0][0] = data.second[0][0];
-        prescribed.second[0][1] = t29 * data.second[0][1] - t30 * data.second[0][2];
-        prescribed.second[0][2] = t30 * data.second[0][1] + t29 * data.second[0][2];
-        prescribed.second[1][1] = -(data.second[0][1] * t33 + data.second[0][2] * t34);
-        prescribed.second[1][2] = data.second[0][1] * t34 - data.second[0][2] * t33;
-        prescribed.second[2][1] = -(data.second[0][1] * t36 + data.second[0][2] * t37);
-        prescribed.second[2][2] = data.second[0][1] * t37 - data.second[0][2] * t36;
+        prescribed.second[0][0] = data.second[0];
+        prescribed.second[0][1] = t29 * data.second[1] - t30 * data.second[2];
+        prescribed.second[0][2] = t30 * data.second[1] + t29 * data.second[2];
+        prescribed.second[1][1] = -(data.second[1] * t33 + data.second[2] * t34);
+        prescribed.second[1][2] = data.second[1] * t34 - data.second[2] * t33;
+        prescribed.second[2][1] = -(data.second[1] * t36 + data.second[2] * t37);
+        prescribed.second[2][2] = data.second[1] * t37 - data.second[2] * t36;
     }
     /// Joint `far_end`: conditions, position level.
     ///
@@ -2373,9 +2443,9 @@ pub mod motor_equations {
         prescribed.slope[0][0] = data.tangent[0];
         prescribed.slope[0][1] = data.tangent[1];
         prescribed.slope[0][2] = data.tangent[2];
-        prescribed.second[0][0] = data.second[0][0];
-        prescribed.second[0][1] = data.second[0][1];
-        prescribed.second[0][2] = data.second[0][2];
+        prescribed.second[0][0] = data.second[0];
+        prescribed.second[0][1] = data.second[1];
+        prescribed.second[0][2] = data.second[2];
     }
     /// Joint `far_end`: conditions, position level.
     ///
@@ -2575,13 +2645,13 @@ pub mod motor_equations {
         prescribed.slope[1][2] = data.tangent[1] * t34 - data.tangent[2] * t33;
         prescribed.slope[2][1] = -(data.tangent[1] * t36 + data.tangent[2] * t37);
         prescribed.slope[2][2] = data.tangent[1] * t37 - data.tangent[2] * t36;
-        prescribed.second[0][0] = data.second[0][0];
-        prescribed.second[0][1] = t29 * data.second[0][1] - t30 * data.second[0][2];
-        prescribed.second[0][2] = t30 * data.second[0][1] + t29 * data.second[0][2];
-        prescribed.second[1][1] = -(data.second[0][1] * t33 + data.second[0][2] * t34);
-        prescribed.second[1][2] = data.second[0][1] * t34 - data.second[0][2] * t33;
-        prescribed.second[2][1] = -(data.second[0][1] * t36 + data.second[0][2] * t37);
-        prescribed.second[2][2] = data.second[0][1] * t37 - data.second[0][2] * t36;
+        prescribed.second[0][0] = data.second[0];
+        prescribed.second[0][1] = t29 * data.second[1] - t30 * data.second[2];
+        prescribed.second[0][2] = t30 * data.second[1] + t29 * data.second[2];
+        prescribed.second[1][1] = -(data.second[1] * t33 + data.second[2] * t34);
+        prescribed.second[1][2] = data.second[1] * t34 - data.second[2] * t33;
+        prescribed.second[2][1] = -(data.second[1] * t36 + data.second[2] * t37);
+        prescribed.second[2][2] = data.second[1] * t37 - data.second[2] * t36;
     }
     /// Times at which a derivative of a motion or load may jump (s).
     ///
@@ -2782,17 +2852,20 @@ pub mod motor_equations {
             )?;
             let radius = ::rncf::mesh::positive("section `round`", "radius", 0.05, "m")?;
             let shear_modulus = young / (2.0 * (1.0 + poisson));
+            let half_young = 0.5 * young;
+            let quarter_polar_moment = 0.25 * (second_moment_y + second_moment_z);
             self.row_shaft = BeamSpatialDamped {
                 length,
                 EA: young * area,
                 kyGA: shear_factor_y * shear_modulus * area,
                 kzGA: shear_factor_z * shear_modulus * area,
-                GA: shear_modulus * area,
+                halfEA: half_young * area,
                 EIz: young * second_moment_z,
                 EIy: young * second_moment_y,
                 GJ: shear_modulus * torsion_constant,
                 GIz: shear_modulus * second_moment_z,
                 GIy: shear_modulus * second_moment_y,
+                GIyz: shear_modulus * quarter_polar_moment,
                 rhoA: density * area,
                 rhoIz: density * second_moment_z,
                 rhoIy: density * second_moment_y,

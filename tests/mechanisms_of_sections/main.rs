@@ -7,6 +7,7 @@ mod lateral;
 mod materials;
 mod measures;
 mod rotors;
+mod round;
 mod running;
 mod shafts;
 mod tangents;

@@ -15,8 +15,8 @@ pub const VECTORS: usize = 10;
 /// Axis strains `e11, e22, e33, g12, g13, g23` of the spatial element.
 pub const AXIS_MEASURES: usize = 6;
 
-/// Section gradients `kz, ky, tau, t22, t33` of the spatial element.
-pub const GRADIENT_MEASURES: usize = 5;
+/// Section gradients `kz, ky, tau, t22, t33, t23` of the spatial element.
+pub const GRADIENT_MEASURES: usize = 6;
 
 /// Fields a, b, c, b', c'.
 const FIELDS: usize = 5;
@@ -44,6 +44,7 @@ const GRADIENTS: [Measure; GRADIENT_MEASURES] = [
     &[(0.5, BX, C), (-0.5, CX, B)],
     &[(1.0, B, BX)],
     &[(1.0, C, CX)],
+    &[(1.0, B, CX), (1.0, C, BX)],
 ];
 
 /// Constant parts of the diagonal measures' strains: `1/2 (a.a - 1)`.
@@ -98,10 +99,11 @@ impl Section {
         self.young * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu))
     }
 
-    /// `A D_ax = A diag(E, E, E, k_s G, k_s G, G)`, N.
+    /// `A D_ax = A diag(E, E, E, k_s G, k_s G, E/2)`, N: with E/2 on g23 the plane of the section is isotropic, as
+    /// `e22^2 + e33^2 + g23^2/2` is the square of its strain tensor (THEORY 5.2 has G).
     pub fn structural(&self) -> [[f64; AXIS_MEASURES]; AXIS_MEASURES] {
         let (e, g) = (self.young, self.shear());
-        let diagonal = [e, e, e, self.shear_factor * g, self.shear_factor * g, g];
+        let diagonal = [e, e, e, self.shear_factor * g, self.shear_factor * g, 0.5 * e];
         let mut d = [[0.0; AXIS_MEASURES]; AXIS_MEASURES];
         for k in 0..AXIS_MEASURES {
             d[k][k] = self.area * diagonal[k];
@@ -113,6 +115,7 @@ impl Section {
     pub fn coupled(&self) -> [[f64; AXIS_MEASURES]; AXIS_MEASURES] {
         let mut d = self.structural();
         let lambda = self.confined() - 2.0 * self.shear();
+        d[5][5] = self.area * self.shear();
         for i in 0..3 {
             for j in 0..3 {
                 d[i][j] = self.area * if i == j { self.confined() } else { lambda };
@@ -121,7 +124,7 @@ impl Section {
         d
     }
 
-    /// `(E I_zz, E I_yy, G J, G I_zz, G I_yy)`, N m^2.
+    /// `(E I_zz, E I_yy, G J, G I_zz, G I_yy, G (I_yy + I_zz)/4)`, N m^2; the last one makes the gradients isotropic.
     pub fn gradients(&self) -> [f64; GRADIENT_MEASURES] {
         let (e, g) = (self.young, self.shear());
         [
@@ -130,6 +133,7 @@ impl Section {
             g * self.torsion,
             g * self.i_zz,
             g * self.i_yy,
+            0.25 * g * (self.i_yy + self.i_zz),
         ]
     }
 }
@@ -145,7 +149,7 @@ pub struct Properties {
     pub mass: [f64; 3],
     /// `A D_ax` over `e11, e22, e33, g12, g13, g23`, N. A planar element reads the rows and columns that it has.
     pub axis: [[f64; AXIS_MEASURES]; AXIS_MEASURES],
-    /// Stiffnesses of `kz, ky, tau, t22, t33`, N m^2.
+    /// Stiffnesses of `kz, ky, tau, t22, t33, t23`, N m^2.
     pub gradients: [f64; GRADIENT_MEASURES],
     /// Damping c of every measure, s.
     pub damping: f64,

@@ -185,7 +185,8 @@ pub struct Supports {
 pub enum Hold {
     /// It stays as it is.
     Fixed,
-    /// It keeps its direction; its norm is free.
+    /// It keeps its direction; its norm is free. Both axes of a section in space, which are along coordinate axes, keep
+    /// their rotation: their norms and the shear between them are free.
     Direction,
 }
 
@@ -206,6 +207,16 @@ impl Supports {
                     let norm = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
                     places.extend(direction.iter().map(|x| Some((unknowns, x / norm))));
                     unknowns += 1;
+                    let axis = |vector: usize| {
+                        let axis = &chain.stress_free[n * vector..][..n];
+                        axis.iter().position(|x| x.abs() == 1.0)
+                    };
+                    let is_pair = n == 3 && vector > 0 && held.contains(&(vector - 1, Hold::Direction));
+                    if let (true, Some(first), Some(second)) = (is_pair, axis(vector - 1), axis(vector)) {
+                        places[n * (vector - 1) + second] = Some((unknowns, 1.0));
+                        places[n * vector + first] = Some((unknowns, 1.0));
+                        unknowns += 1;
+                    }
                 }
             }
         }

@@ -15,6 +15,7 @@ mod leaking_momentum;
 mod locking;
 mod order_loss;
 mod pendulum;
+mod remainders;
 mod scenes;
 mod singular_angles;
 mod softening;

@@ -199,6 +199,18 @@ pub const DERIVED: &[Derived] = &[
         value: "young / (2.0 * (1.0 + poisson))",
     },
     Derived {
+        name: "half_young",
+        unit: "Pa",
+        from: &["young"],
+        value: "0.5 * young",
+    },
+    Derived {
+        name: "quarter_polar_moment",
+        unit: "m^4",
+        from: &["second_moment_y", "second_moment_z"],
+        value: "0.25 * (second_moment_y + second_moment_z)",
+    },
+    Derived {
         name: "double_shear_modulus",
         unit: "Pa",
         from: &["young", "poisson"],

@@ -39,12 +39,12 @@ impl Connectivity {
     /// Pattern entries of all elements.
     pub fn entries<'a>(&'a self, layout: &'a Layout) -> impl Iterator<Item = (usize, usize)> + 'a {
         (0..self.count()).flat_map(move |element| {
-            let unknowns = move |component: &usize| layout.unknown(*component).map(|(unknown, _)| unknown);
-            let rows = self.element(element).iter().filter_map(unknowns);
+            let unknowns = move |component: &usize| layout.unknowns_at(*component).map(|(unknown, _)| unknown);
+            let rows = self.element(element).iter().flat_map(unknowns);
             rows.flat_map(move |row| {
                 self.element(element)
                     .iter()
-                    .filter_map(unknowns)
+                    .flat_map(unknowns)
                     .map(move |column| (row, column))
             })
         })
@@ -92,11 +92,13 @@ impl Scatter {
         for element in 0..connectivity.count() {
             let components = connectivity.element(element);
             for (column, &by) in components.iter().enumerate() {
-                let Some((j, b)) = layout.unknown(by) else { continue };
-                for (row, &of) in components.iter().enumerate() {
-                    let Some((i, a)) = layout.unknown(of) else { continue };
-                    if let Some(place) = pattern.find(i, j) {
-                        scatter.push(place as u32, (row * size + column) as u16, a * b);
+                for (j, b) in layout.unknowns_at(by) {
+                    for (row, &of) in components.iter().enumerate() {
+                        for (i, a) in layout.unknowns_at(of) {
+                            if let Some(place) = pattern.find(i, j) {
+                                scatter.push(place as u32, (row * size + column) as u16, a * b);
+                            }
+                        }
                     }
                 }
             }

@@ -317,7 +317,7 @@ impl MeshScene {
     /// Unknowns of components, ascending, each once.
     fn unknowns_of(&self, components: impl Iterator<Item = usize>) -> Vec<usize> {
         let mut unknowns: Vec<usize> = components
-            .filter_map(|component| self.layout.unknown(component).map(|(unknown, _)| unknown))
+            .flat_map(|component| self.layout.unknowns_at(component).map(|(unknown, _)| unknown))
             .collect();
         unknowns.sort_unstable();
         unknowns.dedup();
@@ -381,7 +381,7 @@ impl MeshScene {
                 let column = self.constraint_rows.len();
                 self.constraint_rows.push(Row::Condition { condition: index, row });
                 for &component in &condition.components {
-                    if let Some((unknown, _)) = self.layout.unknown(component) {
+                    for (unknown, _) in self.layout.unknowns_at(component) {
                         entries.push((unknown, column));
                     }
                 }

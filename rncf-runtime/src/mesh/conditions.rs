@@ -66,7 +66,9 @@ pub fn row_count(kind: JointKind, body: &BodySpec) -> usize {
     let directions = directions(kind, body).len();
     match kind {
         JointKind::Pin => dimension,
-        JointKind::Clamp => dimension + directions * (dimension - 1),
+        // All of a section's rotation, or a direction alone.
+        JointKind::Clamp if directions > 1 => dimension + 3,
+        JointKind::Clamp => dimension + dimension - 1,
         JointKind::ClampFull => dimension + directions * dimension,
         JointKind::Hold { .. } => 1,
     }
@@ -105,10 +107,7 @@ pub fn joint_data(joint: &JointSpec, body: &BodySpec, frames: &[FrameMotion]) ->
         point: joint.point.unwrap_or(there),
         tangent: along[0],
         normals: across(along[0]),
-        second: along.get(1).map_or([[0.0; 3]; 3], |&second| {
-            let [first, other] = across(second);
-            [second, first, other]
-        }),
+        second: along.get(1).copied().unwrap_or_default(),
     }
 }
 
@@ -146,16 +145,21 @@ pub fn condition(
         (Joints::Eliminated, JointKind::ClampFull) => (true, alike(VectorKind::Prescribed), Vec::new()),
         (Joints::Eliminated, JointKind::Clamp) if turns => (true, free(), (body.dimension()..all).collect()),
         (Joints::Eliminated, JointKind::Clamp) => {
-            let directed = |along: Vector| {
-                let mut direction = [0.0; 3];
+            let mut along = [[0.0; 3]; 2];
+            for (along, direction) in along.iter_mut().zip([data.tangent, data.second]) {
                 for (component, &axis) in body.axes.iter().enumerate() {
-                    direction[component] = along[axis];
+                    along[component] = direction[axis];
                 }
-                VectorKind::Directed(direction)
+            }
+            let [y, z] = along;
+            let kinds = match vectors[1..] {
+                // The section does not turn, and strains and shears in its plane as it likes.
+                [shear, _] => [[y, z], [z, y]]
+                    .map(|axes| VectorKind::InPlane { axes, shear })
+                    .to_vec(),
+                _ => vec![VectorKind::Directed(y)],
             };
-            let along = [data.tangent, data.second[0]];
-            let kinds = along.into_iter().take(directions.len()).map(directed);
-            (true, kinds.collect(), Vec::new())
+            (true, kinds, Vec::new())
         }
     };
     Condition {

@@ -32,6 +32,8 @@ pub(super) struct Density {
     driving: usize,
     /// For every component the factor of its unknown; zero where there is none.
     factors: Vec<f64>,
+    /// Places of components that depend on a second unknown: what it has stands after that of all components.
+    doubled: Vec<usize>,
     /// For every component the entries of (component, outer unknown).
     upper: Vec<u32>,
     /// For every component the entry of (first unknown of the frame, component); the others of the frame follow.
@@ -85,6 +87,7 @@ impl MeshScene {
                 places: places.collect(),
                 components,
                 factors: Vec::new(),
+                doubled: Vec::new(),
                 outer: Vec::new(),
                 driving: 0,
                 upper: Vec::new(),
@@ -111,7 +114,7 @@ impl MeshScene {
         let components = markers
             .iter()
             .flat_map(|&marker| self.marker_components(&self.markers[marker]));
-        let unknowns = components.filter_map(|component| self.layout.unknown(component));
+        let unknowns = components.flat_map(|component| self.layout.unknowns_at(component));
         let mut outer: Vec<usize> = unknowns.map(|(unknown, _)| unknown).collect();
         outer.sort_unstable();
         outer.dedup();
@@ -171,7 +174,7 @@ impl MeshScene {
         let mut entries = Vec::new();
         for density in &self.densities {
             let components = density.components.iter();
-            let own = components.filter_map(|&component| self.layout.unknown(component));
+            let own = components.flat_map(|&component| self.layout.unknowns_at(component));
             let rows = own
                 .map(|(unknown, _)| unknown)
                 .chain(self.frame_unknowns(density.spec.body));
@@ -194,8 +197,13 @@ impl MeshScene {
         let driving = &density.outer[..density.driving];
         let find = |i: usize, j: usize| self.pattern.find(i, j).map_or(NOWHERE, |entry| entry as u32);
         let (mut factors, mut upper, mut lower) = (Vec::new(), Vec::new(), Vec::new());
-        for &component in &density.components {
-            let own = self.layout.unknown(component);
+        let unknowns = |place: &usize| self.layout.unknowns_at(density.components[*place]);
+        let places = 0..density.components.len();
+        density.doubled = places.clone().filter(|place| unknowns(place).count() > 1).collect();
+        let firsts = places.map(|place| unknowns(&place).next());
+        let seconds = density.doubled.iter().map(|place| unknowns(place).nth(1));
+        let all: Vec<Option<(usize, f64)>> = firsts.chain(seconds).collect();
+        for own in all {
             factors.push(own.map_or(0.0, |(_, factor)| factor));
             upper.extend(
                 driving
@@ -232,11 +240,10 @@ impl MeshScene {
         let driving = &density.outer[..density.driving];
         for (place, &marker) in density.spec.markers.iter().enumerate() {
             for column in self.columns(&self.markers[marker]) {
-                let Some((unknown, factor)) = self.layout.unknown(column.component) else {
-                    continue;
-                };
-                if let Ok(at) = driving.binary_search(&unknown) {
-                    changes.push((place, at, scale(factor, column.value)));
+                for (unknown, factor) in self.layout.unknowns_at(column.component) {
+                    if let Ok(at) = driving.binary_search(&unknown) {
+                        changes.push((place, at, scale(factor, column.value)));
+                    }
                 }
             }
         }
@@ -469,7 +476,9 @@ impl MeshScene {
             });
             let block: Vec<[f64; TOGETHER]> = block.collect();
             let components = density.factors.iter().zip(density.upper.chunks_exact(width));
-            for ((&factor, entries), values) in components.zip(total.by_values.chunks_exact(k)) {
+            let by_values = || total.by_values.chunks_exact(k);
+            let doubled = density.doubled.iter().filter_map(|&place| by_values().nth(place));
+            for ((&factor, entries), values) in components.zip(by_values().chain(doubled)) {
                 if factor == 0.0 {
                     continue;
                 }
@@ -499,7 +508,9 @@ impl MeshScene {
                 by_row[i] = seen[row / 3][row % 3];
             }
         }
-        for ((&factor, &entry), rows) in density.factors.iter().zip(&density.lower).zip(&total.frame_by_q) {
+        let doubled = density.doubled.iter().map(|&place| &total.frame_by_q[place]);
+        let by_q = total.frame_by_q.iter().chain(doubled);
+        for ((&factor, &entry), rows) in density.factors.iter().zip(&density.lower).zip(by_q) {
             if entry != NOWHERE && factor != 0.0 {
                 let sums = weighted(rows, &by_rows);
                 let factor = -of_all * factor;

@@ -414,7 +414,7 @@ impl MeshScene {
             }
             let components = body.connectivity.element(point.element);
             for (place, &value) in local.iter().enumerate().filter(|(_, value)| **value != 0.0) {
-                if let Some((entry, factor)) = self.entry(components[place / size], components[place % size]) {
+                for (entry, factor) in self.entries_of(components[place / size], components[place % size]) {
                     out.stiffness(entry, factor * value);
                 }
             }

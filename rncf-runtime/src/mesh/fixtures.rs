@@ -18,6 +18,10 @@ pub(super) struct Fixture {
     mass: Vec<f64>,
 }
 
+/// Largest strain of the section below a rigid fixture of which nothing is said: its moments of inertia are then off
+/// by two times as much.
+const RIGID_ENOUGH: f64 = 1e-4;
+
 /// Most components of the vectors of a place.
 const MOST: usize = 12;
 
@@ -112,6 +116,42 @@ impl MeshScene {
             };
             body.scatter.add_by(fixture.point.element, entry, values);
         }
+    }
+
+    /// Fixtures whose section is not rigid at the loaded state, in words: their inertia pulls at its axes, which are elastic.
+    pub(super) fn strained_fixtures(&self) -> Vec<String> {
+        let told = |fixture: &Fixture| {
+            let body = &self.bodies[fixture.point.body];
+            let dimension = body.spec.dimension();
+            if !body.spec.has_section() || !body.spec.fidelity.deforms() || fixture.spec.constants[4..] == [0.0; 6] {
+                return None;
+            }
+            let place = self.fixture_place(fixture);
+            let axes: Vec<&[f64]> = place
+                .chunks_exact(dimension)
+                .take(fixture.vectors.len())
+                .skip(2)
+                .collect();
+            let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let stretches = axes.iter().map(|axis| 0.5 * (product(axis, axis) - 1.0));
+            let shear = if let [y, z] = axes[..] {
+                0.5 * product(y, z)
+            } else {
+                0.0
+            };
+            let strain = stretches
+                .chain([shear])
+                .fold(0.0, |most: f64, strain| most.max(strain.abs()));
+            (strain > RIGID_ENOUGH).then(|| {
+                format!(
+                    "fixture `{}` is rigid, and the section of body `{}` that carries it strains by {:.2} %: its inertia is off by twice as much; take a `rigid` body and a `weld` instead",
+                    fixture.spec.name,
+                    body.spec.label(),
+                    100.0 * strain
+                )
+            })
+        };
+        self.fixtures.iter().filter_map(told).collect()
     }
 
     /// Potential of a fixture in the gravity `g` (inertial axes), J, without what its frame's origin adds.

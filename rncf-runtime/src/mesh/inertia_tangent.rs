@@ -68,6 +68,8 @@ pub(super) struct Border {
     lower: Vec<u32>,
     /// For every component the places of its row in the frame's columns.
     upper: Vec<u32>,
+    /// Components that depend on a second unknown: what it has stands after that of all components, in this order.
+    doubled: Vec<usize>,
 }
 
 /// One unknown of a frame as seen from the frame.
@@ -166,15 +168,15 @@ impl Arms {
 }
 
 impl Border {
-    /// Adds the entries of a vector's component: for every unknown its row by the component, and the reverse.
+    /// Adds the entries of a vector's component along `axis`: for every unknown its row by the component, and the reverse.
     #[inline(always)]
-    fn add(&self, component: usize, axis: usize, beside: &[[Padded; 2]], values: &mut [f64]) {
-        let (factor, width) = (self.factors[component], beside.len());
-        let lower = self.lower[component] as usize;
+    fn add(&self, entry: usize, axis: usize, beside: &[[Padded; 2]], values: &mut [f64]) {
+        let (factor, width) = (self.factors[entry], beside.len());
+        let lower = self.lower[entry] as usize;
         for (value, [lower, _]) in values[lower..lower + width].iter_mut().zip(beside) {
             *value += factor * lower[axis & 3];
         }
-        let upper = &self.upper[component * width..(component + 1) * width];
+        let upper = &self.upper[entry * width..(entry + 1) * width];
         for (&place, [_, upper]) in upper.iter().zip(beside) {
             values[place as usize] += factor * upper[axis & 3];
         }
@@ -211,6 +213,14 @@ impl Vectorised for Beside<'_> {
                 let component = place * self.axes.len() + c;
                 self.border.add(component, axis, &beside[..count], self.values);
             }
+            let own = place * self.axes.len()..(place + 1) * self.axes.len();
+            for (after, component) in self.border.doubled.iter().enumerate() {
+                if own.contains(component) {
+                    let axis = self.axes[component - own.start];
+                    let entry = self.mass.vectors() * self.axes.len() + after;
+                    self.border.add(entry, axis, &beside[..count], self.values);
+                }
+            }
         }
     }
 }
@@ -228,8 +238,14 @@ impl MeshScene {
         let count = body.spec.vectors() * body.spec.dimension();
         let unknown = self.first_unknown(free);
         let width = frame.count();
-        for component in first..first + count {
-            let own = self.layout.unknown(component);
+        let unknowns = |component: usize| self.layout.unknowns_at(first + component);
+        border.doubled = (0..count)
+            .filter(|&component| unknowns(component).count() > 1)
+            .collect();
+        let firsts = (0..count).map(|component| unknowns(component).next());
+        let seconds = border.doubled.iter().map(|&component| unknowns(component).nth(1));
+        let all: Vec<Option<(usize, f64)>> = firsts.chain(seconds).collect();
+        for own in all {
             // The rows of all frames are at the end of a column, and those of one frame are all there.
             let lower = own.and_then(|(row, _)| self.pattern.find(unknown, row));
             let upper = (0..width).map(|i| own.and_then(|(row, _)| self.pattern.find(row, unknown + i)));

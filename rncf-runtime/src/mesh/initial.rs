@@ -181,7 +181,7 @@ impl Held {
     /// Place, name and direction of the vectors that it holds besides the position.
     fn directions(&self) -> impl Iterator<Item = (usize, &'static str, Vector)> {
         const NAMES: [&str; 4] = ["position", "slope", "section's y axis", "section's z axis"];
-        let along = [self.data.tangent, self.data.second[0]];
+        let along = [self.data.tangent, self.data.second];
         let places = self.directions.iter().map(|&(of, order)| place_of(of, order));
         places.zip(along).map(|(place, along)| (place, NAMES[place], along))
     }

@@ -1,6 +1,5 @@
-//! Numbering: which components of the nodal vectors are unknowns. Conditions that are linear in a
-//! vector are eliminated, `q = qbar(t) + E x` (THEORY 6): every component depends on at most one
-//! unknown.
+//! Numbering: which components of the nodal vectors are unknowns. Conditions that are linear in
+//! vectors are eliminated, `q = qbar(t) + E x` (THEORY 6): a component depends on at most two unknowns.
 
 /// What is unknown of a nodal vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,6 +8,16 @@ pub enum VectorKind {
     Free,
     /// The norm along a constant unit vector (components in the body's order).
     Directed([f64; 3]),
+    /// An axis of a section that does not turn, `u e + s f` with constant unit vectors `[e, f]` (components in the
+    /// body's order): its own norm u and the section's shear s, which is that of the vector `shear`: the section's y
+    /// axis, which may be this one, or precedes it. With `u f + s e` for the other axis the section strains and shears in
+    /// its plane as it likes and does not turn.
+    InPlane {
+        /// `[e, f]`.
+        axes: [[f64; 3]; 2],
+        /// Vector that s belongs to.
+        shear: usize,
+    },
     /// The components that are not held; held ones keep their undeformed value.
     Held([bool; 3]),
     /// Nothing: the vector is a given function of time.
@@ -18,19 +27,23 @@ pub enum VectorKind {
 /// Component, unknown and factor.
 type Odd = (usize, usize, f64);
 
+/// The unknowns that a component depends on, each with its factor.
+type Dependence = [Option<(usize, f64)>; 2];
+
 /// Numbering of all nodal vectors.
 #[derive(Clone, Debug)]
 pub struct Layout {
     kinds: Vec<VectorKind>,
     /// First component of every vector in the full arrays, and their length at the end.
     offsets: Vec<usize>,
-    /// For every component: the unknown it depends on and the factor.
-    map: Vec<Option<(usize, f64)>>,
+    map: Vec<Dependence>,
     /// The same, as blocks to copy: first component, first unknown, number; and components with a factor.
     blocks: Vec<[usize; 3]>,
     odd: Vec<Odd>,
     /// For every vector the one whose value is that of all vectors of its node: itself, where it is not shared.
     leaders: Vec<usize>,
+    /// Unknowns that two vectors depend on: shears of sections.
+    shears: Vec<usize>,
     /// Vector and component of every unknown of vectors.
     origins: Vec<(usize, usize)>,
     unknowns: usize,
@@ -48,7 +61,10 @@ impl Layout {
     /// unknowns of the first of them. Vectors that are one must be [`VectorKind::Free`] and of one dimension.
     pub fn shared(dimensions: &[usize], kinds: Vec<VectorKind>, leaders: Vec<usize>, border: usize) -> Self {
         let mut offsets = vec![0];
-        let mut map: Vec<Option<(usize, f64)>> = Vec::new();
+        let mut map: Vec<Dependence> = Vec::new();
+        let mut shears = Vec::new();
+        // Unknown of the shear of every vector that has one.
+        let mut shear_of = vec![0; kinds.len()];
         let mut origins = Vec::new();
         let mut unknowns = 0;
         // The first vector of those with a leader.
@@ -61,25 +77,44 @@ impl Layout {
                 continue;
             }
             numbered[leaders[vector]] = Some(vector);
-            for component in 0..dimension {
-                let entry = match kind {
-                    VectorKind::Free => Some((unknowns + component, 1.0)),
-                    VectorKind::Directed(direction) => Some((unknowns, direction[component])),
-                    VectorKind::Held(held) if held[component] => None,
-                    VectorKind::Held(held) => Some((unknowns + free_components(held, component), 1.0)),
-                    VectorKind::Prescribed => None,
-                };
-                if let Some((unknown, _)) = entry
-                    && unknown == origins.len()
-                {
-                    origins.push((vector, component));
+            let count = match *kind {
+                VectorKind::Free => dimension,
+                VectorKind::Directed(_) => 1,
+                VectorKind::InPlane { shear, .. } if shear == vector => {
+                    shear_of[vector] = unknowns + 1;
+                    shears.push(unknowns + 1);
+                    2
                 }
-                map.push(entry);
+                VectorKind::InPlane { .. } => 1,
+                VectorKind::Held(held) => free_components(&held, dimension),
+                VectorKind::Prescribed => 0,
+            };
+            let own = |component: usize| match *kind {
+                VectorKind::Free => [Some((unknowns + component, 1.0)), None],
+                VectorKind::Directed(direction) => [Some((unknowns, direction[component])), None],
+                VectorKind::InPlane { axes: [e, f], shear } => {
+                    let both = [(unknowns, e[component]), (shear_of[shear], f[component])];
+                    match both.map(|(unknown, factor)| (factor != 0.0).then_some((unknown, factor))) {
+                        [None, only] => [only, None],
+                        both => both,
+                    }
+                }
+                VectorKind::Held(held) if held[component] => [None; 2],
+                VectorKind::Held(held) => [Some((unknowns + free_components(&held, component), 1.0)), None],
+                VectorKind::Prescribed => [None; 2],
+            };
+            map.extend((0..dimension).map(own));
+            match *kind {
+                VectorKind::Free | VectorKind::Held(_) => {
+                    let free = (0..dimension).filter(|&component| own(component)[0].is_some());
+                    origins.extend(free.map(|component| (vector, component)));
+                }
+                _ => origins.extend((0..count).map(|place| (vector, place))),
             }
-            unknowns = origins.len();
+            unknowns += count;
             offsets.push(map.len());
         }
-        map.extend((unknowns..unknowns + border).map(|unknown| Some((unknown, 1.0))));
+        map.extend((unknowns..unknowns + border).map(|unknown| [Some((unknown, 1.0)), None]));
         let (blocks, odd) = in_blocks(&map);
         Self {
             kinds,
@@ -88,6 +123,7 @@ impl Layout {
             blocks,
             odd,
             leaders,
+            shears,
             origins,
             unknowns: unknowns + border,
         }
@@ -123,18 +159,22 @@ impl Layout {
         self.kinds[vector]
     }
 
-    /// The unknown that a component depends on, and the factor.
-    pub fn unknown(&self, component: usize) -> Option<(usize, f64)> {
-        self.map[component]
+    /// The unknowns that a component depends on, each with its factor: none, one or two.
+    #[inline]
+    pub fn unknowns_at(&self, component: usize) -> impl Iterator<Item = (usize, f64)> + use<> {
+        self.map[component].into_iter().flatten()
     }
 
-    /// `full = E x` on components that depend on an unknown; the others stay.
+    /// `full = E x` on components that depend on unknowns; the others stay.
     pub fn expand(&self, x: &[f64], full: &mut [f64]) {
         for &[component, unknown, count] in &self.blocks {
             full[component..component + count].copy_from_slice(&x[unknown..unknown + count]);
         }
+        for &(component, ..) in &self.odd {
+            full[component] = 0.0;
+        }
         for &(component, unknown, factor) in &self.odd {
-            full[component] = factor * x[unknown];
+            full[component] += factor * x[unknown];
         }
     }
 
@@ -160,25 +200,32 @@ impl Layout {
                 continue;
             }
             for component in self.offsets[vector]..self.offsets[vector + 1] {
-                if let Some((unknown, factor)) = self.map[component] {
+                for (unknown, factor) in self.unknowns_at(component) {
                     x[unknown] += factor * full[component];
                 }
             }
         }
+        // Their columns of E have the square 2.
+        self.shears.iter().for_each(|&shear| x[shear] *= 0.5);
     }
 
     /// The vector and component of every unknown that belongs to one; component 0 stands for the norm of a directed
-    /// one, and the first vector for those that are one.
+    /// one or one in a plane, 1 for its shear, and the first vector for those that are one.
     pub fn origins(&self) -> &[(usize, usize)] {
         &self.origins
     }
 }
 
 /// Components that follow each other as their unknowns do, and those with a factor.
-fn in_blocks(map: &[Option<(usize, f64)>]) -> (Vec<[usize; 3]>, Vec<Odd>) {
+fn in_blocks(map: &[Dependence]) -> (Vec<[usize; 3]>, Vec<Odd>) {
     let (mut blocks, mut odd): (Vec<[usize; 3]>, Vec<_>) = (Vec::new(), Vec::new());
-    for (component, entry) in map.iter().enumerate() {
-        match (*entry, blocks.last_mut()) {
+    for (component, entries) in map.iter().enumerate() {
+        if entries[1].is_some() {
+            let both = entries.iter().flatten();
+            odd.extend(both.map(|&(unknown, factor)| (component, unknown, factor)));
+            continue;
+        }
+        match (entries[0], blocks.last_mut()) {
             (None, _) => {}
             (Some((unknown, factor)), _) if factor != 1.0 => odd.push((component, unknown, factor)),
             (Some((unknown, _)), Some([first, start, count]))

@@ -245,8 +245,8 @@ pub struct JointData {
     pub tangent: [f64; 3],
     /// Unit vectors normal to it; planar bodies use the first, which lies in the plane.
     pub normals: [[f64; 3]; 2],
-    /// Direction of the section's z axis in space, and unit vectors normal to it; else zeros.
-    pub second: [[f64; 3]; 3],
+    /// Direction of the section's z axis in space; else zeros.
+    pub second: [f64; 3],
 }
 
 /// What an eliminated condition prescribes, in the body's axes: value, rate, acceleration and jerk.

@@ -266,7 +266,7 @@ impl MeshScene {
         let (joint, data) = (&self.joints[condition.joint], &condition.data);
         let body = &self.bodies[joint.body].spec;
         let (own, other) = (&frames[body.frame], &frames[joint.frame]);
-        let held = [data.tangent, data.second[0]].map(|direction| other.direction_to_inertial(direction));
+        let held = [data.tangent, data.second].map(|direction| other.direction_to_inertial(direction));
         if joint.kind != JointKind::Pin && held.iter().any(|&direction| turns(other, own, direction)) {
             return Some(format!(
                 "joint `{}` holds the direction of body `{}` in a frame that does not turn with it",

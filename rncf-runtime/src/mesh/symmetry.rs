@@ -223,7 +223,7 @@ impl MeshScene {
         let sized = |row: &[f64]| -> Vec<f64> {
             let mut result = vec![0.0; self.sizes.len()];
             for (component, value) in row.iter().enumerate() {
-                if let Some((unknown, factor)) = self.layout.unknown(component) {
+                for (unknown, factor) in self.layout.unknowns_at(component) {
                     result[unknown] += factor * value * self.sizes[unknown];
                 }
             }
@@ -279,7 +279,7 @@ impl MeshScene {
                 let components = self.marker_components(marker);
                 components
                     .into_iter()
-                    .any(|component| self.layout.unknown(component).is_some())
+                    .any(|component| self.layout.unknowns_at(component).next().is_some())
             })
             .collect();
         let turned = |place: usize, vector: Vector| {

@@ -118,10 +118,10 @@ impl System for MeshScene {
                 .condition_jacobian(condition.joint, condition.absolute, state.t, &condition.data, entries);
             for &row in &condition.rows {
                 for (place, &component) in condition.components.iter().enumerate() {
-                    if let Some((unknown, factor)) = self.layout.unknown(component)
-                        && let Some(entry) = self.constraint_pattern.find(unknown, column)
-                    {
-                        values[entry] += factor * jacobian[row * width + place];
+                    for (unknown, factor) in self.layout.unknowns_at(component) {
+                        if let Some(entry) = self.constraint_pattern.find(unknown, column) {
+                            values[entry] += factor * jacobian[row * width + place];
+                        }
                     }
                 }
                 column += 1;
@@ -159,7 +159,8 @@ impl System for MeshScene {
         let (body, node, local) = self.locate(vector);
         let what = match self.layout.kind(vector) {
             VectorKind::Directed(_) if body.spec.nodal[local].is_position() => "along its chord",
-            VectorKind::Directed(_) => "norm",
+            VectorKind::InPlane { .. } if component == 1 => "shear in the section",
+            VectorKind::Directed(_) | VectorKind::InPlane { .. } => "norm",
             _ => AXES[body.spec.axes[component]],
         };
         let (name, nodal) = (body.spec.label(), &body.spec.nodal[local]);
@@ -189,8 +190,9 @@ impl System for MeshScene {
                     _ if !spec.has_section() => "direction",
                     JointKind::ClampFull if row < 2 * dimension => "section y axis",
                     JointKind::ClampFull => "section z axis",
-                    _ if row < 2 * dimension - 1 => "direction of the section y axis",
-                    _ => "direction of the section z axis",
+                    _ if row == dimension => "direction of the section y axis",
+                    _ if row == dimension + 1 => "direction of the section z axis",
+                    _ => "twist of the section",
                 };
                 format!("joint `{}`, {what}", self.joint_label(index))
             }
@@ -278,12 +280,12 @@ impl MeshScene {
             };
             let still = rate(&none[..width]);
             for (place, &component) in condition.components.iter().enumerate() {
-                if let Some((unknown, factor)) = self.layout.unknown(component)
-                    && let Some(entry) = self.constraint_pattern.find(unknown, column)
-                {
-                    let mut unit = none;
-                    unit[place] = 1.0;
-                    values[entry] += factor * (rate(&unit[..width]) - still);
+                for (unknown, factor) in self.layout.unknowns_at(component) {
+                    if let Some(entry) = self.constraint_pattern.find(unknown, column) {
+                        let mut unit = none;
+                        unit[place] = 1.0;
+                        values[entry] += factor * (rate(&unit[..width]) - still);
+                    }
                 }
             }
         }

@@ -431,10 +431,10 @@ impl MeshScene {
         for tie in &self.ties {
             for row in &tie.rows {
                 for (component, value) in tie.entries(row) {
-                    if let Some((unknown, factor)) = self.layout.unknown(component)
-                        && let Some(entry) = self.constraint_pattern.find(unknown, column)
-                    {
-                        values[entry] += factor * value;
+                    for (unknown, factor) in self.layout.unknowns_at(component) {
+                        if let Some(entry) = self.constraint_pattern.find(unknown, column) {
+                            values[entry] += factor * value;
+                        }
                     }
                 }
                 column += 1;

@@ -145,6 +145,8 @@ impl Scene for MeshScene {
 
     fn warnings(&mut self, state: &State) -> Vec<String> {
         self.load_state(state);
-        self.giving_way()
+        let mut told = self.giving_way();
+        told.extend(self.strained_fixtures());
+        told
     }
 }

@@ -53,18 +53,19 @@ pub fn rows() -> Vec<(&'static str, [f64; 2])> {
 fn damped_row() -> motor::BeamSpatialDamped {
     let section = section();
     let axis = section.structural();
-    let [bending_z, bending_y, torsion, shear_z, shear_y] = section.gradients();
+    let [bending_z, bending_y, torsion, shear_z, shear_y, shear_yz] = section.gradients();
     motor::BeamSpatialDamped {
         length: LENGTH,
         EA: axis[0][0],
         kyGA: axis[3][3],
         kzGA: axis[4][4],
-        GA: axis[5][5],
+        halfEA: axis[5][5],
         EIz: bending_z,
         EIy: bending_y,
         GJ: torsion,
         GIz: shear_z,
         GIy: shear_y,
+        GIyz: shear_yz,
         rhoA: section.density * section.area,
         rhoIz: section.density * section.i_zz,
         rhoIy: section.density * section.i_yy,
@@ -79,12 +80,13 @@ fn spatial() -> f64 {
         EA: shaft.EA,
         kyGA: shaft.kyGA,
         kzGA: shaft.kzGA,
-        GA: shaft.GA,
+        halfEA: shaft.halfEA,
         EIz: shaft.EIz,
         EIy: shaft.EIy,
         GJ: shaft.GJ,
         GIz: shaft.GIz,
         GIy: shaft.GIy,
+        GIyz: shaft.GIyz,
         rhoA: shaft.rhoA,
         rhoIz: shaft.rhoIz,
         rhoIy: shaft.rhoIy,

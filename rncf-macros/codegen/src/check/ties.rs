@@ -334,16 +334,12 @@ impl<'m> Frame<'m> {
             JointKind::Pin => positions().collect(),
             // The norm of the slope is no motion of the frame.
             JointKind::Clamp | JointKind::ClampFull => {
-                let held = match (space, self.has_section(joint.body)) {
-                    (Space::Spatial, true) => vec![y, z],
-                    _ => vec![tangent],
+                let turns: Vec<(Vector, Vector)> = match (space, self.has_section(joint.body)) {
+                    (Space::Spatial, true) => vec![(cross(y, z), y), (cross(y, z), z), (z, y)],
+                    _ => across(space, tangent).map(|normal| (normal, tangent)).collect(),
                 };
-                let turns = held
-                    .into_iter()
-                    .flat_map(|held| across(space, held).map(move |normal| (normal, held)));
-                positions()
-                    .chain(turns.map(|(normal, held)| direction(normal, held)))
-                    .collect()
+                let turns = turns.into_iter().map(|(normal, held)| direction(normal, held));
+                positions().chain(turns).collect()
             }
             JointKind::Hold {
                 of: Held::Position,

@@ -57,11 +57,13 @@ pub const BEAM: Element = Element {
         coefficient("kyGA", "N", &["shear_factor_y", "shear_modulus", "area"]),
         coefficient("kzGA", "N", &["shear_factor_z", "shear_modulus", "area"]),
         coefficient("GA", "N", &["shear_modulus", "area"]),
+        coefficient("halfEA", "N", &["half_young", "area"]),
         coefficient("EIz", "N m^2", &["young", "second_moment_z"]),
         coefficient("EIy", "N m^2", &["young", "second_moment_y"]),
         coefficient("GJ", "N m^2", &["shear_modulus", "torsion_constant"]),
         coefficient("GIz", "N m^2", &["shear_modulus", "second_moment_z"]),
         coefficient("GIy", "N m^2", &["shear_modulus", "second_moment_y"]),
+        coefficient("GIyz", "N m^2", &["shear_modulus", "quarter_polar_moment"]),
         coefficient("rhoA", "kg/m", &["density", "area"]),
         coefficient("rhoIz", "kg m", &["density", "second_moment_z"]),
         coefficient("rhoIy", "kg m", &["density", "second_moment_y"]),
@@ -131,9 +133,11 @@ const fn coefficient(name: &'static str, unit: &'static str, factors: &'static [
 }
 
 /// `W = 1/2 A e^T D e` on the strains of the axis `e11 = 1/2 (a.a - 1), .., g12 = a.b, ..`, and on the
-/// section's gradients `1/2 [E I_zz kz^2 + E I_yy ky^2 + G J tau^2 + G I_zz t22^2 + G I_yy t33^2]`
-/// (THEORY 5.2). D is `diag(E, E, E, ks G, ks G, G)`, or couples e11, e22, e33 by `lambda + 2 G delta`;
-/// in the plane, where e33 is free, by Lame's constant of plane stress. e11 is that of [`axial_strain`].
+/// section's gradients `1/2 [E I_zz kz^2 + E I_yy ky^2 + G J tau^2 + G I_zz t22^2 + G I_yy t33^2 + G (I_yy +
+/// I_zz)/4 t23^2]` (THEORY 5.2). D is `diag(E, E, E, ks G, ks G, E/2)`, or couples e11, e22, e33 by
+/// `lambda + 2 G delta` and has G on g23; in the plane, where e33 is free, by Lame's constant of plane stress.
+/// With these factors of g23 and `t23 = b.c' + c.b'` (its derivative along the axis) a section with `I_yy = I_zz`
+/// has no preferred direction: its energy does not depend on where its y axis points. e11 is that of [`axial_strain`].
 fn beam(graph: &mut Graph, fields: &Invariants, poisson: bool, engineering: bool) -> Vec<Term> {
     let planar = fields.dimension == 2;
     let dots = &fields.dots;
@@ -168,7 +172,8 @@ fn beam(graph: &mut Graph, fields: &Invariants, poisson: bool, engineering: bool
     }
     let (a, b, c, db, dc) = (0, 1, 2, 3, 4);
     terms.push(measure("shear along z", "kzGA", dots[a][c], AXIS_POINTS));
-    terms.push(measure("shear of the section", "GA", dots[b][c], AXIS_POINTS));
+    let shear = if poisson { "GA" } else { "halfEA" };
+    terms.push(measure("shear of the section", shear, dots[b][c], AXIS_POINTS));
     let difference = graph.subtract(dots[db][c], dots[dc][b]);
     let twist = graph.multiply(half, difference);
     terms.push(measure("bending about z", "EIz", dots[a][db], GRADIENT_POINTS));
@@ -176,5 +181,12 @@ fn beam(graph: &mut Graph, fields: &Invariants, poisson: bool, engineering: bool
     terms.push(measure("torsion", "GJ", twist, GRADIENT_POINTS));
     terms.push(measure("gradient along y", "GIz", dots[b][db], GRADIENT_POINTS));
     terms.push(measure("gradient along z", "GIy", dots[c][dc], GRADIENT_POINTS));
+    let distortion = graph.add(dots[db][c], dots[dc][b]);
+    terms.push(measure(
+        "gradient of the section's shear",
+        "GIyz",
+        distortion,
+        GRADIENT_POINTS,
+    ));
     terms
 }

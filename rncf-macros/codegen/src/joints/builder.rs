@@ -177,6 +177,11 @@ impl<'m> Builder<'m> {
         }
     }
 
+    /// Whether one party is a section and the other one a frame.
+    pub fn is_section_on_frame(&self) -> bool {
+        (0..2).any(|party| self.section_place(party).is_some() && self.frame(1 - party).is_some())
+    }
+
     /// The axes of a party's section, in a plane the one in it; none of a frame or centre line.
     pub fn section(&mut self, party: usize) -> Option<(MarkerId, Option<MarkerId>)> {
         let (body, at) = self.section_place(party)?;

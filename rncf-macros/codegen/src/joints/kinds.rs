@@ -144,6 +144,11 @@ pub const KINDS: &[Kind] = &[
 fn weld(joint: &mut Builder, _: &Arguments) {
     let points = joint.points();
     joint.s(points);
+    orient(joint);
+}
+
+/// Neither party turns in the other one.
+fn orient(joint: &mut Builder) {
     for axis in 0..3 {
         let next = joint.direction(0, unit((axis + 1) % 3));
         let own = joint.direction(0, unit(axis));
@@ -253,6 +258,9 @@ fn distance(joint: &mut Builder, arguments: &Arguments) {
 pub fn clamp(joint: &mut Builder, is_full: bool) {
     let points = joint.points();
     joint.s(points);
+    if !is_full && joint.normal.is_none() && joint.is_section_on_frame() {
+        return orient(joint);
+    }
     for party in 0..2 {
         for (what, direction) in clamped(joint, party) {
             let other = 1 - party;

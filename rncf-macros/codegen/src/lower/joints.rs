@@ -33,12 +33,9 @@ struct Conditions<'m> {
 }
 
 /// Directions that the conditions of a joint are about, by the names of their constants: the slope, or the
-/// axes of the section where the body has them, each with the vectors across it.
-fn directions(kind: JointKind, has_section: bool, dimension: usize) -> &'static [[&'static str; 3]] {
-    const ALL: [[&str; 3]; 2] = [
-        ["data.tangent", "data.normals[0]", "data.normals[1]"],
-        ["data.second[0]", "data.second[1]", "data.second[2]"],
-    ];
+/// axes of the section where the body has them.
+fn directions(kind: JointKind, has_section: bool, dimension: usize) -> &'static [&'static str] {
+    const ALL: [&str; 2] = ["data.tangent", "data.second"];
     let holds_slope = matches!(kind, JointKind::Hold { of: Held::Slope, .. });
     if has_section && !holds_slope {
         &ALL[..dimension - 1]
@@ -58,7 +55,8 @@ impl<'m> Conditions<'m> {
             |text: &str| -> Vec<Id> { (0..3).map(|i| time.graph.symbol(format!("{text}[{i}]"))).collect() };
         let point = symbols("data.point");
         let directions = directions(joint.kind, has_section, dimension);
-        let directions: Vec<[Vec<Id>; 3]> = directions.iter().map(|names| names.map(&mut symbols)).collect();
+        let directions: Vec<Vector> = directions.iter().map(|name| symbols(name)).collect();
+        let normals = ["data.normals[0]", "data.normals[1]"].map(&mut symbols);
         let q = ["q", "v", "a"].map(|word| {
             (0..(1 + directions.len()) * dimension)
                 .map(|i| time.graph.symbol(format!("{word}[{i}]")))
@@ -73,7 +71,7 @@ impl<'m> Conditions<'m> {
         let moved = time.graph.add_vectors(&offset, &moved);
         let position = pick(&moved);
         let mut targets = vec![position];
-        for [along, _, _] in &directions {
+        for along in &directions {
             targets.push(place(&mut time.graph, along));
         }
         let mut rows = time.graph.subtract_vectors(&q[0][..dimension], &targets[0]);
@@ -97,12 +95,21 @@ impl<'m> Conditions<'m> {
                 let targets = targets[1..].concat();
                 rows.extend(time.graph.subtract_vectors(&q[0][dimension..], &targets));
             }
+            // No axis of the section turns out of its plane, and it does not twist; it may strain and shear.
+            JointKind::Clamp if directions.len() > 1 => {
+                let graph = &mut time.graph;
+                let half = graph.number(0.5);
+                let normal = graph.cross(&targets[1], &targets[2]);
+                let [y, z] = [1, 2].map(|place| &q[0][place * dimension..(place + 1) * dimension]);
+                rows.extend([y, z].map(|axis| graph.dot(&normal, axis)));
+                let (over, under) = (graph.dot(&targets[2], y), graph.dot(&targets[1], z));
+                let twist = graph.subtract(over, under);
+                rows.push(graph.multiply(half, twist));
+            }
             JointKind::Clamp => {
-                for ([_, first, second], along) in directions.iter().zip(q[0][dimension..].chunks(dimension)) {
-                    for normal in &[first, second][..dimension - 1] {
-                        let normal = place(&mut time.graph, normal);
-                        rows.push(time.graph.dot(&normal, along));
-                    }
+                for normal in &normals[..dimension - 1] {
+                    let normal = place(&mut time.graph, normal);
+                    rows.push(time.graph.dot(&normal, &q[0][dimension..2 * dimension]));
                 }
             }
         }

@@ -123,10 +123,10 @@ impl MeshScene {
     }
 
     fn add_constraint(&self, component: usize, column: usize, value: f64, values: &mut [f64]) {
-        if let Some((unknown, factor)) = self.layout.unknown(component)
-            && let Some(entry) = self.constraint_pattern.find(unknown, column)
-        {
-            values[entry] += factor * value;
+        for (unknown, factor) in self.layout.unknowns_at(component) {
+            if let Some(entry) = self.constraint_pattern.find(unknown, column) {
+                values[entry] += factor * value;
+            }
         }
     }
 
@@ -174,7 +174,7 @@ impl MeshScene {
                             if m == n {
                                 value += i.second(j, pull, curvature.as_ref());
                             }
-                            if let Some((entry, factor)) = self.entry(i.component, j.component) {
+                            for (entry, factor) in self.entries_of(i.component, j.component) {
                                 out.stiffness(entry, factor * value);
                             }
                         }
@@ -184,10 +184,12 @@ impl MeshScene {
         }
     }
 
-    /// Entry of two components on the pattern, and the factor of what is added there.
-    pub(in super::super) fn entry(&self, row: usize, column: usize) -> Option<(usize, f64)> {
-        let ((i, a), (j, b)) = (self.layout.unknown(row)?, self.layout.unknown(column)?);
-        Some((self.pattern.find(i, j)?, a * b))
+    /// Entries of two components on the pattern, each with the factor of what is added there.
+    pub(in super::super) fn entries_of(&self, row: usize, column: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.layout.unknowns_at(row).flat_map(move |(i, a)| {
+            let columns = self.layout.unknowns_at(column);
+            columns.filter_map(move |(j, b)| Some((self.pattern.find(i, j)?, a * b)))
+        })
     }
 
     /// Adds `C_x^T lambda` of all constraints on markers to the forces of all components.

@@ -117,7 +117,7 @@ impl MeshScene {
                             if m == n {
                                 value += i.second(j, force, curvature.as_ref());
                             }
-                            if let Some((entry, factor)) = self.entry(i.component, j.component) {
+                            for (entry, factor) in self.entries_of(i.component, j.component) {
                                 out.stiffness(entry, -factor * value);
                                 out.damping(entry, -factor * rate);
                             }
@@ -224,13 +224,13 @@ impl MeshScene {
                         if m == n {
                             value += i.second(j, forces[m], None);
                         }
-                        if let Some((entry, factor)) = self.entry(i.component, j.component) {
+                        for (entry, factor) in self.entries_of(i.component, j.component) {
                             out.stiffness(entry, -factor * value);
                         }
                     }
                 }
                 for (component, changes) in &with_load {
-                    if let Some((entry, factor)) = self.entry(i.component, *component) {
+                    for (entry, factor) in self.entries_of(i.component, *component) {
                         out.stiffness(entry, -factor * dot(row, changes[m]));
                     }
                 }

@@ -55,9 +55,9 @@ pub struct Nodal {
     pub fixtures: Vec<f64>,
     /// Nodal values of the constant 1: one for positions, zero for slopes.
     pub whole: Vec<f64>,
-    /// E: the freedom that each component depends on, and the factor; `None` where a joint to the
+    /// E: the freedoms that each component depends on, each with its factor; none where a joint to the
     /// body's own frame eliminates it.
-    pub map: Vec<Option<(usize, f64)>>,
+    pub map: Vec<Vec<(usize, f64)>>,
     /// Number of freedoms.
     pub freedoms: usize,
 }
@@ -293,21 +293,29 @@ impl Nodal {
 
     /// `E x` of several x, interleaved: one number of each for every component.
     fn expanded(&self, reduced: &[Vec<f64>]) -> Vec<f64> {
-        let value =
-            |entry: &Option<(usize, f64)>, x: &Vec<f64>| entry.map_or(0.0, |(unknown, factor)| factor * x[unknown]);
-        let all = |entry| reduced.iter().map(move |x| value(entry, x));
+        let value = |entries: &[(usize, f64)], x: &[f64]| -> f64 {
+            entries.iter().map(|&(unknown, factor)| factor * x[unknown]).sum()
+        };
+        let all = |entries: &'_ Vec<(usize, f64)>| -> Vec<f64> { reduced.iter().map(|x| value(entries, x)).collect() };
         self.map.iter().flat_map(all).collect()
     }
 
     /// `E^T full`
     fn reduced(&self, full: &[f64]) -> Vec<f64> {
         let mut x = vec![0.0; self.freedoms];
-        for (value, entry) in full.iter().zip(&self.map) {
-            if let Some((unknown, factor)) = entry {
-                x[*unknown] += factor * value;
+        for (value, entries) in full.iter().zip(&self.map) {
+            for &(unknown, factor) in entries {
+                x[unknown] += factor * value;
             }
         }
         x
+    }
+
+    /// The freedoms that two components depend on, each pair with the product of its factors.
+    fn pairs(&self, row: usize, column: usize) -> impl Iterator<Item = (usize, usize, f64)> + '_ {
+        let columns = &self.map[column];
+        let rows = self.map[row].iter();
+        rows.flat_map(move |&(a, f)| columns.iter().map(move |&(b, g)| (a, b, f * g)))
     }
 
     /// Calls back with the components and the elastic tangent of every element.
@@ -331,8 +339,8 @@ impl Nodal {
         self.each_stiffness(elements, q, |components, matrix| {
             for (i, &row) in components.iter().enumerate() {
                 for (j, &column) in components.iter().enumerate() {
-                    if let (Some((a, f)), Some((b, g))) = (self.map[row], self.map[column]) {
-                        sum[a * n + b] += f * g * matrix[i * components.len() + j];
+                    for (a, b, factor) in self.pairs(row, column) {
+                        sum[a * n + b] += factor * matrix[i * components.len() + j];
                     }
                 }
             }
@@ -353,8 +361,8 @@ impl Nodal {
         for a in 0..count {
             for b in 0..count {
                 for c in 0..d {
-                    if let (Some((i, f)), Some((j, g))) = (self.map[a * d + c], self.map[b * d + c]) {
-                        sum[i * n + j] += f * g * mass[a * count + b];
+                    for (i, j, factor) in self.pairs(a * d + c, b * d + c) {
+                        sum[i * n + j] += factor * mass[a * count + b];
                     }
                 }
             }

@@ -27,8 +27,8 @@ impl Block {
         let (nodal, k) = (&body.nodal, body.modes());
         let reduced = |full: &[f64], width: usize| {
             let mut rows = vec![0.0; nodal.freedoms * width];
-            for (entry, values) in nodal.map.iter().zip(full.chunks_exact(width.max(1))) {
-                if let Some((unknown, factor)) = entry {
+            for (entries, values) in nodal.map.iter().zip(full.chunks_exact(width.max(1))) {
+                for (unknown, factor) in entries {
                     let row = &mut rows[unknown * width..(unknown + 1) * width];
                     row.iter_mut()
                         .zip(values)

@@ -81,10 +81,13 @@ impl MeshScene {
         let (dimension, vectors) = (spec.dimension(), spec.vectors());
         let offset = self.layout.offset(body.first_vector);
         let components = offset..offset + vectors * dimension;
-        let unknowns = |range: std::ops::Range<usize>| range.filter_map(|component| self.layout.unknown(component));
+        let unknowns = |range: std::ops::Range<usize>| range.flat_map(|component| self.layout.unknowns_at(component));
         let after = |range: std::ops::Range<usize>| unknowns(range).map(|(unknown, _)| unknown + 1).max();
         let first = after(0..offset).unwrap_or(0);
-        let map = components.clone().map(|component| self.layout.unknown(component));
+        let dependence = |component: usize| {
+            let unknowns = self.layout.unknowns_at(component);
+            unknowns.map(|(unknown, factor)| (unknown - first, factor)).collect()
+        };
         let count = spec.nodal.len();
         let mut mass = vec![0.0; vectors * vectors];
         let mut fixtures = mass.clone();
@@ -112,9 +115,7 @@ impl MeshScene {
             whole: (0..vectors)
                 .map(|vector| if is_position(vector) { 1.0 } else { 0.0 })
                 .collect(),
-            map: map
-                .map(|entry| entry.map(|(unknown, factor)| (unknown - first, factor)))
-                .collect(),
+            map: components.clone().map(dependence).collect(),
             freedoms: after(components).map_or(0, |end| end - first),
         };
         (nodal, first)

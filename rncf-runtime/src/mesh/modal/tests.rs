@@ -125,10 +125,10 @@ pub(super) fn cantilever(dimension: usize, count: usize, slenderness: f64, hub: 
         shape[2 * node * d] = hub + node as f64 * l;
         shape[(2 * node + 1) * d] = 1.0;
     }
-    let mut map = vec![None; vectors * d];
-    map[d] = Some((0, 1.0));
+    let mut map = vec![Vec::new(); vectors * d];
+    map[d] = vec![(0, 1.0)];
     for component in 2 * d..vectors * d {
-        map[component] = Some((component - 2 * d + 1, 1.0));
+        map[component] = vec![(component - 2 * d + 1, 1.0)];
     }
     let nodal = Nodal {
         name: "arm".into(),
@@ -292,7 +292,7 @@ fn all_modes_are_the_whole_body() {
         body.force(&cable, &action, at, &mut force);
         let mut freedoms = vec![0.0; nodal.freedoms];
         for (component, entry) in nodal.map.iter().enumerate() {
-            if let Some((unknown, factor)) = entry {
+            for (unknown, factor) in entry {
                 let momentum = &body.momenta[component * count..(component + 1) * count];
                 freedoms[*unknown] += factor * momentum.iter().zip(&force).map(|(a, b)| a * b).sum::<f64>();
             }
@@ -571,7 +571,7 @@ fn bad_requests_are_refused_by_name() {
         "{error}"
     );
     let mut loose = nodal;
-    loose.map[3] = Some((9, 1.0));
+    loose.map[3] = vec![(9, 1.0)];
     loose.freedoms = 10;
     let error = ModalBody::new(loose.clone(), Fidelity::Small(2), &cable).unwrap_err();
     assert!(

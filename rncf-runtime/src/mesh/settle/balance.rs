@@ -94,7 +94,7 @@ impl<'a> Balance<'a> {
         let mut borders = Vec::new();
         for (column, (first, row)) in rows.enumerate() {
             for (place, &value) in row.iter().enumerate() {
-                if let Some((unknown, factor)) = layout.unknown(first + place) {
+                for (unknown, factor) in layout.unknowns_at(first + place) {
                     borders.push((unknown, n + column, factor * value));
                 }
             }
@@ -133,7 +133,7 @@ impl<'a> Balance<'a> {
         let mut own = vec![false; n];
         for &body in &self.bodies {
             for &component in &scene.bodies[body].connectivity.components {
-                if let Some((unknown, _)) = layout.unknown(component) {
+                for (unknown, _) in layout.unknowns_at(component) {
                     own[unknown] = true;
                 }
             }
@@ -168,7 +168,7 @@ impl<'a> Balance<'a> {
         let n = self.layout.unknowns();
         let (mut x, mut weight) = (vec![0.0; n], vec![0.0; n]);
         for (component, &value) in self.q.iter().enumerate() {
-            if let Some((unknown, factor)) = self.layout.unknown(component) {
+            for (unknown, factor) in self.layout.unknowns_at(component) {
                 x[unknown] += factor * value;
                 weight[unknown] += factor * factor;
             }

@@ -167,7 +167,7 @@ impl Balance<'_> {
         for tie in &self.ties {
             for row in &tie.rows {
                 for (place, value) in row.iter().enumerate() {
-                    if let Some((unknown, factor)) = self.layout.unknown(tie.first + place) {
+                    for (unknown, factor) in self.layout.unknowns_at(tie.first + place) {
                         forces[unknown] += factor * value * multipliers[column];
                     }
                 }

@@ -217,7 +217,7 @@ impl MeshScene {
                 set(condition.vectors[0], condition.data.point);
             }
             if condition.prescribes_directions() {
-                let values = [condition.data.tangent, condition.data.second[0]];
+                let values = [condition.data.tangent, condition.data.second];
                 for (&vector, value) in condition.vectors[1..].iter().zip(values) {
                     set(vector, value);
                 }

@@ -80,18 +80,22 @@ impl Hand {
     fn conditions(&self, joint: usize, data: &JointData, q: &[f64]) -> Vec<f64> {
         let spec = &self.bodies[self.joints[joint].body];
         let d = spec.dimension();
-        let targets = [data.point, data.tangent, data.second[0]];
-        let normals = [data.normals, [data.second[1], data.second[2]]];
+        let targets = [data.point, data.tangent, data.second];
         let count = if spec.has_section() { d } else { 2 };
         let vector = |place: usize| -> Vector { std::array::from_fn(|i| if i < d { q[place * d + i] } else { 0.0 }) };
         let whole = |place: usize| -> Vec<f64> { subtract(vector(place), targets[place])[..d].to_vec() };
-        let across = |place: usize| -> Vec<f64> {
-            let normals = &normals[place - 1][..d - 1];
-            normals.iter().map(|&normal| dot(normal, vector(place))).collect()
+        let across = |_: usize| -> Vec<f64> {
+            let normals = &data.normals[..d - 1];
+            normals.iter().map(|&normal| dot(normal, vector(1))).collect()
         };
         let directions = |rows: &dyn Fn(usize) -> Vec<f64>| [whole(0), (1..count).flat_map(rows).collect()].concat();
         match self.joints[joint].kind {
             JointKind::ClampFull => directions(&whole),
+            JointKind::Clamp if count > 2 => {
+                let normal = cross(data.tangent, data.second);
+                let twist = 0.5 * (dot(data.second, vector(1)) - dot(data.tangent, vector(2)));
+                [whole(0), vec![dot(normal, vector(1)), dot(normal, vector(2)), twist]].concat()
+            }
             JointKind::Clamp => directions(&across),
             _ => whole(0),
         }
@@ -429,7 +433,7 @@ impl Parts for Hand {
         let joint = &self.joints[joint];
         prescribed.position[0] = data.point;
         prescribed.slope[0] = data.tangent;
-        prescribed.second[0] = data.second[0];
+        prescribed.second[0] = data.second;
         let own = self.bodies[joint.body].frame;
         if joint.frame == 0 && own == 2 && !absolute {
             let mut motions = vec![FrameMotion::INERTIAL; self.frames.len()];

@@ -1,5 +1,6 @@
 //! Bodies with sections, by hand: interpolants of THEORY 5.2, simple strains between all vectors.
 
+use super::super::layout::{Layout, VectorKind};
 use super::super::linked::Marker;
 use super::super::parts::{
     BodySpec, FrameTie, Interpolant, JointKind, LoadKind, LoadSpec, NodalSpec, ObservedSpec, Parts, Place,
@@ -263,7 +264,7 @@ fn joints_hold_the_axes_of_sections() {
     let space = || beam("shaft", 0, &[0, 1, 2], [0.2, -0.6, 0.5]);
     let plane = || beam("strip", 0, &[0, 1], [0.2, -0.6, 0.0]);
     let cases: [(BodySpec, JointKind, usize, usize, &str); 5] = [
-        (space(), JointKind::Clamp, 7, 7, "direction of the section z axis"),
+        (space(), JointKind::Clamp, 6, 6, "twist of the section"),
         (space(), JointKind::ClampFull, 9, 9, "section z axis"),
         (plane(), JointKind::Clamp, 3, 3, "direction of the section y axis"),
         (plane(), JointKind::ClampFull, 4, 4, "section y axis"),
@@ -286,6 +287,40 @@ fn joints_hold_the_axes_of_sections() {
         kept.constraint(ConstraintLevel::Position, &rest, &mut values);
         assert!(values.iter().all(|value| value.abs() < 1e-15), "{kind:?} {values:?}");
     }
+}
+
+/// A clamped section keeps three unknowns: two norms and its shear, which both axes share.
+#[test]
+fn a_clamped_section_strains_and_shears_in_its_plane() {
+    let (y, z): (Vector, Vector) = ([0.48, 0.6, 0.64], [-0.64, 0.0, 0.48]);
+    let z = scale(1.0 / norm(z), z);
+    let shear = 0;
+    let kinds = vec![
+        VectorKind::InPlane { axes: [y, z], shear },
+        VectorKind::Free,
+        VectorKind::InPlane { axes: [z, y], shear },
+    ];
+    let layout = Layout::new(&[3; 3], kinds, 0);
+    assert_eq!(layout.unknowns(), 6);
+    assert_eq!(layout.origins(), [(0, 0), (0, 1), (1, 0), (1, 1), (1, 2), (2, 0)]);
+    let x = [1.1, 0.2, -3.0, 4.0, 5.0, 0.9];
+    let mut full = [7.0; 9];
+    layout.expand(&x, &mut full);
+    let axis = |norm: f64, along: Vector, across: Vector| add(scale(norm, along), scale(0.2, across));
+    for (found, wanted) in [(&full[..3], axis(1.1, y, z)), (&full[6..], axis(0.9, z, y))] {
+        assert!(found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-15));
+    }
+    let (mut back, mut forces) = ([0.0; 6], [0.0; 6]);
+    layout.unknowns_of(&full, &mut back);
+    assert!(back.iter().zip(x).all(|(a, b)| (a - b).abs() < 1e-15), "{back:?}");
+    // E^T is the transposed of E.
+    let force: [f64; 9] = std::array::from_fn(|i| (i as f64 + 1.0).sin());
+    layout.project(&force, &mut forces);
+    let works = [
+        forces.iter().zip(x).map(|(f, x)| f * x).sum::<f64>(),
+        force.iter().zip(full).map(|(f, q)| f * q).sum::<f64>(),
+    ];
+    assert!((works[0] - works[1]).abs() < 1e-14, "{works:?}");
 }
 
 #[test]
