@@ -109,6 +109,8 @@ fn value(name: &str) -> f64 {
         "GJ" => g * s.torsion,
         "GIz" => g * s.i_zz,
         "GIy" => g * s.i_yy,
+        "GIyz" => 0.25 * g * (s.i_yy + s.i_zz),
+        "halfEA" => 0.5 * e * s.area,
         "length" => LENGTH,
         _ => panic!("{name}"),
     }
@@ -191,12 +193,13 @@ fn damped_in_space() {
         EA: value("EA"),
         kyGA: value("kyGA"),
         kzGA: value("kzGA"),
-        GA: value("GA"),
+        halfEA: value("halfEA"),
         EIz: value("EIz"),
         EIy: value("EIy"),
         GJ: value("GJ"),
         GIz: value("GIz"),
         GIy: value("GIy"),
+        GIyz: value("GIyz"),
         damping: DAMPING,
         ..Default::default()
     };
@@ -234,6 +237,7 @@ fn twisted_with_lateral_contraction() {
         GJ: value("GJ"),
         GIz: value("GIz"),
         GIy: value("GIy"),
+        GIyz: value("GIyz"),
         damping: DAMPING,
         ..Default::default()
     };
@@ -241,7 +245,7 @@ fn twisted_with_lateral_contraction() {
     let shape: [f64; 30] = bent(3, 0.1, &mut random).try_into().unwrap();
     let q: [f64; 30] = bent(3, 0.2, &mut random).try_into().unwrap();
     let v: [f64; 30] = std::array::from_fn(|_| random.next());
-    let mut reference = [0.0; 31];
+    let mut reference = [0.0; 33];
     kernels::beam_spatial_poisson_curved_damped_reference(&row, &shape, &mut reference);
     let (mut force, mut k, mut c) = ([0.0; 30], [0.0; 900], [0.0; 900]);
     kernels::beam_spatial_poisson_curved_damped_elastic_force(&row, &reference, &q, &v, &mut force);
@@ -273,12 +277,13 @@ fn undamped_in_space_and_in_the_plane() {
         EA: value("EA"),
         kyGA: value("kyGA"),
         kzGA: value("kzGA"),
-        GA: value("GA"),
+        halfEA: value("halfEA"),
         EIz: value("EIz"),
         EIy: value("EIy"),
         GJ: value("GJ"),
         GIz: value("GIz"),
         GIy: value("GIy"),
+        GIyz: value("GIyz"),
         ..Default::default()
     };
     let q: [f64; 30] = bent(3, 0.2, &mut random).try_into().unwrap();

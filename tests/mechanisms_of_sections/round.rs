@@ -92,3 +92,34 @@ fn sections_that_are_turned_about_their_axis_are_equal() {
         }
     }
 }
+
+rncf::model! {
+    /// The same rod clamped, and in a free frame that is tied to the end at which it is welded.
+    pub model Welded {
+        material rubber { density = 1000 kg/m^3; young = 20 MPa; poisson = 0.3; }
+        section round = circle(radius = 20 mm);
+        frame own = free(origin = [0, 0, 0]);
+        body clamped { spatial; line from [0, 0, 0] m to [0.3, 0, 0] m; mesh 2 * beam(round, rubber); }
+        body welded in own { spatial; line from [0, 0, 0] m to [0.3, 0, 0] m; mesh 2 * beam(round, rubber); }
+        joint root = clamp(clamped.start, inertial);
+        joint tie = clamp(welded.start, own);
+        joint seam = weld(inertial.at([0, 0, 0] m), welded.start);
+        load first = force(clamped.end, [8, 16, -12] N);
+        load second = force(welded.end, [8, 16, -12] N);
+        output one = clamped.end;
+        output other = welded.end;
+        output one_force = root.moment;
+        output other_force = seam.moment;
+    }
+}
+
+/// A tie of a frame holds no shape: the section below it strains and shears as at a clamp.
+#[test]
+fn a_section_may_be_welded_and_its_own_frame_follow_it() {
+    for way in [WAYS[0], WAYS[1]] {
+        let row = at_rest(&Welded::default(), way);
+        let off = |a: usize, b: usize, sign: f64| (0..3).all(|k| (row[a + k] - sign * row[b + k]).abs() < 1e-9);
+        assert!(row[1] > 0.05 && off(0, 3, 1.0), "{way:?}: {row:?}");
+        assert!(off(6, 9, 1.0) || off(6, 9, -1.0), "{way:?}: {row:?}");
+    }
+}
