@@ -168,7 +168,7 @@ fn steps_do_not_chatter() {
             .filter(|pair| pair[1] > 2.1 * pair[0] || pair[1] < 0.4 * pair[0]);
         assert!(jumps.count() <= 12, "{method:?}");
         if method != Method::Radau {
-            assert!(swinging.factorizations * 3 < count as u64, "{method:?}");
+            assert!(swinging.factorizations * 2 < count as u64, "{method:?}");
         }
     }
 }
