@@ -18,6 +18,8 @@ rncf::model! {
         output end = beam.end.in(inertial);
         /// Centre of mass: it lies in the middle of the mean axes.
         output centre = f.at([5, 0, 0] m);
+        output momentum = total.momentum;
+        output spin = total.angular_momentum(about = total.center_of_mass);
     }
 }
 
@@ -63,11 +65,28 @@ fn the_centre_of_mass_of_a_thrown_beam_moves_by_the_impulse() {
         let (rows, statistics) = history(&Thrown::default(), RNCF, Method::Radau, adaptive(rtol), &times);
         let centres: Vec<Vec<f64>> = rows.iter().map(|row| row[4..6].to_vec()).collect();
         let error = apart(&centres, &expected);
+        // 20 N s, and what the moment has given, stay as they are without loads; 10 kg, 10 m, 2 m/s.
+        let after: Vec<&Vec<f64>> = rows
+            .iter()
+            .zip(&times)
+            .filter(|(_, t)| **t > 2.55)
+            .map(|(row, _)| row)
+            .collect();
+        let momentum = after
+            .iter()
+            .map(|row| (row[6] - 20.0).hypot(row[7]))
+            .fold(0.0, f64::max);
+        let spin = after.iter().map(|row| (row[8] - after[0][8]).abs()).fold(0.0, f64::max);
         println!(
-            "{rtol:e}: centre of mass off by {error:.1e} m, {} steps",
-            statistics.steps
+            "{rtol:e}: centre of mass off by {error:.1e} m, momentum by {momentum:.1e} of 20 N s, angular momentum by {spin:.1e} of {:.0} N m s, {} steps",
+            after[0][8], statistics.steps
         );
         assert!(error < rtol * SIZE, "{error:e} m at {rtol:e}");
+        assert!(
+            momentum < 10.0 * rtol * 20.0 && spin < 10.0 * rtol * 200.0,
+            "{momentum:e} {spin:e} at {rtol:e}"
+        );
+        assert!(after[0][8].abs() > 50.0);
     }
 }
 
@@ -86,6 +105,51 @@ fn a_thrown_beam_flies_in_its_frames_as_in_absolute_coordinates() {
             "{} at {rtol:e}",
             short(&errors)
         );
+    }
+}
+
+rncf::model! {
+    /// A tube that a moment in its middle spins up within a second.
+    model Tube {
+        param torque = 10 N*m;
+        param elements: count = 4;
+        material alloy { density = 2766.67 kg/m^3; young = 68.95 GPa; }
+        section hollow { area = 0.7299e-4 m^2; second_moment = 0.8215e-8 m^4; }
+        frame f = free(plane = xy, origin = [-4, 0, 0] m);
+        body tube in f { planar xy; line from [0, 0, 0] m to [8, 0, 0] m; mesh elements * cable(hollow, alloy); chord; }
+        load motor = moment(tube.at(4 m), [0, 0, if t < 1 s { torque * sin(pi * t / 1 s)^2 } else { 0 [N*m] }]);
+        output start = tube.start.in(inertial);
+        output end = tube.end.in(inertial);
+        output momentum = total.momentum;
+        output spin = total.angular_momentum(about = total.center_of_mass);
+    }
+}
+
+/// 10 and 100 rad/s: both formulations, centre of mass at rest, angular momentum kept.
+#[test]
+fn a_free_tube_is_spun_up() {
+    let times = grid(0.05, 2.0);
+    let inertia = 2766.67 * 0.7299e-4 * 8.0f64.powi(3) / 12.0;
+    for (speed, rtol) in [(10.0, 1e-5), (100.0, 1e-5)] {
+        // Half of the torque on the mean.
+        let (given, size) = (inertia * speed, inertia * speed / 8.0);
+        let model = Tube {
+            torque: 2.0 * given,
+            ..Tube::default()
+        };
+        let [(rows, statistics), (exact, absolute)] =
+            [(RNCF, rtol), (ANCF, 1e-7)].map(|(way, rtol)| history(&model, way, Method::Radau, adaptive(rtol), &times));
+        let error = apart(&ends(&rows), &ends(&exact));
+        let after = &rows[times.iter().position(|t| *t > 1.02).unwrap()..];
+        let most = |f: &dyn Fn(&Vec<f64>) -> f64| after.iter().map(f).fold(0.0, f64::max);
+        let momentum = most(&|row| row[4].hypot(row[5]));
+        let spin = most(&|row| (row[6] - given).abs());
+        println!(
+            "{speed} rad/s at {rtol:e}: ends off by {error:.1e} m, momentum {momentum:.1e} N s, angular momentum by {spin:.1e} of {given:.1} N m s; {} and {} steps",
+            statistics.steps, absolute.steps
+        );
+        assert!(error < 10.0 * rtol * 8.0, "{error:e} m");
+        assert!(momentum < 10.0 * rtol * size && spin < 10.0 * rtol * given);
     }
 }
 

@@ -38,7 +38,7 @@ fn steps_shrink_with_the_spin_in_absolute_coordinates_alone() {
         let [gain, gain_fast] = [0, 1].map(|spin: usize| ratio(rncf[spin], ancf[spin]));
         println!("grows {ours:.2} and {theirs:.2} times; absolute over referenced {gain:.1}, {gain_fast:.1}");
         assert!(theirs > 5.0, "absolute coordinates: {theirs}");
-        assert!(ours < 0.5 * theirs && gain_fast > 1.5 * gain);
+        assert!(ours < 0.6 * theirs && gain_fast > 1.5 * gain);
     }
 }
 
