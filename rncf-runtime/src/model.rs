@@ -3,6 +3,7 @@
 use crate::equilibrium::Uniform;
 use crate::error::ModelError;
 use crate::mesh::{Configuration, Curve, DescribedBody, Fidelity, SectionBody, SectionState};
+use crate::modes::Composition;
 use crate::rotation::Rotation;
 use crate::system::{State, System, Tangent};
 use crate::vector::Vector;
@@ -257,6 +258,12 @@ pub trait Scene: System + Send {
     /// `r' = W x (r - c)`, `r'' = W x r'`, `w = A^T W`, `w' = 0`; nodal vectors rest in their frames.
     fn uniform_state(&mut self, at: &Uniform, state: &mut State);
 
+    /// A state whose free frames are carried on with what turns since t = 0, or `back` to there: at one time, but with
+    /// different angular velocities, states are next to each other only as at t = 0.
+    fn carried(&mut self, _at: &Uniform, state: &State, _back: bool) -> State {
+        state.clone()
+    }
+
     /// `M a + f`, without constraint forces, in the uniform motion; prescribed frames and loads are
     /// those of `at`, velocities and accelerations those of [`Scene::uniform_state`].
     fn uniform_residual(&mut self, at: &Uniform, state: &State, out: &mut [f64]);
@@ -289,6 +296,12 @@ pub trait Scene: System + Send {
     /// spins or moves across the axis, or where the scene does not know its points.
     fn circulation(&mut self, _at: &Uniform, _state: &State, _shape: &[[f64; 2]]) -> Option<f64> {
         None
+    }
+
+    /// Parts of the kinetic energy of a mode about the uniform motion at `state`, by kinds of motion and by bodies; nothing
+    /// where it is not known.
+    fn composition(&mut self, _at: &Uniform, _state: &State, _shape: &[[f64; 2]]) -> Composition {
+        Composition::default()
     }
 
     /// Largest angular velocity of a body's frame at `t`, rad/s.

@@ -6,10 +6,10 @@ use super::campbell::Campbell;
 use super::charts::{Chart, Line};
 use super::command::Frequency;
 use super::history::Column;
-use super::modes::{Modes, SeenMode, growth, neutral};
+use super::modes::{Inertial, Modes, SeenMode, growth, neutral};
 use super::parameters::digits;
 use super::report::{escape, figure};
-use crate::modes::{Critical, Whirl};
+use crate::modes::{Composition, Critical, Motion, Whirl};
 
 /// Colours of the senses of whirl, their order in legends.
 const CLASSES: [(Whirl, usize, &str); 4] = [
@@ -44,36 +44,77 @@ pub(super) fn mode_lines(result: &Modes, frequency: Frequency) -> String {
     text
 }
 
-const COLUMNS: usize = 6;
+const COLUMNS: usize = 8;
 
 fn mode_heads(frequency: Frequency) -> [String; COLUMNS] {
     let unit = frequency.unit();
     [
         "mode".into(),
         format!("frequency [{unit}]"),
-        "growth re [1/s]".into(),
         "damping ratio".into(),
+        "log. decrement".into(),
         "whirl".into(),
-        format!("inertial frame [{unit}]"),
+        format!("in the reference frame [{unit}]"),
+        "growth re [1/s]".into(),
+        "what moves".into(),
     ]
 }
 
 fn mode_rows(result: &Modes, frequency: Frequency) -> Vec<[String; COLUMNS]> {
     let row = |(index, mode): (usize, &SeenMode)| {
-        let inertial = mode.inertial(result.spin, result.is_round);
-        let inertial = inertial.into_iter().map(|value| digits(frequency.of(value), 7));
+        let spin = result.spin;
+        let joined = |values: Vec<Option<f64>>, places| {
+            let told = |value: Option<f64>| value.map_or("-".into(), |value| digits(value, places));
+            values.into_iter().map(told).collect::<Vec<String>>().join(", ")
+        };
+        let clean = |values: Vec<Option<f64>>| -> Vec<Option<f64>> {
+            values
+                .into_iter()
+                .map(|value| value.map(|value| without_noise(value, mode)))
+                .collect()
+        };
+        let seen = mode.inertial_frequencies(spin).into_iter();
+        let sense = mode.inertial_whirl(spin);
+        let at_rest = mode
+            .damping_ratio()
+            .map_or("-".into(), |ratio| digits(without_noise(ratio, mode), 4));
         [
             (index + 1).to_string(),
-            digits(frequency.of(mode.im), 7),
+            joined(seen.map(|value| Some(frequency.of(value))).collect(), 7),
+            joined(clean(mode.inertial_damping_ratios(spin)), 4),
+            joined(clean(mode.logarithmic_decrements(spin)), 4),
+            self::sense(sense).into(),
+            format!("{} (damping ratio {at_rest})", digits(frequency.of(mode.im), 7)),
             digits(without_noise(mode.re, mode), 5),
-            mode.damping_ratio()
-                .map_or("-".into(), |ratio| digits(without_noise(ratio, mode), 4)),
-            sense(mode.whirl).into(),
-            inertial.collect::<Vec<_>>().join(", "),
+            what_moves(&result.compositions[index]),
         ]
     };
     result.modes.iter().enumerate().map(row).collect()
 }
+
+/// Parts of the kinetic energy in whole per cents, by kinds of motion and, where there are several, by bodies.
+fn what_moves(composition: &Composition) -> String {
+    let told = |(name, part): (&str, f64)| {
+        let percent = (100.0 * part).round();
+        (percent >= 1.0).then(|| format!("{name} {percent} %"))
+    };
+    let motions = composition.motions.iter().map(|&(motion, part)| (motion.name(), part));
+    let motions: Vec<String> = motions.filter_map(told).collect();
+    if composition.bodies.len() < 2 {
+        return motions.join(", ");
+    }
+    let mut bodies: Vec<(&str, f64)> = composition
+        .bodies
+        .iter()
+        .map(|(name, part)| (name.as_str(), *part))
+        .collect();
+    bodies.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let bodies: Vec<String> = bodies.into_iter().filter_map(told).take(MOST_BODIES).collect();
+    format!("{}; {}", motions.join(", "), bodies.join(", "))
+}
+
+/// Bodies that are named beside a mode.
+const MOST_BODIES: usize = 4;
 
 /// 0 for what the mode's growth is but round-off of its frequency.
 fn without_noise(value: f64, mode: &SeenMode) -> f64 {
@@ -93,11 +134,11 @@ fn readings(result: &Modes) -> Vec<String> {
     if result.spin == 0.0 {
         lines.push("Nothing turns: the reference frame is the inertial frame.".into());
     } else {
-        lines.push("Frequencies and whirl are those seen in the reference frame, which turns with the system.".into());
+        lines.push("Frequency, damping ratio, logarithmic decrement and whirl are those seen in the inertial frame; nu is the frequency in the reference frame, which turns with the system.".into());
         lines.push(if result.is_round {
-            "The modes whirl on circles: in the inertial frame each appears at one frequency, nu + spin forward, |nu - spin| backward, nu where nothing moves across the axis.".into()
+            "The modes whirl on circles: each appears at one frequency, |spin + nu| or |spin - nu|, or nu where nothing moves across the axis.".into()
         } else {
-            "The equilibrium is not axisymmetric: in the inertial frame each mode appears at nu + spin and at |nu - spin|.".to_owned()
+            "The equilibrium is not axisymmetric: a mode that moves across the axis, and not on circles, appears at spin + nu and at |spin - nu|.".to_owned()
         });
     }
     let Some(margin) = result.margin else {
@@ -154,13 +195,21 @@ pub(super) fn modes_part(result: &Modes, frequency: Frequency) -> String {
 
 /// A value of the first column with its name and unit.
 pub(super) fn key_value(key: &Column, value: f64) -> String {
+    format!("{} = {}", key.name, quantity(key, value, 7))
+}
+
+/// A value of the first column with its unit.
+fn quantity(key: &Column, value: f64, places: usize) -> String {
     let unit = if key.unit == "1" {
         String::new()
     } else {
         format!(" {}", key.unit)
     };
-    format!("{} = {}{unit}", key.name, digits(value, 7))
+    format!("{}{unit}", digits(value, places))
 }
+
+/// Relative error of critical values that is not told.
+const EXACT: f64 = 1e-6;
 
 /// Critical values in sentences; `what` says of what.
 pub(super) fn critical_lines(key: &Column, critical: &[Critical], what: &str) -> Vec<String> {
@@ -177,10 +226,22 @@ pub(super) fn critical_lines(key: &Column, critical: &[Critical], what: &str) ->
         } else {
             directions.into()
         };
-        format!(
+        let mut line = format!(
             "{what} at {}: the stiffness of {directions} {sense}.",
             key_value(key, critical.value)
-        )
+        );
+        if critical.within > EXACT * critical.value.abs() {
+            let _ = write!(line, " It lies there within {}.", quantity(key, critical.within, 2));
+        }
+        if let Some([low, high]) = critical.open {
+            let _ = write!(
+                line,
+                " Between {} and {} no equilibrium is found: there deflections grow without bound.",
+                digits(low.min(high), 7),
+                quantity(key, low.max(high), 7)
+            );
+        }
+        line
     };
     critical.iter().map(line).collect()
 }
@@ -193,23 +254,29 @@ pub(super) fn campbell_lines(result: &Campbell, frequency: Frequency) -> Vec<Str
         "Critical speed (a frequency in the reference frame is zero)",
     );
     if lines.is_empty() {
-        lines.push(if result.unknowns > Campbell::LARGEST {
-            format!(
-                "Critical speeds are not located with more than {} unknowns: read them off where a frequency reaches zero.",
-                Campbell::LARGEST
-            )
-        } else {
-            "No frequency in the reference frame reaches zero: no critical speed in this range.".into()
-        });
+        lines.push("No frequency in the reference frame reaches zero: no critical speed in this range.".into());
     }
     for crossing in &result.crossings {
-        lines.push(format!(
-            "Mode {} crosses {}x the spin at {} ({}, reference frame).",
+        let (frame, sense) = match crossing.whirl {
+            Whirl::Mixed => ("reference frame", String::new()),
+            Whirl::None => ("inertial frame", String::new()),
+            whirl => ("inertial frame", format!(" ({})", whirl.name())),
+        };
+        let mut line = format!(
+            "Mode {}{sense} crosses {}x the spin at {} ({}, {frame})",
             crossing.track + 1,
             crossing.order,
             key_value(&result.key, crossing.key),
             frequency.shown(crossing.im),
-        ));
+        );
+        if crossing.within > EXACT * crossing.key.abs() {
+            let _ = write!(line, ", there within {}", quantity(&result.key, crossing.within, 2));
+        }
+        lines.push(line + ".");
+    }
+    let known = result.compositions.iter().enumerate();
+    for (index, composition) in known.filter(|(_, composition)| !composition.motions.is_empty()) {
+        lines.push(format!("Mode {} is {}.", index + 1, what_moves(composition)));
     }
     let rows: Vec<Vec<SeenMode>> = (0..result.keys.len()).map(|row| result.row(row).collect()).collect();
     let unstable: Vec<f64> = rows
@@ -240,6 +307,13 @@ pub(super) fn campbell_lines(result: &Campbell, frequency: Frequency) -> Vec<Str
 /// A chart that cannot be drawn.
 pub(super) fn campbell_part(result: &Campbell, frequency: Frequency) -> Result<String, String> {
     let mut part = String::new();
+    let is_turning = result.spins.iter().any(|&spin| spin > 0.0);
+    if is_turning && result.is_round {
+        let of_inertial = |mode: SeenMode, spin: f64| mode.inertial_frequencies(spin);
+        let chart = diagram(result, frequency, of_inertial, "frequency in the inertial frame");
+        let caption = "Campbell diagram<span>in the inertial frame: |spin + nu| or |spin - nu|; critical where a forward mode meets 1x</span>";
+        figure(&mut part, caption, &chart, &legend(result, true))?;
+    }
     let co_rotating = diagram(
         result,
         frequency,
@@ -248,20 +322,8 @@ pub(super) fn campbell_part(result: &Campbell, frequency: Frequency) -> Result<S
     );
     let caption = "Campbell diagram<span>in the reference frame, which turns with the system: 0 is the synchronous critical condition</span>";
     figure(&mut part, caption, &co_rotating, &legend(result, true))?;
-    let of_inertial = |mode: SeenMode, spin: f64| mode.inertial(spin, result.is_round);
-    if result.spins.iter().any(|&spin| spin > 0.0) {
-        let chart = diagram(result, frequency, of_inertial, "frequency in the inertial frame");
-        let rule = if result.is_round {
-            "nu + spin forward, |nu - spin| backward; critical where a mode meets 1x"
-        } else {
-            "not axisymmetric: each mode appears at nu + spin and |nu - spin|"
-        };
-        if result.is_round {
-            let caption = format!("Campbell diagram<span>in the inertial frame: {}</span>", escape(rule));
-            figure(&mut part, &caption, &chart, &legend(result, true))?;
-        } else {
-            let _ = writeln!(part, "<p>The equilibria are {}.</p>", escape(rule));
-        }
+    if is_turning && !result.is_round {
+        part += "<p>The equilibria are not axisymmetric: a mode that moves across the axis, and not on circles, appears in the inertial frame at spin + nu and |spin - nu|.</p>\n";
     }
     let margin = |row: usize| {
         let modes: Vec<SeenMode> = result.row(row).collect();
@@ -353,8 +415,8 @@ fn coloured(
         let next = track.get(row + 1).copied().flatten();
         let mut whirl = next.filter(|_| spin == 0.0).unwrap_or(mode).whirl;
         // Faster than critical, a whirl that falls back in the frame still goes forward in space.
-        if is_inertial && whirl == Whirl::Backward && spin > mode.im {
-            whirl = Whirl::Forward;
+        if is_inertial && spin > 0.0 {
+            whirl = mode.inertial_whirl(spin);
         }
         match (lines.last_mut(), last) {
             (Some(line), Some(_)) if line.color == color(whirl) => line.points.push(place),
@@ -403,11 +465,53 @@ fn legend(result: &Campbell, has_guides: bool) -> String {
     text + "</p>\n"
 }
 
-/// The table of modes.csv, 17 significant digits.
+/// The table of modes.csv, 17 significant digits; what is not defined is empty.
 pub(super) fn modes_csv(result: &Modes) -> String {
-    let mut text = String::from("mode,re [1/s],im [rad/s]\n");
+    let mut text = String::from("mode,re [1/s],im [rad/s],damping ratio");
+    for which in ["", "second "] {
+        let _ = write!(
+            text,
+            ",{which}inertial [rad/s],{which}damping ratio,{which}log. decrement"
+        );
+    }
+    for motion in Motion::ALL {
+        let _ = write!(text, ",{}", motion.name());
+    }
+    text.push('\n');
+    let cell = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:.16e}"));
     for (index, mode) in result.modes.iter().enumerate() {
-        let _ = writeln!(text, "{},{:.16e},{:.16e}", index + 1, mode.re, mode.im);
+        let _ = write!(
+            text,
+            "{},{:.16e},{:.16e},{}",
+            index + 1,
+            mode.re,
+            mode.im,
+            cell(mode.damping_ratio())
+        );
+        let mut seen = mode.inertial_frequencies(result.spin);
+        // The sign tells the sense.
+        if let Inertial::Whirl(velocity) = mode.inertial(result.spin) {
+            seen = vec![velocity];
+        }
+        let ratios = mode.inertial_damping_ratios(result.spin);
+        let decrements = mode.logarithmic_decrements(result.spin);
+        for which in 0..2 {
+            let ratio = ratios.get(which).copied().flatten();
+            let decrement = decrements.get(which).copied().flatten();
+            let _ = write!(
+                text,
+                ",{},{},{}",
+                cell(seen.get(which).copied()),
+                cell(ratio),
+                cell(decrement)
+            );
+        }
+        for motion in Motion::ALL {
+            let parts = &result.compositions[index].motions;
+            let part = parts.iter().find(|other| other.0 == motion).map(|other| other.1);
+            let _ = write!(text, ",{}", cell(part));
+        }
+        text.push('\n');
     }
     text
 }

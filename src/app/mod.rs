@@ -27,6 +27,7 @@ mod help;
 mod history;
 mod journal;
 mod line;
+mod located;
 mod map;
 mod modes;
 mod nearest;
@@ -44,6 +45,7 @@ mod summary;
 mod sweep;
 #[cfg(test)]
 mod testing;
+mod tracker;
 mod units;
 
 pub use advise::{Advised, AdvisedRung, Wanted, advise};
@@ -55,7 +57,7 @@ pub use figure::Figure;
 pub use history::{Column, Extreme, History};
 pub use line::{Entry, Line, enter, main, main_among, main_as};
 pub use map::{Axis, Cells, Map};
-pub use modes::{Modes, SeenMode, modes};
+pub use modes::{Inertial, Modes, SeenMode, modes};
 pub use pictures::Pictures;
 pub use run::{Progress, RunResult, RunSettings, StepTaken, run, run_watched};
 pub use run_error::{Incomplete, RunError};

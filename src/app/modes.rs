@@ -6,7 +6,7 @@ use super::clock::{Clock, Seconds};
 use super::run_error::RunError;
 use super::sweep::{self, SweepSettings};
 use crate::equilibrium::{Kind, Uniform, follow};
-use crate::modes::{self, Mode, Wanted, Whirl};
+use crate::modes::{self, Composition, Mode, Wanted, Whirl};
 use crate::{Formulation, Joints, Model, Scene, State};
 
 /// A mode and its sense of whirl.
@@ -36,6 +36,8 @@ pub struct Modes {
     pub modes: Vec<SeenMode>,
     /// The same with their shapes.
     pub shapes: Vec<Mode>,
+    /// What moves in each of them.
+    pub compositions: Vec<Composition>,
     /// Whether every mode that moves across the axis whirls on circles, as those about an axisymmetric,
     /// balanced equilibrium do: each is then seen at one frequency in the inertial frame.
     pub is_round: bool,
@@ -75,24 +77,73 @@ impl SeenMode {
         self.re == 0.0 && self.im == 0.0
     }
 
-    /// Damping ratio -re/|s|: 0 undamped, 1 creeping back, negative where the motion grows; `None` for s = 0.
+    /// Damping ratio -re/|s| in the reference frame: 0 undamped, 1 creeping back, negative where the motion grows;
+    /// `None` for s = 0.
     pub fn damping_ratio(&self) -> Option<f64> {
-        let size = self.re.hypot(self.im);
-        (size > 0.0).then(|| -self.re / size)
+        ratio(self.re, self.im)
     }
 
-    /// Frequencies in the inertial frame, rad/s (THEORY 8.1), of a system that turns with `spin`: about a
-    /// round equilibrium the one of the whirl, or the same where nothing moves across the axis; else
-    /// both `spin + im` and `|spin - im|`.
-    pub fn inertial(&self, spin: f64, is_round: bool) -> Vec<f64> {
-        if spin == 0.0 || is_round && self.circulation.is_none() {
-            return vec![self.im];
-        }
-        match self.whirl.inertial(self.im, spin) {
-            Some(whirl) if is_round => vec![whirl.abs()],
-            _ => vec![spin + self.im, (spin - self.im).abs()],
+    /// How an observer sees the mode who does not turn, of a system that turns with `spin` (rad/s; THEORY 8.1).
+    pub fn inertial(&self, spin: f64) -> Inertial {
+        match self.circulation {
+            _ if spin == 0.0 => Inertial::One(self.im),
+            None => Inertial::One(self.im),
+            Some(circulation) if circulation.abs() > ROUND && self.im > 0.0 => {
+                Inertial::Whirl(spin + self.im * circulation.signum())
+            }
+            Some(_) => Inertial::Two([spin + self.im, (spin - self.im).abs()]),
         }
     }
+
+    /// The same of all: frequencies, rad/s, not negative.
+    pub fn inertial_frequencies(&self, spin: f64) -> Vec<f64> {
+        match self.inertial(spin) {
+            Inertial::One(im) => vec![im],
+            Inertial::Whirl(velocity) => vec![velocity.abs()],
+            Inertial::Two([fast, slow]) if fast == slow => vec![fast],
+            Inertial::Two(both) => both.to_vec(),
+        }
+    }
+
+    /// Damping ratios that belong to the [inertial frequencies](Self::inertial_frequencies).
+    pub fn inertial_damping_ratios(&self, spin: f64) -> Vec<Option<f64>> {
+        let frequencies = self.inertial_frequencies(spin).into_iter();
+        frequencies.map(|im| ratio(self.re, im)).collect()
+    }
+
+    /// Logarithmic decrements -2 pi re/im that belong to them: of the amplitudes one period apart; `None` without a period.
+    pub fn logarithmic_decrements(&self, spin: f64) -> Vec<Option<f64>> {
+        let frequencies = self.inertial_frequencies(spin).into_iter();
+        frequencies
+            .map(|im| (im > 0.0).then(|| -std::f64::consts::TAU * self.re / im))
+            .collect()
+    }
+
+    /// Sense of the whirl that this observer sees.
+    pub fn inertial_whirl(&self, spin: f64) -> Whirl {
+        match self.inertial(spin) {
+            Inertial::Whirl(velocity) if velocity > 0.0 => Whirl::Forward,
+            Inertial::Whirl(velocity) if velocity < 0.0 => Whirl::Backward,
+            Inertial::Two(_) if self.im > 0.0 => Whirl::Mixed,
+            _ => Whirl::None,
+        }
+    }
+}
+
+/// What an observer sees of a mode who does not turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Inertial {
+    /// The frequency of the reference frame, rad/s: nothing turns, or next to nothing moves across the axis.
+    One(f64),
+    /// A whirl on circles with this angular velocity, rad/s, positive with the spin.
+    Whirl(f64),
+    /// Motions of two frequencies at once, spin + im and |spin - im|, rad/s.
+    Two([f64; 2]),
+}
+
+fn ratio(re: f64, im: f64) -> Option<f64> {
+    let size = re.hypot(im);
+    (size > 0.0).then(|| -re / size)
 }
 
 /// Whether all modes that oscillate across the axis do so on circles, and there are some.
@@ -146,6 +197,10 @@ pub fn modes<M: Model>(model: &M, settings: &SweepSettings) -> Result<Modes, Run
         .iter()
         .map(|mode| SeenMode::of(scene, &at, &state, mode))
         .collect();
+    let compositions = shapes
+        .iter()
+        .map(|mode| scene.composition(&at, &state, &mode.shape))
+        .collect();
     Ok(Modes {
         settings: *settings,
         t,
@@ -154,6 +209,7 @@ pub fn modes<M: Model>(model: &M, settings: &SweepSettings) -> Result<Modes, Run
         margin: modes::stability_margin(&shapes),
         modes,
         shapes,
+        compositions,
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
         newton_iterations: u64::from(found.iterations()),
@@ -191,8 +247,25 @@ mod tests {
         }
         // Faster than critical: the forward whirl of the shaft falls back in the frame, and grows.
         assert!(found.is_round && growth(&found.modes) == found.margin, "{found:?}");
-        let seen: Vec<f64> = found.modes.iter().flat_map(|mode| mode.inertial(spin, true)).collect();
+        let seen: Vec<f64> = found
+            .modes
+            .iter()
+            .flat_map(|mode| mode.inertial_frequencies(spin))
+            .collect();
         assert!((seen[0] - q).abs() < 1e-9 && (seen[1] - q).abs() < 1e-9, "{seen:?}");
-        assert_eq!(found.modes[0].inertial(2.0, false).len(), 2);
+        // In space damping acts on w0, above the critical speed against it.
+        for (mode, sense) in found.modes.iter().zip([Whirl::Forward, Whirl::Backward]) {
+            assert_eq!(mode.inertial_whirl(spin), sense);
+            let zeta = mode.inertial_damping_ratios(spin)[0].unwrap();
+            let decrement = mode.logarithmic_decrements(spin)[0].unwrap();
+            assert!((zeta + mode.re / mode.re.hypot(q)).abs() < 1e-12, "{zeta}");
+            let exact = std::f64::consts::TAU * zeta / (1.0 - zeta * zeta).sqrt();
+            assert!((decrement - exact).abs() < 1e-12, "{decrement} {exact}");
+        }
+        let straight = SeenMode {
+            circulation: Some(0.5),
+            ..found.modes[0]
+        };
+        assert_eq!(straight.inertial_frequencies(2.0).len(), 2);
     }
 }

@@ -8,7 +8,7 @@ use super::clock::{Clock, Seconds};
 use super::envelopes::Envelopes;
 use super::history::History;
 use super::run_error::{Incomplete, RunError};
-use super::sweep::{Line, SweepProgress, SweepSettings};
+use super::sweep::{Line, Measured, SweepProgress, SweepSettings};
 use crate::equilibrium::{self, Kind};
 use crate::model::FrameState;
 use crate::modes::Critical;
@@ -98,11 +98,13 @@ pub fn equilibria<M: Model>(
         }
     }
     let newton_iterations = line.iterations;
+    let leaps = line.warnings();
     let station = line.station();
     let cautions = super::sweep::at_the_end(model, settings).cautions(0.0);
     let mut warnings = cautions::sentences::<M>(&cautions);
     warnings.extend(station.scene.warnings(station.state));
     warnings.extend(envelopes.warning());
+    warnings.extend(leaps);
     let result = Equilibria {
         kind,
         settings: *settings,
@@ -150,11 +152,13 @@ fn buckling<M: Model>(line: &mut Line<'_, M>) -> Vec<Critical> {
         return Vec::new();
     }
     let (before, after) = (before.clone(), after.clone());
-    let found = line.critical(&before, &after, [low, high], |_, _, step| step.negative);
-    found
-        .into_iter()
-        .map(|(value, change)| Critical { value, change })
-        .collect()
+    let known = |negative| Measured {
+        negative,
+        values: Vec::new(),
+    };
+    line.critical([&before, &after], [low, high].map(known), &mut |_, _, step, _| {
+        step.negative.map(known)
+    })
 }
 
 /// Nodal vectors of the relative equilibrium with the spin at `t`, for a start in any formulation.
@@ -225,20 +229,22 @@ mod tests {
                 panic!("negative springs")
             };
             let reason = result.incomplete.as_ref().unwrap().to_string();
-            (reason, *result.history.keys.last().unwrap())
+            (reason, *result.history.keys.last().unwrap(), result.warnings)
         };
         let balanced = Rotor {
             length: 0.0,
             ..Rotor::default()
         };
-        let (reason, last) = ended(&balanced);
+        let (reason, last, _) = ended(&balanced);
         assert!(reason.starts_with("beyond stiffness = 0.00"), "{reason}");
         assert!(reason.ends_with("parameter `stiffness` must be positive"), "{reason}");
         assert!(last < 0.01, "{last}");
-        // The stretched spring without bound: 9 N/m of two coils.
-        let (reason, last) = ended(&Rotor::default());
-        assert!(reason.starts_with("beyond stiffness = 18.0"), "{reason}");
-        assert!((last - 18.0).abs() < 0.1, "{last}");
+        // The stretched spring without bound: 9 N/m of two coils. Behind it equilibria go on.
+        let (reason, last, warnings) = ended(&Rotor::default());
+        assert!(reason.starts_with("beyond stiffness = 0.00"), "{reason}");
+        assert!(last < 0.01, "{last}");
+        let told = "no equilibrium continues those up to stiffness = 18.";
+        assert!(warnings.iter().any(|text| text.starts_with(told)), "{warnings:?}");
     }
 
     #[test]

@@ -15,7 +15,7 @@ use super::steady::Equilibria;
 use super::sweep::SweepSettings;
 use crate::equilibrium::Kind;
 use crate::mesh::Fidelity;
-use crate::modes::Critical;
+use crate::modes::{Composition, Critical, Whirl};
 use crate::{Joints, Method, Model, ParamKind, Start, StepSize};
 
 /// Keys in the order in which they are written.
@@ -147,15 +147,11 @@ pub(super) fn of_modes<M: Model>(model: &M, result: &Modes) -> Summary {
     let is_known = result.modes.iter().any(|mode| !mode.is_still());
     let is_unstable = is_known.then(|| growth(&result.modes).is_some());
     put(&mut summary, "is_unstable", json!(is_unstable));
-    let modes = result.modes.iter().enumerate().map(|(index, mode)| {
-        let Value::Object(mut entry) = mode_entry(mode) else {
-            return Value::Null;
-        };
+    let modes = result.modes.iter().zip(&result.compositions).enumerate();
+    let modes = modes.map(|(index, (mode, composition))| {
+        let mut entry = mode_entry(mode, result.spin);
         entry.shift_insert(0, "mode".into(), json!(index + 1));
-        entry.insert(
-            "inertial [rad/s]".into(),
-            json!(mode.inertial(result.spin, result.is_round)),
-        );
+        put_composition(&mut entry, composition);
         Value::Object(entry)
     });
     put(&mut summary, "modes", modes.collect());
@@ -186,7 +182,10 @@ pub(super) fn of_campbell<M: Model>(model: &M, result: &Campbell) -> Summary {
         json!({
             "mode": crossing.track + 1,
             "order": crossing.order,
+            "frame": if crossing.whirl == Whirl::Mixed { "reference" } else { "inertial" },
+            "whirl": crossing.whirl.name(),
             key.as_str(): crossing.key,
+            "within": crossing.within,
             "im [rad/s]": crossing.im,
         })
     });
@@ -203,11 +202,18 @@ pub(super) fn of_campbell<M: Model>(model: &M, result: &Campbell) -> Summary {
         json!(largest.map(|(margin, _)| margin)),
     );
     put(&mut summary, "stability_margin_at", json!(largest.map(|(_, key)| key)));
-    let tracks = result.tracks.iter().enumerate().map(|(index, track)| {
-        let mut seen = track.iter().flatten();
-        let first = seen.next();
-        let last = seen.next_back().or(first);
-        json!({ "mode": index + 1, "first": first.map(mode_entry), "last": last.map(mode_entry) })
+    let tracks = result.tracks.iter().zip(&result.compositions).enumerate();
+    let tracks = tracks.map(|(index, (track, composition))| {
+        let seen = |row: usize| track[row].map(|mode| mode_entry(&mode, result.spins[row]));
+        let mut rows = 0..track.len();
+        let first = rows.find_map(seen);
+        let last = (0..track.len()).rev().find_map(seen);
+        let mut entry = Summary::new();
+        put(&mut entry, "mode", json!(index + 1));
+        put(&mut entry, "first", json!(first));
+        put(&mut entry, "last", json!(last));
+        put_composition(&mut entry, composition);
+        Value::Object(entry)
     });
     put(&mut summary, "modes", tracks.collect());
     counted(
@@ -222,20 +228,49 @@ pub(super) fn of_campbell<M: Model>(model: &M, result: &Campbell) -> Summary {
 }
 
 /// Where the frequencies are seen.
-const REFERENCE: &str = "reference frame, which turns with the system";
+const REFERENCE: &str =
+    "re, im, damping_ratio and whirl: reference frame, which turns with the system; inertial: one that does not";
 
-fn mode_entry(mode: &SeenMode) -> Value {
-    json!({
-        "re [1/s]": mode.re,
-        "im [rad/s]": mode.im,
-        "damping_ratio": mode.damping_ratio(),
-        "whirl": mode.whirl.name(),
-        "circulation": mode.circulation,
-    })
+fn mode_entry(mode: &SeenMode, spin: f64) -> Summary {
+    let mut entry = Summary::new();
+    let values = [
+        ("inertial [rad/s]", json!(mode.inertial_frequencies(spin))),
+        ("inertial_damping_ratio", json!(mode.inertial_damping_ratios(spin))),
+        ("logarithmic_decrement", json!(mode.logarithmic_decrements(spin))),
+        ("inertial_whirl", json!(mode.inertial_whirl(spin).name())),
+        ("re [1/s]", json!(mode.re)),
+        ("im [rad/s]", json!(mode.im)),
+        ("damping_ratio", json!(mode.damping_ratio())),
+        ("whirl", json!(mode.whirl.name())),
+        ("circulation", json!(mode.circulation)),
+    ];
+    for (key, value) in values {
+        put(&mut entry, key, value);
+    }
+    entry
+}
+
+/// Parts of the kinetic energy.
+fn put_composition(entry: &mut Summary, composition: &Composition) {
+    let motions = composition.motions.iter();
+    let motions = motions.map(|(motion, part)| (motion.name().to_owned(), json!(part)));
+    put(entry, "motions", Value::Object(motions.collect()));
+    let bodies = composition
+        .bodies
+        .iter()
+        .map(|(name, part)| (name.clone(), json!(part)));
+    put(entry, "bodies", Value::Object(bodies.collect()));
 }
 
 fn criticals(key: &Column, critical: &[Critical]) -> Value {
-    let entry = |critical: &Critical| json!({ key.head().as_str(): critical.value, "directions": critical.change });
+    let entry = |critical: &Critical| {
+        json!({
+            key.head().as_str(): critical.value,
+            "within": critical.within,
+            "no_equilibrium": critical.open,
+            "directions": critical.change,
+        })
+    };
     critical.iter().map(entry).collect()
 }
 

@@ -58,10 +58,10 @@ pub struct SweepProgress {
 
 /// A step may be halved until there are this many in one.
 const PARTS: u64 = 2048;
+/// Part of a step at which a gap is tried to be leapt over.
+const SHORT: u64 = 128;
 /// Most continuation steps that may be asked for.
 const MOST_STEPS: u32 = 1_000_000;
-/// Width to which critical values are located, part of the way.
-const WIDTH: f64 = 1e-7;
 
 /// The way and where on it the last equilibrium is.
 pub(super) struct Line<'m, M> {
@@ -74,9 +74,13 @@ pub(super) struct Line<'m, M> {
     increment: u64,
     scene: Box<dyn Scene>,
     at: Uniform,
+    /// The last equilibrium, in the scene.
+    state: State,
     /// The last equilibria, at most two.
     last: Found,
     before: Option<Found>,
+    /// Parts of the way before and behind gaps that were leapt over.
+    leaps: Vec<[f64; 2]>,
     /// Newton iterations so far.
     pub iterations: u64,
 }
@@ -86,9 +90,30 @@ pub(super) struct Line<'m, M> {
 pub(super) struct Found {
     /// Part of the way, 0 to 1.
     pub share: f64,
+    /// Carried back to t = 0 ([`Scene::carried`]).
     pub state: State,
     /// As [`Continued::negative`].
     pub negative: Option<usize>,
+}
+
+/// How many directions of the stiffness are negative.
+#[derive(Clone, Debug)]
+pub(super) struct Measured {
+    pub negative: usize,
+    /// The values next to zero, ascending, with all negative ones; none where they are not known.
+    pub values: Vec<f64>,
+}
+
+/// What is asked at an equilibrium; whether with the values.
+pub(super) type Measure<'a> = dyn FnMut(&mut dyn Scene, &Uniform, &Continued, bool) -> Option<Measured> + 'a;
+
+/// An equilibrium beside the steps of the way.
+#[derive(Clone, Debug)]
+pub(super) struct Looked {
+    pub share: f64,
+    /// As [`Found::state`].
+    pub state: State,
+    pub measured: Measured,
 }
 
 /// The last equilibrium, to look at.
@@ -109,14 +134,29 @@ impl<'m, M: Model> Line<'m, M> {
     /// Settings out of range, a model that cannot be built, and the reason why there is no equilibrium.
     pub fn start(model: &'m M, kind: Kind, settings: &SweepSettings) -> Result<Self, RunError> {
         check::<M>(settings)?;
-        let (mut scene, at) = placed(model, kind, settings, 0.0).map_err(|failure| match failure {
+        let (mut scene, mut at) = placed(model, kind, settings, 0.0).map_err(|failure| match failure {
             Unplaced::Model(error) => RunError::Model(error),
             Unplaced::Time(text) => RunError::Settings(text),
         })?;
+        let mut leaps = Vec::new();
         let mut iterations = 0;
+        let mut place = 0;
         let (state, negative) = match settings.range {
             Some(range) => {
-                let found = follow(scene.as_mut(), &at, 1.0, |_, _| ());
+                let mut found = follow(scene.as_mut(), &at, 1.0, |_, _| ());
+                // Where there is no equilibrium at the first value, as of hinged blades at rest, it begins at a later one.
+                let mut step = 1;
+                while let (true, Kind::Steady, true) = (found.is_err(), kind, step <= settings.steps) {
+                    let share = f64::from(step) / f64::from(settings.steps);
+                    if let Ok((mut other, there)) = placed(model, kind, settings, share)
+                        && let Ok(later) = follow(other.as_mut(), &there, 1.0, |_, _| ())
+                    {
+                        leaps.push([0.0, share]);
+                        place = u64::from(step) * PARTS;
+                        (scene, at, found) = (other, there, Ok(later));
+                    }
+                    step *= 2;
+                }
                 let found = found.map_err(|error| {
                     let value = value_of::<M>(range.param, range.from);
                     RunError::Equilibrium(format!("at {value}: {}", reason(&error, true)))
@@ -140,16 +180,18 @@ impl<'m, M: Model> Line<'m, M> {
             kind,
             settings: *settings,
             full_spin,
-            place: 0,
+            place,
             increment: PARTS,
-            scene,
-            at,
             last: Found {
-                share: 0.0,
-                state,
+                share: place as f64 / (u64::from(settings.steps) * PARTS) as f64,
+                state: scene.carried(&at, &state, true),
                 negative,
             },
+            scene,
+            at,
+            state,
             before: None,
+            leaps,
             iterations,
         })
     }
@@ -191,7 +233,7 @@ impl<'m, M: Model> Line<'m, M> {
             spin: spin(self.scene.as_ref(), &self.at),
             scene: self.scene.as_mut(),
             at: self.at,
-            state: &self.last.state,
+            state: &self.state,
         }
     }
 
@@ -213,7 +255,8 @@ impl<'m, M: Model> Line<'m, M> {
         }
     }
 
-    /// The next equilibrium; the step is halved where Newton's iteration fails.
+    /// The next equilibrium; the step is halved where Newton's iteration fails. Where short steps lead nowhere, relative
+    /// equilibria may go on behind a gap, as those of an unbalanced shaft do behind its critical speed.
     ///
     /// # Errors
     /// Why there is none, with the value beyond which.
@@ -228,6 +271,7 @@ impl<'m, M: Model> Line<'m, M> {
                     }
                     return Ok(());
                 }
+                Err(_) if self.increment == 1 && self.leap_far() => return Ok(()),
                 Err(text) if self.increment == 1 => {
                     let Column { name, unit } = self.column();
                     let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
@@ -236,7 +280,71 @@ impl<'m, M: Model> Line<'m, M> {
                 }
                 Err(_) => self.increment /= 2,
             }
+            if self.increment == SHORT && self.leap() {
+                return Ok(());
+            }
         }
+    }
+
+    /// The equilibrium at the next full step, found from the start of the scene.
+    fn leap(&mut self) -> bool {
+        let target = ((self.place / PARTS + 1) * PARTS).min(self.total());
+        let share = target as f64 / self.total() as f64;
+        let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, share) else {
+            return false;
+        };
+        if self.kind == Kind::Static || at.scale == 0.0 {
+            return false;
+        }
+        let guess = scene.uniform_guess(&at);
+        let Ok(found) = continue_from(scene.as_mut(), &at, &guess) else {
+            return false;
+        };
+        self.land(scene, at, target, found);
+        true
+    }
+
+    /// The equilibrium at a later step, found from rest or by a flow.
+    fn leap_far(&mut self) -> bool {
+        let mut steps = 1;
+        while self.kind == Kind::Steady && self.place < self.total() {
+            let target = (self.place / PARTS + steps) * PARTS;
+            if target > self.total() {
+                return false;
+            }
+            let share = target as f64 / self.total() as f64;
+            if let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, share)
+                && let Ok(found) = follow(scene.as_mut(), &at, 1.0, |_, _| ())
+                && let Some(last) = found.path.last()
+            {
+                let last = last.clone();
+                self.land(scene, at, target, last);
+                return true;
+            }
+            steps *= 2;
+        }
+        false
+    }
+
+    fn land(&mut self, scene: Box<dyn Scene>, at: Uniform, target: u64, found: Continued) {
+        let share = target as f64 / self.total() as f64;
+        self.leaps.push([self.last.share, share]);
+        self.keep(scene, at, share, found);
+        (self.place, self.increment) = (target, PARTS);
+    }
+
+    /// What is said of the leaps.
+    pub fn warnings(&self) -> Vec<String> {
+        let Column { name, unit } = self.column();
+        let told = |leap: &[f64; 2]| {
+            let [from, to] = leap.map(|share| self.key(share));
+            format!(
+                "no equilibrium continues those up to {name} = {} {unit}: the one at {} {unit} is found from the undeformed start",
+                digits(from, 7),
+                digits(to, 7)
+            )
+        };
+        self.leaps.iter().map(told).collect()
     }
 
     fn total(&self) -> u64 {
@@ -247,20 +355,24 @@ impl<'m, M: Model> Line<'m, M> {
         let (mut scene, at) =
             placed(self.model, self.kind, &self.settings, share).map_err(|failure| failure.to_string())?;
         let guess = self.predicted(scene.as_ref(), share)?;
-        let mut found = continue_from(scene.as_mut(), &at, &guess);
+        let mut found = continued(scene.as_mut(), &at, &guess);
         if found.is_err() && guess.x != self.last.state.x {
-            found = continue_from(scene.as_mut(), &at, &self.last.state);
+            found = continued(scene.as_mut(), &at, &self.last.state);
         }
         let found = found.map_err(|error| reason(&error, self.settings.range.is_some()))?;
+        self.keep(scene, at, share, found);
+        Ok(())
+    }
+
+    fn keep(&mut self, mut scene: Box<dyn Scene>, at: Uniform, share: f64, found: Continued) {
         self.iterations += u64::from(found.iterations);
-        let found = Found {
+        let last = Found {
             share,
-            state: found.state,
+            state: scene.carried(&at, &found.state, true),
             negative: found.negative,
         };
-        self.before = Some(std::mem::replace(&mut self.last, found));
-        (self.scene, self.at) = (scene, at);
-        Ok(())
+        self.before = Some(std::mem::replace(&mut self.last, last));
+        (self.scene, self.at, self.state) = (scene, at, found.state);
     }
 
     /// On the secant through the last two equilibria; orientations as in the last one.
@@ -286,51 +398,41 @@ impl<'m, M: Model> Line<'m, M> {
         Ok(guess)
     }
 
-    /// Where between two equilibria the number of negative directions changes: the value of the first
-    /// column and by how many the number rises. `count` tells it at an equilibrium.
-    pub fn critical(
-        &mut self,
-        low: &Found,
-        high: &Found,
-        [before, after]: [usize; 2],
-        mut count: impl FnMut(&mut dyn Scene, &Uniform, &Continued) -> Option<usize>,
-    ) -> Vec<(f64, isize)> {
-        let mut found = Vec::new();
-        let mut open = vec![(low.share, low.state.clone(), before, high.share, after)];
-        while let Some((low, state, before, high, after)) = open.pop() {
-            if before == after {
-                continue;
-            }
-            let middle = 0.5 * (low + high);
-            let between = if high - low > WIDTH {
-                self.looked_at(middle, &state, &mut count)
-            } else {
-                None
-            };
-            match between {
-                Some((at_middle, number)) => {
-                    open.push((middle, at_middle, number, high, after));
-                    open.push((low, state, before, middle, number));
-                }
-                None => found.push((self.key(middle), after as isize - before as isize)),
-            }
-        }
-        found
+    /// The scene and the equilibrium near a guess at a part of the way; the last state is carried back, as the guess is.
+    pub fn between(&mut self, share: f64, guess: &State) -> Option<(Box<dyn Scene>, Uniform, State, State)> {
+        let (mut scene, at) = placed(self.model, self.kind, &self.settings, share).ok()?;
+        let found = continued(scene.as_mut(), &at, guess).ok()?;
+        self.iterations += u64::from(found.iterations);
+        let back = scene.carried(&at, &found.state, true);
+        Some((scene, at, found.state, back))
     }
 
-    /// The equilibrium near a guess at a part of the way, and its number of negative directions.
-    fn looked_at(
+    /// The equilibrium near a guess at a part of the way, and what is measured of it.
+    pub fn looked_at(
         &mut self,
         share: f64,
         guess: &State,
-        count: &mut impl FnMut(&mut dyn Scene, &Uniform, &Continued) -> Option<usize>,
-    ) -> Option<(State, usize)> {
+        with_values: bool,
+        measure: &mut Measure<'_>,
+    ) -> Option<Looked> {
         let (mut scene, at) = placed(self.model, self.kind, &self.settings, share).ok()?;
-        let found = continue_from(scene.as_mut(), &at, guess).ok()?;
+        let found = continued(scene.as_mut(), &at, guess).ok()?;
         self.iterations += u64::from(found.iterations);
-        let number = count(scene.as_mut(), &at, &found)?;
-        Some((found.state, number))
+        let measured = measure(scene.as_mut(), &at, &found, with_values)?;
+        Some(Looked {
+            share,
+            state: scene.carried(&at, &found.state, true),
+            measured,
+        })
     }
+}
+
+/// The equilibrium near a guess that is carried back to t = 0.
+fn continued(scene: &mut dyn Scene, at: &Uniform, guess: &State) -> Result<Continued, SolveError> {
+    let mut guess = guess.clone();
+    guess.t = at.t;
+    let guess = scene.carried(at, &guess, false);
+    continue_from(scene, at, &guess)
 }
 
 /// Why there is no scene at a part of the way.

@@ -17,6 +17,9 @@ use newton::{Failure, Newton, Patience};
 /// Smallest increment of the scale.
 const SMALLEST: f64 = 1.0 / 65536.0;
 
+/// Part of the angular velocity up to which a way that ends has led nowhere.
+const NO_WAY: f64 = 1.0 / 64.0;
+
 /// Increment of the loads at which Newton's iteration seldom leaps over a limit point.
 const LOAD_STEP: f64 = 1.0 / 32.0;
 
@@ -136,12 +139,39 @@ fn along<S: Scene + ?Sized>(
             Err(failure) => {
                 increment = 0.5 * (target - scale);
                 if increment < SMALLEST {
+                    let is_patient = patience == Patience::Patient && at.kind == Kind::Steady;
+                    if is_patient
+                        && scale < NO_WAY * at.scale
+                        && let Some(step) = settled(scene, &mut newton, at)
+                    {
+                        visit(scene, &step);
+                        found.path.push(step);
+                        return Ok(found);
+                    }
                     return Err(failed(scene, at, &failure, scale));
                 }
             }
         }
     }
     Ok(found)
+}
+
+/// The equilibrium at the whole angular velocity that the start flows to: where next to rest nothing is stiff, as hinged
+/// blades, no way leads there.
+fn settled<S: Scene + ?Sized>(scene: &mut S, newton: &mut Newton, at: &Uniform) -> Option<Continued> {
+    let speed = at.speed()
+        * at.spin
+            .map_or_else(|| scene.spin(at.t), |spin| crate::vector::norm(spin.velocity));
+    let mut state = scene.uniform_guess(at);
+    newton.flow(scene, at, &mut state, speed).ok()?;
+    let (result, iterations) = newton.solve(scene, at, &mut state, Patience::Strict);
+    result.ok()?;
+    Some(Continued {
+        scale: at.scale,
+        state,
+        iterations,
+        negative: newton.count(at),
+    })
 }
 
 /// The equilibrium at the second of two scales from that at the first one; also the iterations that led nowhere or

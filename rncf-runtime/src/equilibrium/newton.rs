@@ -18,6 +18,10 @@ const STAGNANT: f64 = 0.25;
 const ASTRAY: f64 = 10.0;
 /// Largest entry of an increment that a patient iteration takes, relative to the size of its unknown.
 const STRIDE: f64 = 0.3;
+/// Steps of a flow; the first one and the smallest, times the angular velocity squared; increments at which it is Newton's turn.
+const FLOWS: u32 = 400;
+const FLOW_START: f64 = 1e-2;
+const FLOWN: f64 = 1e-4;
 /// Part of the acting forces that a phase condition may carry.
 const UNBALANCED: f64 = 1e-6;
 /// Most rows of a matrix whose eigenvalues are counted.
@@ -194,6 +198,69 @@ impl Newton {
         let (result, iterations) = self.iterate(scene, at, state, patience);
         scene.uniform_state(at, state);
         (result.and_then(|()| self.check_phases()), iterations)
+    }
+
+    /// Flows towards an equilibrium in a viscous medium, `M dx/ds = -R`, by implicit steps that grow until they are those of
+    /// Newton's iteration; `speed` is the angular velocity, rad/s. What is stiff settles in the first step, and with it
+    /// the forces that make the rest stiff.
+    pub fn flow<S: Scene + ?Sized>(
+        &mut self,
+        scene: &mut S,
+        at: &Uniform,
+        state: &mut State,
+        speed: f64,
+    ) -> Result<(), Failure> {
+        if speed.is_nan() || speed <= 0.0 {
+            return Err(Failure::NotFinite);
+        }
+        state.rebase(scene.turns());
+        self.hold(scene, at, state);
+        let bordering = self.lu.pattern().columns() - self.inverse_sizes.len();
+        let mut step = FLOW_START / (speed * speed);
+        let mut last = f64::INFINITY;
+        for _ in 0..FLOWS {
+            self.linearize(scene, at, state);
+            let right = self.increments.clone();
+            loop {
+                for (entry, &place) in self.block.iter().enumerate() {
+                    self.values[place] = self.tangent.stiffness[entry] + self.tangent.mass[entry] / step;
+                }
+                self.increments.clone_from(&right);
+                if !self
+                    .increments
+                    .iter()
+                    .chain(&self.values)
+                    .all(|value| value.is_finite())
+                {
+                    return Err(Failure::NotFinite);
+                }
+                let is_factored = self.lu.factor(&self.values).is_ok();
+                // With a negative direction the step would go uphill.
+                let is_uphill = self.lu.is_determinant_negative() == bordering.is_multiple_of(2);
+                if is_factored && !is_uphill {
+                    self.lu.solve(&mut self.increments);
+                    if self.stride(Patience::Patient) == 1.0 {
+                        break;
+                    }
+                }
+                step *= 0.25;
+                if step * speed * speed < FLOW_START * FLOW_START {
+                    return Err(Failure::Slow(self.largest(&right)));
+                }
+            }
+            let unknowns = state.x.iter_mut().chain(&mut state.lambda).chain(&mut self.held);
+            for (value, change) in unknowns.zip(&self.increments) {
+                *value += change;
+            }
+            state.rebase(scene.turns());
+            let size = self.size();
+            if size <= FLOWN && step * speed * speed > 1.0 / FLOWN {
+                return Ok(());
+            }
+            step *= if size < last { 2.0 } else { 1.1 };
+            last = size;
+        }
+        Err(Failure::Slow(self.largest(&self.increments)))
     }
 
     fn iterate<S: Scene + ?Sized>(

@@ -5,7 +5,7 @@ use super::frames::angle_axis;
 use super::scene::{MeshScene, Regime};
 use crate::equilibrium::{Kind, Uniform};
 use crate::linalg::Pattern;
-use crate::model::Pose;
+use crate::model::{FrameState, Pose, Scene};
 use crate::rotation::Rotation;
 use crate::system::{State, Tangent};
 use crate::vector::{Vector, add, apply, apply_transposed, cross, dot, scale, subtract};
@@ -128,21 +128,30 @@ impl MeshScene {
         let mut poses = vec![Pose::default(); self.free.len() + self.fixed.len()];
         let carrier = self.carrier(at);
         for frame in self.free.iter().chain(&self.fixed) {
-            let start = frame.start;
             let axis = angle_axis(frame.spec.motions).unwrap_or_default();
-            let mut pose = Pose {
-                position: carrier.point(start.position),
-                rotation: carrier.turn.times(&start.rotation),
-                ..start
-            };
-            let within = apply_transposed(&start.rotation.matrix(), carrier.turn.log());
-            pose.angle += nearest(
-                dot(axis, within),
-                dot(axis, apply_transposed(&start.rotation.matrix(), carrier.turned)),
-            );
-            poses[frame.place] = pose;
+            poses[frame.place] = carrier.pose(&frame.start, axis);
         }
         self.unknowns_from(at.t, &q, &vec![0.0; v.len()], &poses)
+    }
+
+    /// A state whose free frames are carried on with what turns since t = 0, or `back` to there: so states at the same
+    /// time of motions with different parameters are next to each other.
+    pub(super) fn carried_state(&mut self, at: &Uniform, state: &State, back: bool) -> State {
+        let mut carrier = self.carrier(at);
+        if self.free.is_empty() || carrier.is_still() {
+            return state.clone();
+        }
+        if back {
+            carrier = carrier.inverse();
+        }
+        let FrameState { t, q, v, mut poses } = self.frame_state(state);
+        for frame in self.free.iter().chain(&self.fixed) {
+            let axis = angle_axis(frame.spec.motions).unwrap_or_default();
+            poses[frame.place] = carrier.pose(&poses[frame.place], axis);
+        }
+        let mut carried = self.unknowns_from(t, &q, &v, &poses);
+        carried.lambda.clone_from(&state.lambda);
+        carried
     }
 
     /// Where what moves freely has been carried since t = 0: with the first prescribed frame that turns,
@@ -201,6 +210,30 @@ struct Carrier {
 }
 
 impl Carrier {
+    fn is_still(&self) -> bool {
+        self.turned == [0.0; 3] && self.from == self.to
+    }
+
+    fn inverse(&self) -> Self {
+        Self {
+            turn: self.turn.inverse(),
+            from: self.to,
+            to: self.from,
+            turned: scale(-1.0, self.turned),
+        }
+    }
+
+    /// The pose behind the displacement, of a frame that may turn about an own axis by an angle.
+    fn pose(&self, pose: &Pose, axis: Vector) -> Pose {
+        let within = |vector| dot(axis, apply_transposed(&pose.rotation.matrix(), vector));
+        Pose {
+            position: self.point(pose.position),
+            rotation: self.turn.times(&pose.rotation),
+            angle: pose.angle + nearest(within(self.turn.log()), within(self.turned)),
+            ..*pose
+        }
+    }
+
     fn point(&self, point: Vector) -> Vector {
         add(self.to, apply(&self.turn.matrix(), subtract(point, self.from)))
     }

@@ -8,6 +8,7 @@ use super::scene::MeshScene;
 use super::section::SectionState;
 use crate::equilibrium::Uniform;
 use crate::model::{FrameState, Scene};
+use crate::modes::Composition;
 use crate::system::{State, Tangent};
 use crate::vector::norm;
 
@@ -95,6 +96,10 @@ impl Scene for MeshScene {
         self.guess(at)
     }
 
+    fn carried(&mut self, at: &Uniform, state: &State, back: bool) -> State {
+        self.carried_state(at, state, back)
+    }
+
     fn uniform_state(&mut self, at: &Uniform, state: &mut State) {
         self.set_uniform(at, state);
     }
@@ -121,6 +126,10 @@ impl Scene for MeshScene {
 
     fn circulation(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
         self.circulation_of(at, state, shape)
+    }
+
+    fn composition(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Composition {
+        self.composition_of(at, state, shape)
     }
 
     fn uniform_obstacle(&mut self, at: &Uniform, state: &State) -> Option<String> {

@@ -11,6 +11,11 @@ pub struct Critical {
     /// By how many the number of negative directions rises there; negative where it falls, and 2 where two
     /// directions become critical together, as those of a round shaft do.
     pub change: isize,
+    /// How far off the value may be.
+    pub within: f64,
+    /// The interval around it in which no equilibrium was found, as next to a critical speed of an unbalanced shaft,
+    /// where the deflection grows without bound; `None` where equilibria come as near as `within`.
+    pub open: Option<[f64; 2]>,
 }
 
 /// The critical values between `from` and `to`, in the direction from one to the other, each to `tolerance`
@@ -39,6 +44,8 @@ pub fn critical(
             found.push(Critical {
                 value: middle,
                 change: after as isize - before as isize,
+                within: 0.5 * (high - low).abs(),
+                open: None,
             });
             continue;
         }

@@ -6,6 +6,7 @@
 //! observer that turns with the system.
 
 mod arnoldi;
+mod composition;
 mod critical;
 mod dense;
 mod pencil;
@@ -14,14 +15,16 @@ mod spectrum;
 mod tracking;
 mod whirl;
 
+pub use composition::{Composition, Motion};
 pub use critical::{Critical, critical};
 pub use pencil::Pencil;
-pub use tracking::{assurance, matched};
+pub use tracking::{assurance, followed, matched};
 pub use whirl::Whirl;
-pub(crate) use whirl::circulation;
+pub(crate) use whirl::Whirling;
 
 use crate::equilibrium::Uniform;
 use crate::error::{SolveError, SolveErrorKind};
+use crate::linalg::Pattern;
 use crate::model::Scene;
 use crate::system::{State, Tangent};
 use spectrum::{Failure, Pair};
@@ -37,6 +40,15 @@ pub struct Mode {
     /// Real and imaginary parts of the unknowns (increments of orientations, co-rotating). The first of the
     /// entries that are largest relative to [`sizes`](crate::system::System::sizes) is its size times 1.
     pub shape: Vec<[f64; 2]>,
+}
+
+impl Mode {
+    /// The conjugate one, which stands for the same motion.
+    pub fn conjugate(&self) -> Self {
+        let mut mode = self.clone();
+        mode.shape.iter_mut().for_each(|value| value[1] = -value[1]);
+        mode
+    }
 }
 
 /// Which modes are wanted.
@@ -71,6 +83,51 @@ pub fn unstable_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -
     dense::negative_stiffness(&pencil(scene, at, state)).map_err(|failure| error(scene, at, &failure))
 }
 
+/// The lowest values mu of `K x = mu M x`, ascending, with the symmetric part of the co-rotating stiffness and constraints
+/// kept, 1/s^2: from `-2 spin^2`, below which turning brings none, to the first `count` positive ones. The number of negative
+/// ones is that of [`unstable_directions`], found from sparse matrices where there are many unknowns; `spin` in rad/s.
+///
+/// # Errors
+/// As [`modes`].
+pub fn stiffness_values(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    state: &State,
+    count: usize,
+    spin: f64,
+) -> Result<Vec<f64>, SolveError> {
+    let mut tangent = tangent(scene, at, state);
+    tangent.damping.fill(0.0);
+    symmetrise(scene.pattern(), &mut tangent.stiffness);
+    // Beside the mass nothing is singular, and the lowest ones are those that are looked for.
+    let beside = 2.0 * spin * spin;
+    let entries = tangent.stiffness.iter_mut().zip(&tangent.mass);
+    entries.for_each(|(stiffness, mass)| *stiffness += beside * mass);
+    let pencil = with_constraints(scene, state, &tangent);
+    let free = pencil.unknowns().saturating_sub(pencil.constraints());
+    let mut asked = 2 * count;
+    loop {
+        let pairs = spectrum::lowest(&pencil, asked).map_err(|failure| error(scene, at, &failure))?;
+        // Of a value below the range there are two eigenvalues +-s.
+        let one = pairs.iter().map(|pair| pair.s).filter(|s| s.im > 0.0 || s.re >= 0.0);
+        let mut values: Vec<f64> = one.map(|s| -(s * s).re - beside).collect();
+        for value in &mut values {
+            if value.abs() <= NEUTRAL * beside {
+                *value = 0.0;
+            }
+        }
+        values.sort_by(f64::total_cmp);
+        let positive = values.iter().filter(|&&value| value > 0.0).count();
+        if positive >= count || asked >= free {
+            return Ok(values);
+        }
+        asked *= 2;
+    }
+}
+
+/// Part of the square of the spin that is round-off in a value of the stiffness: of motions that change nothing.
+const NEUTRAL: f64 = 1e-10;
+
 /// Stability margin: the largest rate of growth, 1/s. Negative: the equilibrium is asymptotically stable in
 /// these modes; 0 to round-off: neutral, as without damping; `None` without modes.
 pub fn stability_margin(modes: &[Mode]) -> Option<f64> {
@@ -78,22 +135,44 @@ pub fn stability_margin(modes: &[Mode]) -> Option<f64> {
 }
 
 fn pencil(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Pencil {
+    let tangent = tangent(scene, at, state);
+    with_constraints(scene, state, &tangent)
+}
+
+fn tangent(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Tangent {
     let zeros = || vec![0.0; scene.pattern().entries()];
     let mut tangent = Tangent {
         mass: zeros(),
         stiffness: zeros(),
         damping: zeros(),
     };
-    let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
     scene.small_motions(at, state, &mut tangent);
+    tangent
+}
+
+fn with_constraints(scene: &mut dyn Scene, state: &State, tangent: &Tangent) -> Pencil {
+    let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
     scene.constraint_jacobian(state, &mut jacobian);
     Pencil::new(
         scene.pattern(),
-        &tangent,
+        tangent,
         scene.constraint_pattern(),
         &jacobian,
         scene.sizes(),
     )
+}
+
+/// The symmetric part of a matrix on a symmetric pattern.
+fn symmetrise(pattern: &Pattern, values: &mut [f64]) {
+    for column in 0..pattern.columns() {
+        for entry in pattern.starts()[column]..pattern.starts()[column + 1] {
+            let row = pattern.indices()[entry];
+            if let Some(other) = pattern.find(column, row).filter(|_| row < column) {
+                let mean = 0.5 * (values[entry] + values[other]);
+                (values[entry], values[other]) = (mean, mean);
+            }
+        }
+    }
 }
 
 /// The mode in the unknowns and their true sizes.

@@ -5,6 +5,12 @@ use crate::linalg::c64;
 
 /// Assurance below this tells two modes from each other.
 const SAME: f64 = 0.25;
+/// The same of modes that are followed.
+const CLEAR: f64 = 0.6;
+/// Relative distance of eigenvalues that are one.
+const EQUAL: f64 = 1e-6;
+/// Part of a shape beside others that is new.
+const NEW: f64 = 1e-3;
 /// Weight of the nearness of eigenvalues beside the assurance: decides between shapes that fit equally,
 /// as those of modes of equal frequency do.
 const NEARNESS: f64 = 0.1;
@@ -29,7 +35,12 @@ pub fn assurance(a: &[[f64; 2]], b: &[[f64; 2]], weights: &[f64]) -> f64 {
 /// names is new. One to one, with the largest sum of assurance and (a little) nearness of eigenvalues.
 /// `weights` as of [`assurance`].
 pub fn matched(before: &[Mode], after: &[Mode], weights: &[f64]) -> Vec<Option<usize>> {
-    let fit = |a: &Mode, b: &Mode| assurance(&a.shape, &b.shape, weights);
+    best(before, after, SAME, |a, b| assurance(&a.shape, &b.shape, weights))
+}
+
+/// One to one, with the largest sum of fits and (a little) nearness of eigenvalues; what fits less than `least` is as good
+/// as none.
+fn best(before: &[Mode], after: &[Mode], least: f64, fit: impl Fn(&Mode, &Mode) -> f64) -> Vec<Option<usize>> {
     let near = |a: &Mode, b: &Mode| {
         let distance = (a.re - b.re).hypot(a.im - b.im);
         let size = a.re.hypot(a.im) + b.re.hypot(b.im);
@@ -40,13 +51,102 @@ pub fn matched(before: &[Mode], after: &[Mode], weights: &[f64]) -> Vec<Option<u
     for (a, row) in before.iter().zip(&mut cost) {
         for (b, cost) in after.iter().zip(row) {
             let fit = fit(a, b);
-            // What is not the same mode is as good as none.
-            *cost = if fit >= SAME { -fit - NEARNESS * near(a, b) } else { 0.0 };
+            *cost = if fit >= least {
+                -fit - NEARNESS * near(a, b)
+            } else {
+                0.0
+            };
         }
     }
     let partners = assignment(&cost);
     let real = |(row, column): (usize, usize)| (column < after.len() && cost[row][column] < 0.0).then_some(column);
     partners.into_iter().enumerate().take(before.len()).map(real).collect()
+}
+
+/// For every mode before, its index among the modes after and the mode that goes on there, or `None` where it is lost.
+/// First by the shapes alone. What is left may have mixed: of modes with equal or, within `tolerance` (rad/s), nearly equal
+/// eigenvalues only the space is the same before and after, and where they are equal after, the mode that goes on is the
+/// part in this space of that before. Then as conjugates: a frequency that passes zero comes back.
+pub fn followed(before: &[Mode], after: &[Mode], weights: &[f64], tolerance: f64) -> Vec<Option<(usize, Mode)>> {
+    let mut partners: Vec<Option<(usize, Mode)>> = vec![None; before.len()];
+    let one = |a: &Mode, b: &Mode| assurance(&a.shape, &b.shape, weights);
+    let close = |a: &Mode, b: &Mode, tolerance: f64| {
+        let size = a.re.hypot(a.im) + b.re.hypot(b.im);
+        (a.re - b.re).hypot(a.im - b.im) <= tolerance + EQUAL * size
+    };
+    for is_conjugate in [false, true] {
+        for mixed in [false, true] {
+            let lost: Vec<usize> = (0..before.len()).filter(|&index| partners[index].is_none()).collect();
+            let is_taken = |index: &usize| partners.iter().flatten().any(|(taken, _)| taken == index);
+            let new: Vec<usize> = (0..after.len()).filter(|index| !is_taken(index)).collect();
+            let turned = |mode: &Mode| if is_conjugate { mode.conjugate() } else { mode.clone() };
+            let all: Vec<Mode> = before.iter().map(turned).collect();
+            let first: Vec<Mode> = lost.iter().map(|&index| all[index].clone()).collect();
+            let rest: Vec<Mode> = new.iter().map(|&index| after[index].clone()).collect();
+            let fit = |a: &Mode, b: &Mode| {
+                if !mixed {
+                    return one(a, b);
+                }
+                let beside = |all: &[Mode], mode: &Mode| -> Vec<Vec<[f64; 2]>> {
+                    let close = all.iter().filter(|other| close(mode, other, tolerance));
+                    close.map(|other| other.shape.clone()).collect()
+                };
+                let forth = part_in(&b.shape, &beside(&all, a), weights).0;
+                let back = part_in(&a.shape, &beside(after, b), weights).0;
+                forth.max(back)
+            };
+            for (place, partner) in best(&first, &rest, CLEAR, fit).into_iter().enumerate() {
+                let Some(partner) = partner else { continue };
+                let index = new[partner];
+                let mut mode = after[index].clone();
+                let equal = after.iter().filter(|other| close(&mode, other, 0.0));
+                let space: Vec<Vec<[f64; 2]>> = equal.map(|other| other.shape.clone()).collect();
+                if space.len() > 1 {
+                    let (fit, part) = part_in(&first[place].shape, &space, weights);
+                    if fit >= CLEAR {
+                        mode.shape = part;
+                    }
+                }
+                partners[lost[place]] = Some((index, mode));
+            }
+        }
+    }
+    partners
+}
+
+/// Part of a shape in the span of others, 0 to 1, and that part.
+fn part_in(shape: &[[f64; 2]], space: &[Vec<[f64; 2]>], weights: &[f64]) -> (f64, Vec<[f64; 2]>) {
+    let complex =
+        |values: &[[f64; 2]]| -> Vec<c64> { values.iter().map(|value| c64::new(value[0], value[1])).collect() };
+    let product = |a: &[c64], b: &[c64]| -> c64 {
+        let parts = a.iter().zip(b).zip(weights);
+        parts.map(|((a, b), weight)| a.conj() * b * *weight).sum()
+    };
+    let mut basis: Vec<Vec<c64>> = Vec::new();
+    for other in space {
+        let mut vector = complex(other);
+        let size = product(&vector, &vector).re.sqrt();
+        for known in basis.iter().chain(&basis) {
+            let part = product(known, &vector);
+            vector.iter_mut().zip(known).for_each(|(value, of)| *value -= part * of);
+        }
+        let rest = product(&vector, &vector).re.sqrt();
+        if rest > NEW * size {
+            vector.iter_mut().for_each(|value| *value /= rest);
+            basis.push(vector);
+        }
+    }
+    let whole = complex(shape);
+    let mut sum = vec![c64::default(); whole.len()];
+    let mut found = 0.0;
+    for vector in &basis {
+        let part = product(vector, &whole);
+        found += part.norm_sqr();
+        sum.iter_mut().zip(vector).for_each(|(sum, of)| *sum += part * of);
+    }
+    let part = found / product(&whole, &whole).re;
+    let part = if part.is_finite() { part.min(1.0) } else { 0.0 };
+    (part, sum.iter().map(|value| [value.re, value.im]).collect())
 }
 
 /// The column of every row such that the sum of the costs is least: shortest augmenting paths (Kuhn and

@@ -1,5 +1,7 @@
 //! In which sense a mode whirls about the axis of the spin.
 
+use crate::vector::{Vector, cross, dot, perpendicular};
+
 /// Circulation from which on a mode counts as whirling.
 const CLEAR: f64 = 0.1;
 
@@ -53,49 +55,90 @@ impl Whirl {
     }
 }
 
-/// `sum 2 Im(u_1 conj(u_2)) / sum (|u_1|^2 + |u_2|^2)` of displacements u across an axis, where `first`,
-/// `second` and the axis are right-handed unit vectors: 1 where all points go about it on circles in its
-/// sense, -1 against it, 0 on straight lines. `None` where nothing moves across.
-pub(crate) fn circulation(displacements: &[[[f64; 2]; 3]], first: [f64; 3], second: [f64; 3]) -> Option<f64> {
-    let (mut turning, mut size, mut whole) = (0.0, 0.0, 0.0);
-    for point in displacements {
-        let along =
-            |axis: [f64; 3]| -> [f64; 2] { std::array::from_fn(|part| (0..3).map(|i| axis[i] * point[i][part]).sum()) };
-        let ([re1, im1], [re2, im2]) = (along(first), along(second));
-        turning += 2.0 * (im1 * re2 - re1 * im2);
-        size += re1 * re1 + im1 * im1 + re2 * re2 + im2 * im2;
-        whole += point.iter().flatten().map(|value| value * value).sum::<f64>();
-    }
-    // Motion along the axis and what round-off adds to it.
-    let across = size > ALONG * whole;
-    (across && turning.is_finite()).then(|| (turning / size).clamp(-1.0, 1.0))
+/// Sums over what moves, weighted with masses, of the circulation about an axis:
+/// `sum 2 Im(u_1 conj(u_2)) / sum (|u_1|^2 + |u_2|^2)` of displacements u across it: 1 where all points go about it on
+/// circles in its sense, -1 against it, 0 on straight lines.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Whirling {
+    /// The axis and two directions across it, right-handed; `None` where nothing turns.
+    axes: Option<[Vector; 3]>,
+    turning: f64,
+    size: f64,
+    whole: f64,
 }
 
-/// Part of the squared displacements across the axis that is round-off beside those along it.
-const ALONG: f64 = 1e-12;
+impl Whirling {
+    /// About an axis (a unit vector).
+    pub fn about(axis: Option<Vector>) -> Self {
+        Self {
+            axes: axis.map(|axis| {
+                let first = perpendicular(axis);
+                [axis, first, cross(axis, first)]
+            }),
+            ..Self::default()
+        }
+    }
+
+    /// Adds a displacement, real and imaginary part, and its product with the mass.
+    pub fn add(&mut self, displaced: &[Vector; 2], image: &[Vector; 2]) {
+        let Some([_, first, second]) = self.axes else { return };
+        let [re, im] = displaced;
+        let [image_re, image_im] = image;
+        self.turning += 2.0 * (dot(*im, first) * dot(*image_re, second) - dot(*re, first) * dot(*image_im, second));
+        for across in [first, second] {
+            self.size += dot(*re, across) * dot(*image_re, across) + dot(*im, across) * dot(*image_im, across);
+        }
+    }
+
+    /// Adds to the energy of all motions, those across among them.
+    pub fn add_whole(&mut self, energy: f64) {
+        self.whole += energy;
+    }
+
+    /// `None` where hardly anything moves across the axis, or nothing turns.
+    pub fn circulation(&self) -> Option<f64> {
+        let across = self.axes.is_some() && self.size > ALONG * self.whole;
+        (across && self.turning.is_finite()).then(|| (self.turning / self.size).clamp(-1.0, 1.0))
+    }
+}
+
+/// Part of the kinetic energy below which what goes across the axis tells no sense of whirl: the round-off of a torsion
+/// does, and what an unbalance couples to it.
+const ALONG: f64 = 1e-3;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const X: [f64; 3] = [1.0, 0.0, 0.0];
-    const Y: [f64; 3] = [0.0, 1.0, 0.0];
+    const Z: Vector = [0.0, 0.0, 1.0];
+
+    fn circulation(points: &[[Vector; 2]], axis: Vector) -> Option<f64> {
+        let mut whirling = Whirling::about(Some(axis));
+        for point in points {
+            whirling.add(point, point);
+            whirling.add_whole(point.iter().map(|part| dot(*part, *part)).sum());
+        }
+        whirling.circulation()
+    }
 
     #[test]
     fn a_circle_with_the_spin_is_forward() {
         // (cos t, sin t) = Re((1, -i) exp(i t))
-        let forward = [[1.0, 0.0], [0.0, -1.0], [0.3, 0.0]];
-        let backward = [[1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
-        assert_eq!(circulation(&[forward], X, Y), Some(1.0));
-        assert_eq!(circulation(&[backward], X, Y), Some(-1.0));
-        assert_eq!(circulation(&[forward, backward], X, Y), Some(0.0));
+        let forward = [[1.0, 0.0, 0.3], [0.0, -1.0, 0.0]];
+        let backward = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        assert_eq!(circulation(&[forward], Z), Some(1.0));
+        assert_eq!(circulation(&[backward], Z), Some(-1.0));
+        assert_eq!(circulation(&[forward, backward], Z), Some(0.0));
         // About the opposite axis.
-        assert_eq!(circulation(&[forward], Y, X), Some(-1.0));
+        assert_eq!(circulation(&[forward], [0.0, 0.0, -1.0]), Some(-1.0));
     }
 
     #[test]
     fn what_does_not_whirl_has_no_sense() {
-        assert_eq!(circulation(&[[[0.0; 2], [0.0; 2], [1.0, 0.0]]], X, Y), None);
+        assert_eq!(circulation(&[[[0.0, 0.0, 1.0], [0.0; 3]]], Z), None);
+        // A torsion with the round-off of a circle across the axis.
+        assert_eq!(circulation(&[[[1e-9, 0.0, 1.0], [0.0, 1e-9, 0.0]]], Z), None);
+        assert_eq!(Whirling::about(None).circulation(), None);
         assert_eq!(Whirl::of(2.0, None), Whirl::None);
         assert_eq!(Whirl::of(0.0, Some(1.0)), Whirl::None);
         assert_eq!(Whirl::of(2.0, Some(0.05)), Whirl::Mixed);

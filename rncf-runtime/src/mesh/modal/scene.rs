@@ -17,6 +17,7 @@ use crate::mesh::sampling::SectionBody;
 use crate::mesh::scene::MeshScene;
 use crate::mesh::section::SectionState;
 use crate::model::{Formulation, FrameState, Joints, Scene};
+use crate::modes::Composition;
 use crate::system::{Conserving, ConstraintLevel, State, System, Tangent};
 
 /// Builds the scene of a model with emitted parts: with modal coordinates where a body asks for them.
@@ -320,6 +321,19 @@ fn transposed(matrix: &[f64], k: usize, n: usize) -> Vec<f64> {
     (0..n).flat_map(|c| (0..k).map(move |i| matrix[i * n + c])).collect()
 }
 
+impl ModalScene {
+    /// Increments of all nodal vectors in a mode.
+    fn expanded_shape(&self, shape: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let [real, imaginary] = [0, 1].map(|part| {
+            let unknowns: Vec<f64> = shape.iter().map(|value| value[part]).collect();
+            let mut full = Vec::new();
+            self.reduction.expand(&unknowns, false, &mut full);
+            full
+        });
+        real.into_iter().zip(imaginary).map(|(re, im)| [re, im]).collect()
+    }
+}
+
 impl System for ModalScene {
     fn unknowns(&self) -> usize {
         self.reduction.unknowns()
@@ -521,6 +535,14 @@ impl Scene for ModalScene {
         self.restricted(&self.scene.uniform_guess(at))
     }
 
+    fn carried(&mut self, at: &Uniform, state: &State, back: bool) -> State {
+        self.expand(state);
+        let full = self.scene.carried_state(at, &self.full, back);
+        let mut carried = self.restricted(&full);
+        carried.lambda.clone_from(&state.lambda);
+        carried
+    }
+
     fn uniform_state(&mut self, at: &Uniform, state: &mut State) {
         self.expand(state);
         self.scene.set_uniform(at, &mut self.full);
@@ -555,14 +577,14 @@ impl Scene for ModalScene {
 
     fn circulation(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
         self.expand(state);
-        let [real, imaginary] = [0, 1].map(|part| {
-            let unknowns: Vec<f64> = shape.iter().map(|value| value[part]).collect();
-            let mut full = Vec::new();
-            self.reduction.expand(&unknowns, false, &mut full);
-            full
-        });
-        let full: Vec<[f64; 2]> = real.into_iter().zip(imaginary).map(|(re, im)| [re, im]).collect();
+        let full = self.expanded_shape(shape);
         self.scene.circulation_of(at, &self.full, &full)
+    }
+
+    fn composition(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Composition {
+        self.expand(state);
+        let full = self.expanded_shape(shape);
+        self.scene.composition_of(at, &self.full, &full)
     }
 
     fn uniform_obstacle(&mut self, at: &Uniform, state: &State) -> Option<String> {

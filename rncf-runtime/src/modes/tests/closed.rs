@@ -77,7 +77,7 @@ fn critical_speeds_are_bisected() {
     let negatives =
         |stiffness: [f64; 2]| move |spin: f64| Ok(dense::negative_stiffness(&jeffcott(spin, stiffness, 0.1)).unwrap());
     let round = critical(0.0, 40.0, 1e-9, negatives([50.0; 2])).unwrap();
-    let [Critical { value, change: 2 }] = round[..] else {
+    let [Critical { value, change: 2, .. }] = round[..] else {
         panic!("{round:?}");
     };
     assert!((value - 5.0).abs() < 1e-9);

@@ -1,0 +1,343 @@
+//! What is read off the modes of rotors and blades: tables of ROSS 2.3.0 (Timoshenko shaft of 48 elements, rigid discs), rigid
+//! hinged blades in closed form.
+
+// Models from one template do not use all of its params.
+#![allow(deprecated)]
+
+use rncf::Model;
+use rncf::app::{Campbell, Inertial, Range, SeenMode, SweepSettings, campbell, modes, steady};
+use rncf::modes::{Motion, Whirl};
+
+rncf::model! {
+    /// Shaft of 1.5 m and 50 mm with discs at its thirds, on elastic bearings (ROSS, rotor_example).
+    pub model Shaft {
+        param speed = 400 rad/s;
+        param elements: count = 6;
+        param stiffness = 1e6 N/m;
+        param damping = 0 N*s/m;
+        /// Of the first disc.
+        param eccentricity = 0 m;
+        param mass = 32.589728 kg;
+        param polar = 0.32956362 kg*m^2;
+        param diametral = 0.17808928 kg*m^2;
+        material steel { density = 7810 kg/m^3; young = 211 GPa; poisson = 0.29926108; }
+        section round = circle(radius = 25 mm);
+        frame rotor = rotating(axis = x, angle = speed * t);
+        body shaft in rotor { spatial; line from [0, 0, 0] m to [1.5, 0, 0] m; mesh elements * beam(round, steel); }
+        joint motor = hold(shaft.start.twist);
+        joint thrust = hold(shaft.start.x);
+        fixture first on shaft.at(0.5 m) {
+            mass = 32.589728 kg; center = [0 m, eccentricity, 0 m];
+            inertia = [0.32956362, 0.17808928, 0.17808928] kg*m^2;
+        }
+        fixture second on shaft.at(1 m) { mass = mass; inertia = [polar, diametral, diametral]; }
+        spring left = bushing(shaft.start, inertial.at([0, 0, 0] m),
+            stiffness = [0 [N/m], stiffness, stiffness], damping = [0 [N*s/m], damping, damping]);
+        spring right = bushing(shaft.end, inertial.at([1.5, 0, 0] m),
+            stiffness = [0 [N/m], stiffness, stiffness], damping = [0 [N*s/m], damping, damping]);
+        output y = shaft.at(0.5 m).y;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+rncf::model! {
+    /// Two rigid blades of one hub at once, one on a flap hinge, one on a lag hinge; nothing but turning makes them stiff.
+    pub model Hinged {
+        param speed = 30 rad/s;
+        param offset = 0.3 m;
+        param length = 5 m;
+        param mass = 10 kg;
+        frame hub = rotating(axis = z, angle = speed * t);
+        rigid flapping in hub {
+            mass = mass; origin = [offset, 0 m, 0 m]; center = [length / 2, 0 m, 0 m];
+            inertia = [1e-6 * mass * length^2, mass * length^2 / 12, mass * length^2 / 12];
+        }
+        rigid lagging in hub {
+            mass = mass; origin = [offset, 0 m, 0 m]; center = [length / 2, 0 m, 0 m];
+            inertia = [1e-6 * mass * length^2, mass * length^2 / 12, mass * length^2 / 12];
+        }
+        joint flap = revolute(hub.at([offset, 0 m, 0 m]), flapping, axis = y);
+        joint lag = revolute(hub.at([offset, 0 m, 0 m]), lagging, axis = z);
+        output angle = flap.angle;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+rncf::model! {
+    /// A slender blade of a square section that hangs on a flap hinge, under its weight along the axis; `hinged` blades
+    /// have no stiffness at rest, `clamped` ones equal flap and lag there.
+    pub model Blade {
+        param speed = 30 rad/s;
+        param weight = 9.81 m/s^2;
+        material alloy { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.3; }
+        section square = rectangle(y = 30 mm, z = 30 mm);
+        section strip = rectangle(y = 60 mm, z = 8 mm);
+        frame hub = rotating(axis = z, angle = speed * t);
+        body hinged in hub { spatial; line from [0.3, 0, 0] m to [6, 0, 0] m; mesh 4 * beam(strip, alloy); }
+        joint hinge = revolute(hub, hinged.start, axis = y);
+        load pull = gravity([0 [m/s^2], 0 [m/s^2], -weight]);
+        output tip = hinged.end.z;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+rncf::model! {
+    /// A blade that flaps and lags alike at rest.
+    pub model Square {
+        param speed = 30 rad/s;
+        material alloy { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.3; }
+        section square = rectangle(y = 30 mm, z = 30 mm);
+        frame hub = rotating(axis = z, angle = speed * t);
+        body clamped in hub { spatial; line from [0.3, 0, 0] m to [6, 0, 0] m; mesh 4 * beam(square, alloy); }
+        joint root = clamp(clamped.start, hub);
+        output tip = clamped.end.z;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+/// Over the first param, which is the speed.
+fn over_speed<M: Model>(model: &M, [from, to]: [f64; 2], steps: u32, count: usize) -> Campbell {
+    let range = Some(Range { param: 0, from, to });
+    let settings = SweepSettings {
+        range,
+        steps,
+        count,
+        ..SweepSettings::default()
+    };
+    campbell(model, &settings).unwrap()
+}
+
+/// Critical speeds and backward critical speeds of ROSS, rad/s.
+const FORWARD: [f64; 2] = [96.49729, 306.5343];
+const BACKWARD: [f64; 2] = [96.07855, 286.9506];
+
+#[test]
+fn critical_speeds_of_a_shaft_balanced_or_not() {
+    for (eccentricity, steps) in [(0.0, 9), (50e-6, 18)] {
+        let shaft = Shaft {
+            eccentricity,
+            ..Shaft::default()
+        };
+        let found = over_speed(&shaft, [5.0, 400.0], steps, 4);
+        assert!(found.is_round);
+        println!("{:?}", found.critical);
+        assert_eq!(found.critical.len(), 2, "{:?}", found.critical);
+        for (critical, exact) in found.critical.iter().zip(FORWARD) {
+            // The mesh of 6 elements alone is off by 6e-5.
+            let error = (critical.value - exact).abs();
+            assert!(critical.change == 2 && critical.within < 5e-5 * exact, "{critical:?}");
+            assert!(error < 6e-5 * exact + critical.within, "{critical:?} {exact}");
+            assert_eq!(critical.open.is_some(), eccentricity > 0.0);
+        }
+        let whirls: Vec<(Whirl, f64)> = found
+            .crossings
+            .iter()
+            .filter(|crossing| crossing.order == 1)
+            .map(|one| (one.whirl, one.key))
+            .collect();
+        let backward: Vec<f64> = whirls
+            .iter()
+            .filter(|(whirl, _)| *whirl == Whirl::Backward)
+            .map(|(_, key)| *key)
+            .collect();
+        assert_eq!(backward.len(), 2, "{whirls:?}");
+        for (value, exact) in backward.iter().zip(BACKWARD) {
+            assert!((value / exact - 1.0).abs() < 2e-4, "{value} {exact}");
+        }
+    }
+}
+
+#[test]
+fn critical_speeds_beyond_800_unknowns() {
+    let shaft = Shaft {
+        elements: 72,
+        ..Shaft::default()
+    };
+    let found = over_speed(&shaft, [90.0, 100.0], 1, 2);
+    assert!(found.unknowns > 800);
+    let [critical] = found.critical[..] else {
+        panic!("{:?}", found.critical)
+    };
+    println!("{critical:?}");
+    assert!(
+        critical.change == 2 && (critical.value / FORWARD[0] - 1.0).abs() < 1e-5,
+        "{critical:?}"
+    );
+}
+
+#[test]
+fn a_round_shaft_is_round_though_it_twists() {
+    // Case B at 400 rad/s.
+    let exact = [
+        (95.39519, Whirl::Backward),
+        (97.13544, Whirl::Forward),
+        (283.1670, Whirl::Backward),
+        (309.5558, Whirl::Forward),
+        (826.703, Whirl::Forward),
+    ];
+    let found = modes(&Shaft::default(), &SweepSettings::default()).unwrap();
+    assert!(found.is_round);
+    for (frequency, whirl) in exact {
+        let near = |mode: &&SeenMode| (mode.inertial_frequencies(400.0)[0] / frequency - 1.0).abs() < 5e-4;
+        let mode = found.modes.iter().find(near).unwrap();
+        assert_eq!(mode.inertial_whirl(400.0), whirl);
+    }
+    for (mode, composition) in found.modes.iter().zip(&found.compositions) {
+        let (motion, part) = composition.motions[0];
+        assert!(part > 0.999, "{composition:?}");
+        let expected = match mode.inertial(400.0) {
+            Inertial::Whirl(_) => Motion::Lateral,
+            _ => Motion::Torsion,
+        };
+        assert_eq!(motion, expected);
+    }
+}
+
+#[test]
+fn decrements_are_those_of_the_inertial_frame() {
+    // Case 5.9.5 at 4000 rpm: frequency, real part, logarithmic decrement.
+    let exact = [
+        (85.96571, -4.08307, 0.298429),
+        (88.41460, -4.74172, 0.336970),
+        (263.7820, -74.0968, 1.76496),
+        (318.2244, -78.8036, 1.55594),
+    ];
+    let speed = 4000.0 * std::f64::consts::PI / 30.0;
+    let shaft = Shaft {
+        speed,
+        damping: 3000.0,
+        mass: 51.525261,
+        polar: 0.80508220,
+        diametral: 0.42358058,
+        ..Shaft::default()
+    };
+    let found = modes(&shaft, &SweepSettings::default()).unwrap();
+    for (frequency, re, decrement) in exact {
+        let near = |mode: &&SeenMode| (mode.inertial_frequencies(speed)[0] / frequency - 1.0).abs() < 2e-3;
+        let mode = found.modes.iter().find(near).unwrap();
+        let told = mode.logarithmic_decrements(speed)[0].unwrap();
+        let ratio = mode.inertial_damping_ratios(speed)[0].unwrap();
+        println!("{frequency}: {told} {ratio} {:?}", mode.damping_ratio());
+        assert!((mode.re / re - 1.0).abs() < 4e-3 && (told / decrement - 1.0).abs() < 4e-3);
+        assert!((ratio / -(re / f64::hypot(re, frequency)) - 1.0).abs() < 4e-3);
+    }
+}
+
+#[test]
+fn rigid_blades_on_hinges_are_followed_over_the_speed() {
+    for (from, to) in [(20.0, 40.0), (40.0, 20.0)] {
+        let found = over_speed(&Hinged::default(), [from, to], 4, 8);
+        let stiffening: f64 = 1.5 * 0.3 / 5.0;
+        assert_eq!((found.keys.len(), found.tracks.len()), (5, 2));
+        for (row, speed) in found.spins.iter().enumerate() {
+            let mut seen: Vec<f64> = found.row(row).map(|mode| mode.im).collect();
+            seen.sort_by(f64::total_cmp);
+            let exact = [stiffening.sqrt() * speed, (1.0 + stiffening).sqrt() * speed];
+            for (seen, exact) in seen.iter().zip(exact) {
+                // The blades have a millionth of inertia about their axes.
+                assert!((seen / exact - 1.0).abs() < 2e-6, "{speed}: {seen} {exact}");
+            }
+        }
+        // The lag hinge is the softer one.
+        let mut kinds: Vec<(f64, Motion, String)> = found
+            .tracks
+            .iter()
+            .zip(&found.compositions)
+            .map(|(track, moves)| {
+                let most = moves.bodies.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+                (track[0].unwrap().im, moves.motions[0].0, most.0.clone())
+            })
+            .collect();
+        kinds.sort_by(|a, b| a.0.total_cmp(&b.0));
+        assert_eq!((kinds[0].1, kinds[0].2.as_str()), (Motion::Lag, "lagging"));
+        assert_eq!((kinds[1].1, kinds[1].2.as_str()), (Motion::Flap, "flapping"));
+    }
+}
+
+#[test]
+fn a_hinged_blade_starts_at_the_speed_asked_for() {
+    let blade = Blade::default();
+    let found = over_speed(&blade, [20.0, 40.0], 4, 8);
+    assert!(
+        found.warnings.iter().all(|text| !text.contains("no equilibrium")),
+        "{:?}",
+        found.warnings
+    );
+    // The root turns freely about y, the strip hardly bends: flap of a rigid uniform blade.
+    let stiffening: f64 = 1.5 * 0.3 / 5.7;
+    for (row, speed) in found.spins.iter().enumerate() {
+        let exact = (1.0 + stiffening).sqrt() * speed;
+        let nearest = found
+            .row(row)
+            .map(|mode| (mode.im / exact - 1.0).abs())
+            .fold(f64::INFINITY, f64::min);
+        assert!(nearest < 2e-3, "{speed} {nearest}");
+    }
+    // The droop of a string, which a slender blade nearly is: T z' = m g (R - x), T = m w^2 (R^2 - x^2) / 2.
+    let result = steady(
+        &blade,
+        &SweepSettings {
+            range: Some(Range {
+                param: 0,
+                from: 30.0,
+                to: 40.0,
+            }),
+            steps: 2,
+            ..SweepSettings::default()
+        },
+    )
+    .unwrap();
+    let droop = -2.0 * 9.81 / 900.0 * (12.0_f64 / 6.3).ln();
+    let tip = result.history.column(0).next().unwrap();
+    assert!((tip / droop - 1.0).abs() < 3e-3, "{tip} {droop}");
+    // Without a range, too, and from rest on where it must be.
+    let whole = steady(
+        &blade,
+        &SweepSettings {
+            steps: 4,
+            ..SweepSettings::default()
+        },
+    )
+    .unwrap();
+    assert_eq!(whole.history.keys.last(), Some(&30.0));
+    assert!(
+        whole.warnings.iter().any(|text| text.contains("no equilibrium")),
+        "{:?}",
+        whole.warnings
+    );
+    let from_rest = over_speed(&blade, [0.0, 40.0], 4, 8);
+    assert_eq!(from_rest.keys.last(), Some(&40.0));
+    assert!(modes(&blade, &SweepSettings::default()).is_ok());
+}
+
+#[test]
+fn modes_that_are_equal_at_rest_are_followed_from_there() {
+    for steps in [3, 5] {
+        let found = over_speed(&Square::default(), [0.0, 40.0], steps, 8);
+        assert_eq!(found.tracks.len(), 8);
+        for (track, moves) in found.tracks.iter().zip(&found.compositions) {
+            assert!(track.iter().all(Option::is_some), "{track:?}");
+            assert!(moves.motions[0].1 > 0.999, "{moves:?}");
+        }
+        // Southwell: flap^2 - lag^2 = spin^2, for each pair that was one at rest.
+        let last = found.keys.len() - 1;
+        let of = |motion: Motion, row: usize| -> Vec<f64> {
+            let tracks = found.tracks.iter().zip(&found.compositions);
+            let own = tracks.filter(|(_, moves)| moves.motions[0].0 == motion);
+            let mut values: Vec<f64> = own.map(|(track, _)| track[row].unwrap().im).collect();
+            values.sort_by(f64::total_cmp);
+            values
+        };
+        for row in [0, last] {
+            let spin = found.spins[row];
+            let (flap, lag) = (of(Motion::Flap, row), of(Motion::Lag, row));
+            assert_eq!((flap.len(), lag.len()), (4, 4));
+            for (flap, lag) in flap.iter().zip(lag) {
+                assert!(
+                    ((flap * flap - lag * lag) - spin * spin).abs() < 2e-3 * flap * flap,
+                    "{flap} {lag}"
+                );
+            }
+        }
+    }
+}
