@@ -75,7 +75,7 @@ impl Tracker {
         let (at, key, spin) = (station.at, station.key, station.spin);
         let told = |error: SolveError| format!("at {} = {key} {}: {error}", diagram.key.name, diagram.key.unit);
         let found = Looked::at(station.scene, &at, station.state, count).map_err(told)?;
-        let measured = measured(station.scene, &at, station.state, false).map_err(told)?;
+        let measured = Some(measured(station.scene, &at, station.state, false).map_err(told)?);
         diagram.keys.push(key);
         diagram.spins.push(spin);
         let before = self.last.clone();
@@ -132,7 +132,9 @@ impl Tracker {
                 .collect();
             diagram.is_round &= is_round(&shown);
         }
-        self.locate(line, diagram, measured);
+        // At rest nothing tells the sign of what only turning makes stiff, as hinged blades.
+        let is_loose = spin == 0.0 && found.modes.iter().any(|mode| size(mode) == 0.0);
+        self.locate(line, diagram, measured.filter(|_| !is_loose));
         self.cross(line, diagram, &before);
         Ok(())
     }
@@ -221,9 +223,9 @@ impl Tracker {
     }
 
     /// The critical values in the last step.
-    fn locate<M: Model>(&mut self, line: &mut Line<'_, M>, diagram: &mut Campbell, measured: Measured) {
-        let before = self.measured.replace(measured.clone());
-        let (Some(before), (Some(first), last)) = (before, line.last_two()) else {
+    fn locate<M: Model>(&mut self, line: &mut Line<'_, M>, diagram: &mut Campbell, measured: Option<Measured>) {
+        let before = std::mem::replace(&mut self.measured, measured.clone());
+        let (Some(before), Some(measured), (Some(first), last)) = (before, measured, line.last_two()) else {
             return;
         };
         if before.negative == measured.negative {
@@ -256,8 +258,11 @@ impl Tracker {
             if is_critical || !self.is_shown[crossing.track] {
                 continue;
             }
-            let mode = &before[crossing.track];
-            let refined = refined(line, crossing, mode, [&first, &last], diagram);
+            // At rest shapes of equal modes say nothing.
+            let modes = [&self.last[crossing.track], &before[crossing.track]];
+            let refined = modes
+                .into_iter()
+                .find_map(|mode| refined(line, crossing, mode, [&first, &last], diagram));
             diagram.crossings.push(refined.unwrap_or(crossing));
         }
     }

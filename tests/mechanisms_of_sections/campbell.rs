@@ -193,6 +193,26 @@ fn a_round_shaft_is_round_though_it_twists() {
     }
 }
 
+/// By its unbalance of 50 mm the motor's shaft is bent, and a shaft all the same.
+#[test]
+fn a_bent_shaft_has_no_flap() {
+    let found = modes(&rncf_models::Motor::default(), &SweepSettings::default()).unwrap();
+    for composition in &found.compositions {
+        let own = |motion: &Motion| matches!(motion, Motion::Lateral | Motion::Torsion | Motion::Axial);
+        assert!(
+            composition.motions.iter().all(|(motion, _)| own(motion)),
+            "{composition:?}"
+        );
+    }
+}
+
+/// A blade on a loose hinge has no stiffness at rest, and no critical speed next to it.
+#[test]
+fn what_turning_makes_stiff_is_not_critical_at_rest() {
+    let found = over_speed(&Hinged::default(), [0.0, 20.0], 2, 8);
+    assert!(found.critical.is_empty(), "{:?}", found.critical);
+}
+
 #[test]
 fn decrements_are_those_of_the_inertial_frame() {
     // Case 5.9.5 at 4000 rpm: frequency, real part, logarithmic decrement.
@@ -307,6 +327,7 @@ fn a_hinged_blade_starts_at_the_speed_asked_for() {
     );
     let from_rest = over_speed(&blade, [0.0, 40.0], 4, 8);
     assert_eq!(from_rest.keys.last(), Some(&40.0));
+    assert!(from_rest.critical.is_empty(), "{:?}", from_rest.critical);
     assert!(modes(&blade, &SweepSettings::default()).is_ok());
 }
 
@@ -319,6 +340,7 @@ fn modes_that_are_equal_at_rest_are_followed_from_there() {
             assert!(track.iter().all(Option::is_some), "{track:?}");
             assert!(moves.motions[0].1 > 0.999, "{moves:?}");
         }
+        assert!(found.crossings.iter().all(|crossing| crossing.within < 1e-4));
         // Southwell: flap^2 - lag^2 = spin^2, for each pair that was one at rest.
         let last = found.keys.len() - 1;
         let of = |motion: Motion, row: usize| -> Vec<f64> {

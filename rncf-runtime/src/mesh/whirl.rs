@@ -10,7 +10,9 @@ use crate::modes::{Composition, Motion, Whirling};
 use crate::system::State;
 use crate::vector::{Vector, add, apply, cross, dot, norm, perpendicular, scale, subtract};
 
-/// Directions whose part across another one is shorter than this count as along it.
+/// Sine of the angle to the axis up to which a line counts as a shaft along it: bent ones are shafts as well.
+const SHAFT: f64 = 0.3;
+/// Distance from the axis, part of the way from its point, that is none.
 const ALONG: f64 = 1e-3;
 
 /// Directions of the motions of a place: along, and the two ways across it.
@@ -31,7 +33,7 @@ impl Axes {
             };
         };
         let up = subtract(axis, scale(dot(axis, along), along));
-        if norm(up) < ALONG {
+        if norm(up) < SHAFT {
             return Self {
                 along,
                 across: [(Motion::Lateral, first), (Motion::Lateral, second)],
