@@ -4,6 +4,7 @@
 //! Data flows one way: a generated model ([`model::Model`]) builds a scene ([`mesh`]) which is a
 //! [`system::System`]; an integrator ([`integrate`]) advances any system.
 
+pub mod archive;
 pub mod equilibrium;
 pub mod error;
 pub mod integrate;

@@ -1,6 +1,7 @@
 //! Rotations as unit quaternions, and the exponential map with its tangents (THEORY 7.2). Right
 //! increments in body axes throughout: `exp(theta + d) ~ exp(theta) exp(T(theta) d)`.
 
+use crate::archive::{Archive, Keep};
 use crate::vector::{Matrix, Vector, cross, norm};
 
 /// Angles (rad) below this use series.
@@ -11,6 +12,12 @@ const SMALL: f64 = 1e-2;
 pub struct Rotation {
     /// Scalar part, then vector part; of norm one.
     quaternion: [f64; 4],
+}
+
+impl Keep for Rotation {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        self.quaternion.keep(archive);
+    }
 }
 
 impl Default for Rotation {

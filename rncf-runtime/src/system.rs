@@ -11,6 +11,7 @@
 //! [`System::turns`]: there `v` is the angular velocity in body axes, and derivatives are taken
 //! with respect to right increments, `A <- A exp(dpi)`.
 
+use crate::archive::{Archive, Keep};
 use crate::linalg::Pattern;
 use crate::rotation::{Rotation, inverse_tangent_map};
 
@@ -31,6 +32,25 @@ pub struct State {
     pub a: Vec<f64>,
     /// Multipliers of the constraints.
     pub lambda: Vec<f64>,
+}
+
+/// Of the same system: the lengths are those that the reader has.
+impl Keep for State {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            t,
+            x,
+            turns,
+            v,
+            a,
+            lambda,
+        } = self;
+        t.keep(archive);
+        archive.fixed(turns);
+        for values in [x, v, a, lambda] {
+            archive.fixed(values);
+        }
+    }
 }
 
 impl State {

@@ -11,7 +11,7 @@ use crate::runs::{adaptive, short};
 
 rncf::model! {
     /// A mass on a spring along x, pushed by a load of many switches.
-    model Switched {
+    pub model Switched {
         param omega = 7 rad/s;
         /// Before t = 1 s the sign of a cosine, then a constant.
         motion nested(t) = if t < 1 s { if cos(5 [rad/s] * t) > 0.3 { 1 } else { -1 } } else { 0.5 };

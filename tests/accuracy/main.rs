@@ -18,6 +18,7 @@ mod orders;
 mod pendulum;
 mod pictures;
 mod reference;
+mod resumed;
 mod runs;
 mod scales;
 mod slider_crank;

@@ -27,6 +27,7 @@ use super::lasting::Lasting;
 use super::newton::{self, Factors, Failure, Iterate, Newton, norm};
 use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
+use crate::archive::{Archive, Keep};
 use crate::error::SolveErrorKind;
 use crate::linalg::Singular;
 use crate::system::{State, System};
@@ -365,6 +366,44 @@ impl Alpha {
     }
 }
 
+/// What is known between two steps.
+impl Keep for Alpha {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            coefficients: _,
+            fixed: _,
+            stabilised: _,
+            charts: _,
+            inverse_weights: _,
+            newton,
+            bordered: _,
+            controller,
+            history,
+            now,
+            before,
+            low,
+            offset,
+            left: Left { h, v, low: left_low, a },
+            constrained_jerk: _,
+            jerk_known: _,
+            first_jerk,
+            trial: _,
+            a0: _,
+            work: _,
+        } = self;
+        newton.keep(archive);
+        controller.keep(archive);
+        history.keep(archive);
+        now.keep(archive);
+        before.keep(archive);
+        low.keep(archive);
+        h.keep(archive);
+        for values in [offset, v, left_low, a, first_jerk] {
+            archive.fixed(values);
+        }
+    }
+}
+
 impl Scheme for Alpha {
     fn begin<S: System + ?Sized>(
         &mut self,
@@ -429,6 +468,10 @@ impl Scheme for Alpha {
             self.controller.accept(h, error)
         };
         Outcome::Accepted { next }
+    }
+
+    fn take_up<S: System + ?Sized>(&mut self, system: &mut S) {
+        self.bordered.approach(system, &self.now);
     }
 
     fn state(&self) -> &State {

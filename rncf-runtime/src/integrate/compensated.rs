@@ -2,6 +2,8 @@
 //! many small steps as `high + low`. Round-off of a run is then that of the last bit of its steps'
 //! increments, not of the sum at every step.
 
+use crate::archive::{Archive, Keep};
+
 /// Low parts of positions, velocities and time of a state.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Low {
@@ -11,6 +13,15 @@ pub(super) struct Low {
     pub(super) x: Vec<f64>,
     /// Velocities.
     pub(super) v: Vec<f64>,
+}
+
+impl Keep for Low {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self { t, x, v } = self;
+        t.keep(archive);
+        archive.fixed(x);
+        archive.fixed(v);
+    }
 }
 
 impl Low {

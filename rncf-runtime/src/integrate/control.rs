@@ -6,6 +6,8 @@
 //! that it rests at what the peaks allow. The step itself changes only where the proposal leaves a band around it:
 //! within the band the factorization is kept. (Digital filters in step size control: Soderlind 2003.)
 
+use crate::archive::{Archive, Keep};
+
 /// Safety factor of a proposal.
 const SAFETY: f64 = 0.82;
 /// A growth below this is not worth a new factorization: the step is kept.
@@ -38,6 +40,22 @@ pub(super) struct Controller {
     rejected: bool,
     /// Largest step at which the iteration is trusted, s.
     trusted: f64,
+}
+
+impl Keep for Controller {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            order: _,
+            growth: _,
+            release: _,
+            proposal,
+            rejected,
+            trusted,
+        } = self;
+        proposal.keep(archive);
+        rejected.keep(archive);
+        trusted.keep(archive);
+    }
 }
 
 impl Controller {

@@ -25,6 +25,7 @@ use super::control::{Controller, RETRY};
 use super::newton::{largest, norm, row};
 use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
+use crate::archive::{Archive, Keep};
 use crate::error::SolveErrorKind;
 use crate::linalg::Singular;
 use crate::system::{State, System};
@@ -158,6 +159,33 @@ impl EnergyMomentum {
     }
 }
 
+/// What is known between two steps.
+impl Keep for EnergyMomentum {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            fixed: _,
+            stabilised: _,
+            charts: _,
+            inverse_weights: _,
+            newton: _,
+            bordered: _,
+            controller,
+            carried: _,
+            now,
+            before,
+            low,
+            jerk,
+            trial: _,
+            work: _,
+        } = self;
+        controller.keep(archive);
+        now.keep(archive);
+        before.keep(archive);
+        low.keep(archive);
+        archive.fixed(jerk);
+    }
+}
+
 impl Scheme for EnergyMomentum {
     fn begin<S: System + ?Sized>(
         &mut self,
@@ -214,6 +242,10 @@ impl Scheme for EnergyMomentum {
             self.controller.accept(h, error)
         };
         Outcome::Accepted { next }
+    }
+
+    fn take_up<S: System + ?Sized>(&mut self, system: &mut S) {
+        self.bordered.move_to(system, &self.now);
     }
 
     fn state(&self) -> &State {

@@ -1,5 +1,6 @@
 //! Extrapolation of accelerations and multipliers from accepted steps: where Newton starts.
 
+use crate::archive::{Archive, Keep};
 use crate::system::State;
 
 /// Up to two states before the last accepted one, newest first.
@@ -17,6 +18,22 @@ struct Point {
     t: f64,
     a: Vec<f64>,
     lambda: Vec<f64>,
+}
+
+impl Keep for History {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self { past, known, degree } = self;
+        for Point { t, a, lambda } in past {
+            t.keep(archive);
+            archive.fixed(a);
+            archive.fixed(lambda);
+        }
+        known.keep(archive);
+        degree.keep(archive);
+        if *known > 2 || *degree > 2 {
+            archive.misfit();
+        }
+    }
 }
 
 impl History {

@@ -7,6 +7,7 @@
 //! measured by the tolerance. Poses of free frames and rigid bodies are measured so. Nodal vectors are not: their
 //! remainders are in stiff vibrations, which the method damps, and no affordable iteration makes them that small.
 
+use crate::archive::{Archive, Keep};
 use crate::system::System;
 
 /// Smallest amplification that is expected of an iteration before its contraction is seen.
@@ -31,6 +32,23 @@ pub(super) struct Lasting {
     count: usize,
     /// Size at which increments did not fall any more.
     noise: f64,
+}
+
+impl Keep for Lasting {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            first: _,
+            factors: _,
+            amplification,
+            sizes,
+            count,
+            noise,
+        } = self;
+        amplification.keep(archive);
+        sizes.keep(archive);
+        count.keep(archive);
+        noise.keep(archive);
+    }
 }
 
 impl Lasting {

@@ -19,6 +19,7 @@ mod newton;
 mod noise;
 mod options;
 mod radau;
+mod renewal;
 mod scheme;
 mod segments;
 mod stabiliser;
@@ -32,6 +33,7 @@ mod tests;
 pub use options::{Method, Options, StepSize};
 pub use statistics::Statistics;
 
+use crate::archive::{Archive, Keep};
 use crate::error::{SolveError, SolveErrorKind};
 use crate::linalg::Singular;
 use crate::system::{ConstraintLevel, State, System};
@@ -40,6 +42,7 @@ use bordered::{Bordered, add};
 use consistent::Inconsistent;
 use energy::EnergyMomentum;
 use radau::Radau;
+use renewal::Renewal;
 use scheme::{Cause, Outcome, Scheme};
 use segments::Segments;
 use switches::Switches;
@@ -63,6 +66,7 @@ pub enum Stop {
 /// Advances a system from a consistent initial state to an end time.
 pub struct Integrator<'s, S: System + ?Sized> {
     system: &'s mut S,
+    method: Method,
     scheme: Running,
     options: Options,
     segments: Segments,
@@ -76,6 +80,7 @@ pub struct Integrator<'s, S: System + ?Sized> {
     statistics: Statistics,
     /// Memory for constraint values.
     violations: Vec<f64>,
+    renewal: Renewal,
 }
 
 /// The method that runs.
@@ -126,23 +131,15 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         let mut state = sized(system, start, segments.start()).map_err(|kind| fail(kind, None))?;
         let mut statistics = Statistics::default();
         prepare(system, &mut state, t_end - t0, &mut statistics).map_err(|(kind, worst)| fail(kind, worst))?;
-        let bordered = Bordered::new(system);
-        let span = t_end - t0;
-        let scheme = match method {
-            Method::Hht { alpha } => Running::alpha(system, Coefficients::hht(alpha), &options, span),
-            Method::GeneralizedAlpha { rho_inf } => {
-                Running::alpha(system, Coefficients::generalized_alpha(rho_inf), &options, span)
-            }
-            Method::Radau => Running::Radau(Box::new(Radau::new(system, &options, span))),
-            Method::EnergyMomentum => Running::Energy(Box::new(EnergyMomentum::new(system, &options))),
-        };
         let mut integrator = Self {
+            bordered: Bordered::new(system),
+            scheme: Running::new(system, method, &options, t_end - t0),
+            renewal: Renewal::new(options.renewal(system.unknowns())),
             system,
-            scheme,
+            method,
             options,
             segments,
             switches,
-            bordered,
             wanted: 0.0,
             at_kink: false,
             previous_time: state.t,
@@ -178,7 +175,11 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
                 Outcome::Accepted { next } => {
                     // A step cut short by a kink or the end says little about the next one.
                     self.wanted = if next >= h { next.max(limited) } else { next };
-                    return Ok(self.accepted(t, h));
+                    let stop = self.accepted(t, h);
+                    if stop != Stop::End && self.renewal.is_due(&self.statistics) {
+                        self.renew();
+                    }
+                    return Ok(stop);
                 }
                 Outcome::Rejected { next, cause } => {
                     self.count_rejection(&cause);
@@ -471,12 +472,33 @@ fn prepare<S: System + ?Sized>(
 }
 
 impl Running {
+    fn new<S: System + ?Sized>(system: &mut S, method: Method, options: &Options, span: f64) -> Self {
+        match method {
+            Method::Hht { alpha } => Self::alpha(system, Coefficients::hht(alpha), options, span),
+            Method::GeneralizedAlpha { rho_inf } => {
+                Self::alpha(system, Coefficients::generalized_alpha(rho_inf), options, span)
+            }
+            Method::Radau => Self::Radau(Box::new(Radau::new(system, options, span))),
+            Method::EnergyMomentum => Self::Energy(Box::new(EnergyMomentum::new(system, options))),
+        }
+    }
+
     fn alpha<S: System + ?Sized>(system: &mut S, coefficients: Coefficients, options: &Options, span: f64) -> Self {
         Running::Alpha(Box::new(Alpha::new(system, coefficients, options).over(
             system,
             options.rtol,
             span,
         )))
+    }
+}
+
+impl Keep for Running {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        match self {
+            Running::Alpha(scheme) => scheme.keep(archive),
+            Running::Radau(scheme) => scheme.keep(archive),
+            Running::Energy(scheme) => scheme.keep(archive),
+        }
     }
 }
 
@@ -500,6 +522,14 @@ impl Scheme for Running {
             Running::Alpha(scheme) => scheme.attempt(system, h, statistics),
             Running::Radau(scheme) => scheme.attempt(system, h, statistics),
             Running::Energy(scheme) => scheme.attempt(system, h, statistics),
+        }
+    }
+
+    fn take_up<S: System + ?Sized>(&mut self, system: &mut S) {
+        match self {
+            Running::Alpha(scheme) => scheme.take_up(system),
+            Running::Radau(scheme) => scheme.take_up(system),
+            Running::Energy(scheme) => scheme.take_up(system),
         }
     }
 

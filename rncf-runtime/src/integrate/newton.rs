@@ -17,6 +17,7 @@ use super::lasting::Lasting;
 use super::noise::{self, BEARABLE};
 use super::scheme::Cause;
 use super::stabiliser::{Scales, Stabiliser};
+use crate::archive::{Archive, Keep};
 use crate::linalg::{Pattern, Saddle, Singular};
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
@@ -168,6 +169,33 @@ struct Moved {
     floor: f64,
     /// Factor that it was multiplied by for the sake of a matrix of another step size.
     relaxation: f64,
+}
+
+/// What is known beyond the matrix, its experience and what serves one iteration.
+impl Keep for Newton {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            constraint_pattern: _,
+            charts: _,
+            stabiliser: _,
+            factors: _,
+            inverse_weights: _,
+            inverse_sizes: _,
+            converged: _,
+            bearable: _,
+            rtol: _,
+            saddle: _,
+            tangent: _,
+            block: _,
+            jacobian: _,
+            dx: _,
+            dlambda: _,
+            factored_for: _,
+            experience: _,
+            lasting,
+        } = self;
+        lasting.keep(archive);
+    }
 }
 
 impl Newton {

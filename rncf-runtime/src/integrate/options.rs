@@ -45,13 +45,30 @@ pub struct Options {
     pub stabilised: bool,
     /// The global error, not the local one, shall be proportional to `rtol`: [`Options::local_tolerance`].
     pub proportional: bool,
+    /// Evaluations of the residual after which all that is kept from step to step but could be found again (matrices,
+    /// factorizations) is found again: so often a run can be taken up. `None`: by the number of unknowns, so that it costs
+    /// little and happens every few seconds of work.
+    pub renewed_after: Option<u64>,
 }
 
 /// Global error over size, of HHT and generalized-alpha, per power 2/3 of the tolerance of the local error: the
 /// middle of 0.5 to 7.5 measured on a spun-up beam, a slider-crank, a motor and a heavy top (docs/step_control.md).
 const ALPHA_CONSTANT: f64 = 3.0;
 
+/// Evaluations of the residual between two renewals, times unknowns: some seconds; a small system counts as a larger one.
+const WORK: u64 = 20_000_000;
+const SMALL: u64 = 50;
+/// Bounds of these evaluations: what a renewal costs does not show.
+const FEWEST: u64 = 5_000;
+const MOST: u64 = 200_000;
+
 impl Options {
+    /// [`Options::renewed_after`] of a system with so many unknowns.
+    pub(super) fn renewal(&self, unknowns: usize) -> u64 {
+        let by_size = WORK / (unknowns as u64 + SMALL);
+        self.renewed_after.unwrap_or(by_size.clamp(FEWEST, MOST))
+    }
+
     /// The relative tolerance of a step's local error.
     ///
     /// This is `rtol` itself unless `proportional`. A method of order 2 controls local errors of order 3: its global
@@ -77,6 +94,7 @@ impl Default for Options {
             first_step: None,
             stabilised: false,
             proportional: false,
+            renewed_after: None,
         }
     }
 }

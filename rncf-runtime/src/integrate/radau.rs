@@ -21,6 +21,7 @@ use super::control::Controller;
 use super::lasting::Lasting;
 use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
+use crate::archive::{Archive, Keep};
 use crate::error::SolveErrorKind;
 use crate::system::{State, System};
 use coefficients::Coefficients;
@@ -201,6 +202,40 @@ impl Radau {
     }
 }
 
+/// What is known between two steps.
+impl Keep for Radau {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            coefficients: _,
+            fixed: _,
+            matrices: _,
+            newton,
+            estimate: _,
+            before,
+            now,
+            low,
+            middle: _,
+            last,
+            trial,
+            tangent: _,
+            controller,
+        } = self;
+        newton.keep(archive);
+        before.keep(archive);
+        now.keep(archive);
+        low.keep(archive);
+        let mut is_behind_a_step = last.is_some();
+        is_behind_a_step.keep(archive);
+        if archive.is_reading() {
+            *last = is_behind_a_step.then(|| trial.clone());
+        }
+        if let Some(last) = last {
+            last.keep(archive);
+        }
+        controller.keep(archive);
+    }
+}
+
 impl Scheme for Radau {
     fn begin<S: System + ?Sized>(
         &mut self,
@@ -262,6 +297,8 @@ impl Scheme for Radau {
         }
         Outcome::Accepted { next }
     }
+
+    fn take_up<S: System + ?Sized>(&mut self, _system: &mut S) {}
 
     fn state(&self) -> &State {
         &self.now

@@ -3,6 +3,7 @@
 //! matrices, its error estimate and its proposal for the next step.
 
 use super::Statistics;
+use crate::archive::Keep;
 use crate::error::SolveErrorKind;
 use crate::system::{State, System};
 
@@ -28,8 +29,8 @@ pub(super) enum Cause {
     NotFinite,
 }
 
-/// An integration method.
-pub(super) trait Scheme {
+/// An integration method. It keeps what it knows between two steps; what it could find again (matrices, factorizations) it does not.
+pub(super) trait Scheme: Keep {
     /// Begins at a consistent state (accelerations and multipliers solved for), at the start or
     /// after a kink; `h` (s) is the step that will be tried first.
     fn begin<S: System + ?Sized>(
@@ -43,6 +44,9 @@ pub(super) trait Scheme {
     /// Tries one step of size `h` (s) from the last accepted state. With a fixed step there is no
     /// error test, but a step that has not converged is rejected all the same.
     fn attempt<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Outcome;
+
+    /// Goes on from what was read into the method, which is otherwise new.
+    fn take_up<S: System + ?Sized>(&mut self, system: &mut S);
 
     /// The state at the end of the last accepted step, with true accelerations.
     fn state(&self) -> &State;

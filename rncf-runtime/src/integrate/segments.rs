@@ -1,6 +1,7 @@
 //! The time axis of a run: smooth segments between kinks, and steps that fit into them.
 
 use super::compensated;
+use crate::archive::{Archive, Keep};
 
 /// Kinks closer than this part of the span are one kink.
 const ONE_KINK: f64 = 1e-11;
@@ -21,6 +22,26 @@ pub(super) struct Segments {
     /// Kinks that are passed.
     passed: usize,
     end: f64,
+}
+
+impl Keep for Segments {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            start,
+            span,
+            kinks,
+            passed,
+            end,
+        } = self;
+        start.keep(archive);
+        span.keep(archive);
+        kinks.keep(archive);
+        passed.keep(archive);
+        end.keep(archive);
+        if *passed > kinks.len() {
+            archive.misfit();
+        }
+    }
 }
 
 impl Segments {
@@ -72,6 +93,11 @@ impl Segments {
     /// Whether two times (s) count as one kink.
     pub(super) fn is_near(&self, a: f64, b: f64) -> bool {
         (a - b).abs() <= ONE_KINK * self.span
+    }
+
+    /// From the start to the end time, s.
+    pub(super) fn span(&self) -> f64 {
+        self.span
     }
 
     /// Where the first segment begins, s.

@@ -1,5 +1,7 @@
 //! Counts of an integration; always filled.
 
+use crate::archive::{Archive, Keep};
+
 /// Counts of an integration.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statistics {
@@ -36,6 +38,53 @@ pub struct Statistics {
     pub position_correction: f64,
     /// The same of an initial velocity, relative to the size over the time of the run.
     pub velocity_correction: f64,
+}
+
+impl Keep for Statistics {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            steps,
+            rejected_steps,
+            rejected_by_error,
+            rejected_by_newton,
+            newton_iterations,
+            residual_evaluations,
+            jacobian_evaluations,
+            factorizations,
+            solves,
+            restarts,
+            steps_at_ceiling,
+            smallest_step,
+            largest_step,
+            max_constraint_residual,
+            position_correction,
+            velocity_correction,
+        } = self;
+        for count in [
+            steps,
+            rejected_steps,
+            rejected_by_error,
+            rejected_by_newton,
+            newton_iterations,
+            residual_evaluations,
+            jacobian_evaluations,
+            factorizations,
+            solves,
+            restarts,
+            steps_at_ceiling,
+        ] {
+            count.keep(archive);
+        }
+        for value in [
+            smallest_step,
+            largest_step,
+            max_constraint_residual,
+            position_correction,
+            velocity_correction,
+        ] {
+            value.keep(archive);
+        }
+    }
 }
 
 impl Statistics {

@@ -3,6 +3,7 @@
 use super::evaluate::weighted;
 use super::linked::Marker;
 use super::scene::{MeshScene, PlaceVector, point_of};
+use crate::archive::{Archive, Keep};
 use crate::rotation::Rotation;
 use crate::vector::{Vector, add, norm};
 
@@ -31,6 +32,14 @@ pub struct Configuration {
     pub points: Vec<Vector>,
     /// Origin (m, inertial axes) and orientation of every frame; the first is the inertial one.
     pub poses: Vec<(Vector, Rotation)>,
+}
+
+impl Keep for Configuration {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self { points, poses } = self;
+        points.keep(archive);
+        poses.keep(archive);
+    }
 }
 
 /// Pieces of an element of a body with so many of them.

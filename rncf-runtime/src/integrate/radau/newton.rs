@@ -3,6 +3,7 @@
 use super::coefficients::Coefficients;
 use super::matrices::Matrices;
 use super::stages::Stages;
+use crate::archive::{Archive, Keep};
 use crate::integrate::Statistics;
 use crate::integrate::anderson::Acceleration;
 use crate::integrate::bordered::add;
@@ -84,6 +85,36 @@ pub(super) struct Newton {
     iterate: Vec<f64>,
     increment: Vec<f64>,
     weights: Vec<f64>,
+}
+
+/// What is known beyond one iteration.
+impl Keep for Newton {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            inverse_weights: _,
+            inverse_sizes: _,
+            tolerance: _,
+            lasting,
+            patient: _,
+            rtol: _,
+            amplification,
+            seen_at,
+            dynamics: _,
+            constraints: _,
+            rates: _,
+            jacobians: _,
+            jacobian: _,
+            drift: _,
+            stage: _,
+            acceleration: _,
+            iterate: _,
+            increment: _,
+            weights: _,
+        } = self;
+        lasting.keep(archive);
+        amplification.keep(archive);
+        seen_at.keep(archive);
+    }
 }
 
 impl Newton {

@@ -2,6 +2,7 @@
 
 use super::chart::Chart;
 use super::coefficients::Coefficients;
+use crate::archive::{Archive, Keep};
 use crate::system::State;
 
 /// Values at the three stages of a step, in its chart.
@@ -25,6 +26,26 @@ pub(super) struct Stages {
     /// Multipliers mu of the stabilised index 2, and the drift `C_y^T mu`; empty with index 3.
     pub(super) mu: [Vec<f64>; 3],
     pub(super) drift: [Vec<f64>; 3],
+}
+
+impl Keep for Stages {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            h,
+            w,
+            z,
+            change,
+            v,
+            a,
+            lambda,
+            mu,
+            drift,
+        } = self;
+        h.keep(archive);
+        for stages in [w, z, change, v, a, lambda, mu, drift] {
+            stages.iter_mut().for_each(|values| archive.fixed(values));
+        }
+    }
 }
 
 impl Stages {

@@ -1,0 +1,135 @@
+//! Renewal: from time to time an integration forgets all that it could find again, and goes on from what it must know.
+//!
+//! Matrices, factorizations and what was seen of them are kept from step to step, and the last bits of a result depend on when
+//! they were made. They are not worth storing. A renewal writes what must be known to bytes, makes the method anew and reads
+//! the bytes, just as a run does that is taken up later from them: so both go on with the same bits, whatever the method
+//! remembers. When a renewal is due is counted, not timed.
+
+use super::scheme::Scheme;
+use super::{Bordered, Integrator, Method, Options, Running, Segments, Statistics, Switches};
+use crate::archive::{Archive, Keep};
+use crate::error::{SolveError, SolveErrorKind};
+use crate::system::System;
+
+/// When the next renewal is due, and what the last one knew.
+pub(super) struct Renewal {
+    /// Evaluations of the residual from one to the next.
+    after: u64,
+    /// Evaluations at the last one.
+    last: u64,
+    /// What was known at the last one; empty before the first.
+    known: Vec<u8>,
+}
+
+impl Renewal {
+    /// A renewal after every so many evaluations of the residual.
+    pub(super) fn new(after: u64) -> Self {
+        Self {
+            after,
+            last: 0,
+            known: Vec::new(),
+        }
+    }
+
+    /// Whether the time has come; to be asked after a step.
+    pub(super) fn is_due(&self, statistics: &Statistics) -> bool {
+        statistics.residual_evaluations - self.last >= self.after
+    }
+}
+
+impl<'s, S: System + ?Sized> Integrator<'s, S> {
+    /// What [`Integrator::resume`] needs to repeat all steps since the last renewal ([`Options::renewed_after`]) and to go on, to
+    /// the last bit; `None` before the first one.
+    pub fn renewed(&self) -> Option<&[u8]> {
+        (!self.renewal.known.is_empty()).then_some(&self.renewal.known)
+    }
+
+    /// Takes up an integration from [`Integrator::renewed`]: with the same system, method and options the steps that follow have
+    /// the same bits.
+    ///
+    /// # Errors
+    /// The bytes are those of another system or method.
+    pub fn resume(system: &'s mut S, renewed: &[u8], method: Method, options: Options) -> Result<Self, SolveError> {
+        let options = Options {
+            rtol: options.local_tolerance(method),
+            ..options
+        };
+        let mut integrator = Self {
+            bordered: Bordered::new(system),
+            // The span comes with the segments.
+            scheme: Running::new(system, method, &options, 0.0),
+            renewal: Renewal::new(options.renewal(system.unknowns())),
+            violations: vec![0.0; system.constraints()],
+            system,
+            method,
+            options,
+            segments: Segments::new(0.0, 0.0, &[]),
+            switches: Switches::default(),
+            wanted: 0.0,
+            at_kink: false,
+            previous_time: 0.0,
+            statistics: Statistics::default(),
+        };
+        integrator.renewal.known = renewed.to_vec();
+        integrator.take_up().map_err(|kind| SolveError {
+            kind,
+            t: 0.0,
+            h: 0.0,
+            worst: None,
+        })?;
+        Ok(integrator)
+    }
+
+    /// Forgets what can be found again.
+    pub(super) fn renew(&mut self) {
+        let mut known = std::mem::take(&mut self.renewal.known);
+        known.clear();
+        self.keep(&mut Archive::writing(&mut known));
+        self.renewal.known = known;
+        let taken_up = self.take_up();
+        debug_assert!(taken_up.is_ok(), "what this writes it reads");
+    }
+
+    /// Makes method and matrices anew, and goes on from what was known at the last renewal.
+    fn take_up(&mut self) -> Result<(), SolveErrorKind> {
+        let known = std::mem::take(&mut self.renewal.known);
+        let mut archive = Archive::reading(&known);
+        self.keep(&mut archive);
+        let read = archive.end();
+        self.renewal.known = known;
+        self.renewal.last = self.statistics.residual_evaluations;
+        read.map_err(|_| SolveErrorKind::Setting("it was not this system or method that ran so far".into()))?;
+        self.scheme.take_up(self.system);
+        Ok(())
+    }
+}
+
+impl<S: System + ?Sized> Keep for Integrator<'_, S> {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            system,
+            method,
+            scheme,
+            options,
+            segments,
+            switches: _,
+            bordered,
+            wanted,
+            at_kink,
+            previous_time,
+            statistics,
+            violations: _,
+            renewal: _,
+        } = self;
+        segments.keep(archive);
+        wanted.keep(archive);
+        at_kink.keep(archive);
+        previous_time.keep(archive);
+        statistics.keep(archive);
+        if archive.is_reading() {
+            *bordered = Bordered::new(*system);
+            *scheme = Running::new(*system, *method, options, segments.span());
+        }
+        scheme.keep(archive);
+    }
+}
