@@ -29,9 +29,11 @@ pub(super) struct Arguments<M> {
     pub lists: Vec<List>,
     pub frequency: Frequency,
     pub out: PathBuf,
-    /// The words behind the program's name, quoted where a shell needs it.
+    /// The words behind the program's name that make the result from its beginning, quoted where a shell needs it.
     pub line: String,
     pub quiet: bool,
+    /// Whether the run in the folder goes on.
+    pub resume: bool,
     /// Whether an animation is written.
     pub animate: bool,
     /// Whether files for ParaView are written.
@@ -68,7 +70,8 @@ pub(super) fn parse<M: Model>(
     words: impl IntoIterator<Item = OsString>,
 ) -> Result<Arguments<M>, Refusal> {
     let words: Vec<OsString> = words.into_iter().collect();
-    let told = words.iter().map(|word| quoted(&word.to_string_lossy()));
+    let anew = words.iter().filter(|word| *word != "--resume");
+    let told = anew.map(|word| quoted(&word.to_string_lossy()));
     let told = told.collect::<Vec<_>>().join(" ");
     let line = std::iter::once(program.name.into()).chain(words);
     let matches = command_line::<M>(program)
@@ -129,6 +132,7 @@ fn read<M: Model>(program: &Program<'_>, line: String, matches: &ArgMatches) -> 
         out: out.unwrap_or_else(|| program.out.clone()),
         line,
         quiet: matches.get_flag("quiet"),
+        resume: matches.get_flag("resume"),
         animate: matches.get_flag("animate"),
         vtu: matches.get_flag("vtu"),
     })
@@ -434,6 +438,10 @@ fn command_line<M: Model>(program: &Program<'_>) -> clap::Command {
                 .allow_hyphen_values(false),
         )
         .arg(flag(
+            "resume",
+            "Go on with the run in the folder that was ended before its time, with the same result",
+        ))
+        .arg(flag(
             "animate",
             "Write animation.html: the bodies over time, in any browser",
         ))
@@ -478,6 +486,12 @@ mod tests {
     fn the_line_is_told_as_a_shell_reads_it() {
         let arguments = read(&["run", "omega=4 rad/s", "--rtol", "1e-7"]).unwrap();
         assert_eq!(arguments.line, "run 'omega=4 rad/s' --rtol 1e-7");
+        let again = read(&["run", "--resume", "omega=4 rad/s", "--rtol", "1e-7"]).unwrap();
+        assert!(
+            again.resume && !arguments.resume && again.line == arguments.line,
+            "{}",
+            again.line
+        );
         assert_eq!(quoted("it's"), r"'it'\''s'");
     }
 

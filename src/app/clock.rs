@@ -2,6 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use crate::archive::{Archive, Keep};
+
 /// Started at the beginning of a run.
 pub(super) struct Clock {
     wall: Instant,
@@ -17,6 +19,30 @@ pub struct Seconds {
     pub wall: f64,
     /// Whether `cpu` is processor time.
     pub cpu_is_measured: bool,
+}
+
+impl Keep for Seconds {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            cpu,
+            wall,
+            cpu_is_measured,
+        } = self;
+        cpu.keep(archive);
+        wall.keep(archive);
+        cpu_is_measured.keep(archive);
+    }
+}
+
+impl Seconds {
+    /// These and further seconds.
+    pub(super) fn and(self, further: Seconds) -> Self {
+        Self {
+            cpu: self.cpu + further.cpu,
+            wall: self.wall + further.wall,
+            cpu_is_measured: further.cpu_is_measured,
+        }
+    }
 }
 
 impl Clock {

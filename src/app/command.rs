@@ -83,7 +83,7 @@ impl Command {
         match flag {
             "start" | "every" | "t-end" | "stabilised" | "no-elimination" | "max-step" => self.runs(),
             "integrator" | "rtol" | "alpha" | "rho-inf" => matches!(self, Command::Run | Command::Advise),
-            "step" | "proportional" | "animate" | "vtu" | "fidelity" => self == Command::Run,
+            "step" | "proportional" | "animate" | "vtu" | "fidelity" | "resume" => self == Command::Run,
             "formulation" => self != Command::Chart,
             "formulations" | "integrators" | "rtols" | "reference" | "beside" => self == Command::Chart,
             "fresh" => self == Command::Chart,
@@ -115,6 +115,8 @@ impl Command {
             (Command::Chart, "formulation" | "integrator" | "rtol" | "alpha" | "rho-inf") => {
                 "give lists, `--formulations`, `--integrators` or `--rtols`"
             }
+            (Command::Chart, "resume") => "the same command goes on by itself where it was ended",
+            (_, "resume") => "only a run leaves a checkpoint",
             (Command::Chart | Command::Advise, "step" | "proportional" | "animate" | "vtu" | "fidelity") => {
                 "it compares many runs"
             }

@@ -4,12 +4,13 @@
 use super::history::Column;
 use super::parameters::{digits, short};
 use super::section_table::AXIAL;
+use crate::archive::{Archive, Keep};
 use crate::equilibrium::Uniform;
 use crate::mesh::{SectionBody, SectionState};
 use crate::{Scene, State};
 
 /// The largest magnitude of something, and where.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Peak {
     /// Value with its sign, SI.
     pub value: f64,
@@ -49,6 +50,49 @@ pub struct Envelopes {
     /// Body that yields first.
     first: Option<usize>,
     states: Vec<SectionState>,
+}
+
+impl Keep for Peak {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self { value, at, x } = self;
+        value.keep(archive);
+        at.keep(archive);
+        x.keep(archive);
+    }
+}
+
+impl Keep for BodyEnvelope {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            body: _,
+            axial_force,
+            shear_force,
+            torque,
+            bending_moment,
+            stress,
+            yielding,
+        } = self;
+        for peak in [axial_force, shear_force, torque, bending_moment, stress, yielding] {
+            peak.keep(archive);
+        }
+    }
+}
+
+/// The peaks; the bodies are known.
+impl Keep for Envelopes {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            key: _,
+            bodies,
+            first,
+            states: _,
+        } = self;
+        archive.fixed(bodies);
+        first.keep(archive);
+        if first.is_some_and(|first| first >= bodies.len()) {
+            archive.misfit();
+        }
+    }
 }
 
 /// Most bodies in the printed text.

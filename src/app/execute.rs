@@ -17,7 +17,7 @@ use super::run::run_recorded;
 use super::run_error::{Incomplete, RunError};
 use super::steady::equilibria;
 use super::summary::{self, Summary};
-use super::{advise, chart, files, report};
+use super::{advise, chart, checkpoint, files, report};
 use crate::Model;
 use crate::equilibrium::Kind;
 
@@ -78,6 +78,11 @@ fn flow(is_interrupted: bool) -> ControlFlow<()> {
 }
 
 fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
+    if arguments.resume
+        && let Some(text) = checkpoint::complete(arguments)?
+    {
+        return Ok(text);
+    }
     let mut bar = Bar::new(arguments.quiet);
     let mut recorder = OnDisk::new(arguments);
     let outcome = run_recorded(&arguments.model, &arguments.settings, &mut recorder, |progress| {
@@ -94,12 +99,35 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
     let summary = summary::of_run(&arguments.model, &result);
     let part = report::run_part::<M>(&result.history, &result.steps, &result.cautions);
     let mut files = format!("  {}\n", arguments.out.join(HISTORY).display());
-    files += &write_told(arguments, "run", &summary, part)?;
+    let hint = match result.incomplete {
+        Some(Incomplete::Interrupted | Incomplete::Files(_)) => {
+            let path = arguments.out.join(checkpoint::NAME);
+            format!("\n  {} (the same command with `--resume` goes on)", path.display())
+        }
+        _ => String::new(),
+    };
+    files += &match (write_told(arguments, "run", &summary, part), &failure) {
+        (Ok(told), _) => told,
+        (Err(second), None) => return Err(second),
+        // On a full disk the first file that could not be written says more than the next one.
+        (Err(_), Some(first)) => {
+            let message = format!(
+                "{}\nup to there:\n{files}{}",
+                first.message,
+                hint.trim_start_matches('\n')
+            );
+            return Err(Failure::new(first.code, message));
+        }
+    };
     match &result.pictures {
         Some(pictures) => files += &write_pictures(arguments, pictures)?,
         None if result.settings.pictures => files += "\n  (no pictures: this scene has nothing to draw)",
         None => {}
     }
+    if result.incomplete.is_none() {
+        checkpoint::remove(&arguments.out).map_err(|text| Failure::new(FAILURE, text))?;
+    }
+    files += &hint;
     let counts = &result.statistics;
     let mut head = format!(
         "{}: t = {} s, {} steps ({} rejected), {} factorizations ({} steps each), {} s",

@@ -36,6 +36,18 @@ pub(super) fn remove(folder: &Path, names: &[&str]) -> Result<(), String> {
     Ok(())
 }
 
+/// Takes away what a writer left that was killed in the middle of a file; to be called by the folder's one writer.
+pub(super) fn remove_partial(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        if name.starts_with('.') && name.ends_with(".partial") {
+            // It contradicts nothing; that it cannot be removed is no failure.
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
 /// Keeps other programs of this kind out of a folder for as long as it lives.
 #[derive(Debug)]
 pub(super) struct Claim {
@@ -108,6 +120,8 @@ mod tests {
         create_folder(&folder).unwrap();
         write(&folder, "a.csv", "old").unwrap();
         remove(&folder, &["a.csv", "b.csv"]).unwrap();
+        fs::write(folder.join(".a.csv.7.partial"), "o").unwrap();
+        remove_partial(&folder);
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
         fs::remove_dir_all(&folder).unwrap();
     }

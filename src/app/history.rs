@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::sketch::Sketch;
+use crate::archive::{Archive, Keep};
 use crate::{Model, Output};
 
 /// Most rows of a table that is written to disk as it grows: those that pictures need.
@@ -38,12 +39,45 @@ pub struct Column {
 }
 
 /// The smallest or largest value of a column.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Extreme {
     /// The value, SI.
     pub value: f64,
     /// Where in the first column.
     pub at: f64,
+}
+
+impl Keep for Extreme {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self { value, at } = self;
+        value.keep(archive);
+        at.keep(archive);
+    }
+}
+
+/// The rows; heads are known.
+impl Keep for History {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            key: _,
+            columns,
+            keys,
+            values,
+            rows,
+            extremes,
+            sketch,
+        } = self;
+        keys.keep(archive);
+        values.keep(archive);
+        rows.keep(archive);
+        extremes.keep(archive);
+        if let Some(sketch) = sketch {
+            sketch.keep(archive);
+        }
+        if values.len() != keys.len() * columns.len() || !extremes.is_empty() && extremes.len() != columns.len() {
+            archive.misfit();
+        }
+    }
 }
 
 impl Column {

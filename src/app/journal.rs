@@ -1,11 +1,14 @@
 //! A table on disk that grows while a run goes on: whatever ends the program, the file holds all rows up to the last flush.
 
-use std::fs::File;
-use std::io::Write;
+use std::fs::{File, OpenOptions};
+use std::io::{BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// Longest time that a row waits in memory for the next step.
+use super::hash::hash_on;
+use crate::archive::{Archive, Keep};
+
+/// Longest time that a row waits in memory for the next one.
 const PATIENCE: Duration = Duration::from_millis(250);
 
 /// The growing file.
@@ -17,7 +20,24 @@ pub(super) struct Journal {
     lines: String,
     /// Length of the file's whole lines, bytes.
     length: u64,
+    /// Hash of all lines.
+    hash: u64,
     flushed: Instant,
+}
+
+/// Where a journal stood: by its length (bytes) and the hash of its lines.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Mark {
+    length: u64,
+    hash: u64,
+}
+
+impl Keep for Mark {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self { length, hash } = self;
+        length.keep(archive);
+        hash.keep(archive);
+    }
 }
 
 impl Journal {
@@ -31,26 +51,89 @@ impl Journal {
         let mut journal = Self {
             file,
             path,
-            lines: format!("{head}\n"),
+            lines: String::new(),
             length: 0,
+            hash: 0,
             flushed: Instant::now(),
         };
+        journal.line(head);
         journal.flush()?;
         Ok(journal)
     }
 
+    /// Goes on with a file from a mark; what stands behind it is cut off.
+    ///
+    /// # Errors
+    /// The path and the system's reason, or that the file is not the one that was marked.
+    pub fn reopen(folder: &Path, name: &str, mark: Mark) -> Result<Self, String> {
+        let path = folder.join(name);
+        let opened = OpenOptions::new().read(true).write(true).open(&path);
+        let file = opened.map_err(|error| format!("cannot go on with {}: {error}", path.display()))?;
+        let checked = Self::is_marked(&file, mark).and_then(|is_marked| {
+            if is_marked {
+                file.set_len(mark.length)?;
+                (&file).seek(SeekFrom::Start(mark.length))?;
+            }
+            Ok(is_marked)
+        });
+        match checked {
+            Ok(true) => Ok(Self {
+                file,
+                path,
+                lines: String::new(),
+                length: mark.length,
+                hash: mark.hash,
+                flushed: Instant::now(),
+            }),
+            Ok(false) => Err(format!(
+                "{} is not the table that the checkpoint belongs to: it was changed since",
+                path.display()
+            )),
+            Err(error) => Err(format!("cannot go on with {}: {error}", path.display())),
+        }
+    }
+
+    /// Whether a file begins with the lines of a mark.
+    fn is_marked(file: &File, mark: Mark) -> std::io::Result<bool> {
+        let (mut reader, mut line) = (BufReader::new(file), Vec::new());
+        let mut read = Mark::default();
+        while read.length < mark.length {
+            line.clear();
+            let length = reader.read_until(b'\n', &mut line)?;
+            if line.pop() != Some(b'\n') {
+                return Ok(false);
+            }
+            read.length += length as u64;
+            read.hash = hash_on(read.hash, &line);
+        }
+        Ok(read == mark)
+    }
+
+    /// Where the table stands, all of it in the file.
+    ///
+    /// # Errors
+    /// As [`Journal::flush`].
+    pub fn mark(&mut self) -> Result<Mark, String> {
+        self.flush()?;
+        Ok(Mark {
+            length: self.length,
+            hash: self.hash,
+        })
+    }
+
     /// Adds a line.
     pub fn line(&mut self, line: &str) {
+        self.hash = hash_on(self.hash, line.as_bytes());
         self.lines += line;
         self.lines.push('\n');
     }
 
-    /// Writes what has waited long enough; to be called after every step.
+    /// Writes what has waited long enough; to be called after every row.
     ///
     /// # Errors
     /// As [`Journal::flush`].
-    pub fn keep_up(&mut self) -> Result<(), String> {
-        if self.flushed.elapsed() < PATIENCE {
+    pub fn keep_up(&mut self, now: Instant) -> Result<(), String> {
+        if now.duration_since(self.flushed) < PATIENCE {
             return Ok(());
         }
         self.flush()
@@ -68,6 +151,7 @@ impl Journal {
         if let Err(error) = self.file.write_all(self.lines.as_bytes()) {
             // Half a line is worse than none. That it cannot be cut off either adds nothing.
             let _ = self.file.set_len(self.length);
+            let _ = self.file.seek(SeekFrom::Start(self.length));
             return Err(format!("cannot write {}: {error}", self.path.display()));
         }
         self.length += self.lines.len() as u64;
@@ -91,14 +175,42 @@ mod tests {
         let read = || fs::read_to_string(folder.join("a.csv")).unwrap();
         assert_eq!(read(), "t [s]\n");
         journal.line("0");
-        journal.keep_up().unwrap();
+        let now = Instant::now();
+        journal.keep_up(now).unwrap();
         assert_eq!(read(), "t [s]\n");
-        std::thread::sleep(PATIENCE);
-        journal.keep_up().unwrap();
+        journal.keep_up(now + PATIENCE).unwrap();
         assert_eq!(read(), "t [s]\n0\n");
         journal.line("1");
         journal.flush().unwrap();
         assert_eq!(read(), "t [s]\n0\n1\n");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_table_goes_on_behind_a_mark() {
+        let folder = temporary_folder("journal-marked");
+        fs::create_dir_all(&folder).unwrap();
+        let mut journal = Journal::create(&folder, "a.csv", "t [s]").unwrap();
+        journal.line("0,1");
+        journal.line("1,2");
+        let mark = journal.mark().unwrap();
+        journal.line("2,3");
+        journal.line("3");
+        journal.flush().unwrap();
+        drop(journal);
+        let mut journal = Journal::reopen(&folder, "a.csv", mark).unwrap();
+        assert_eq!(journal.mark().unwrap(), mark);
+        journal.line("2,4");
+        let second = journal.mark().unwrap();
+        let text = fs::read_to_string(folder.join("a.csv")).unwrap();
+        assert_eq!(text, "t [s]\n0,1\n1,2\n2,4\n");
+        // Another table, a shorter one, one that ends within a line.
+        for other in ["t [s]\n0,1\n1,3\n2,4\n", "t [s]\n0,1\n", "t [s]\n0,1\n1,2\n2,"] {
+            fs::write(folder.join("a.csv"), other).unwrap();
+            let error = Journal::reopen(&folder, "a.csv", second).unwrap_err();
+            assert!(error.ends_with("it was changed since"), "{error}");
+            assert_eq!(fs::read_to_string(folder.join("a.csv")).unwrap(), other);
+        }
         fs::remove_dir_all(folder).unwrap();
     }
 

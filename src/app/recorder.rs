@@ -1,73 +1,89 @@
 //! What a run leaves on disk while it goes on, and what it would need to be repeated.
 
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+
 use super::arguments::Arguments;
-use super::files;
+use super::course::Earlier;
 use super::history::push_csv;
-use super::journal::Journal;
+use super::journal::{Journal, Mark};
 use super::run::RunResult;
-use super::summary;
+use super::run_error::RunError;
+use super::{checkpoint, files, summary};
 use crate::Model;
+
+/// Appends to bytes what takes the run up where it is.
+pub(super) type Written<'w> = &'w mut dyn FnMut(&mut Vec<u8>);
 
 /// Is told of the rows of a run as they come.
 pub(super) trait Recorder {
     /// Whether the rows are kept on disk, so that memory holds what pictures need alone.
-    fn is_on_disk(&self) -> bool;
+    fn is_on_disk(&self) -> bool {
+        false
+    }
 
-    /// The integration is about to begin.
+    /// The run that goes on, if one does; of the result what is known before the start is there.
+    ///
+    /// # Errors
+    /// It is not this run, or it cannot be read.
+    fn taken_up(&mut self, _result: &RunResult) -> Result<Option<Earlier>, RunError> {
+        Ok(None)
+    }
+
+    /// The integration is about to begin, or to go on.
     ///
     /// # Errors
     /// A file that cannot be written.
-    fn begin(&mut self, result: &RunResult) -> Result<(), String>;
+    fn begin(&mut self, _result: &RunResult) -> Result<(), String> {
+        Ok(())
+    }
 
     /// A row of the history: its time (s) and the outputs (SI).
-    fn row(&mut self, t: f64, values: &[f64]);
+    fn row(&mut self, _t: f64, _values: &[f64]) {}
 
-    /// A step is done.
+    /// A row or a step is done.
     ///
     /// # Errors
     /// As [`Recorder::begin`].
-    fn keep_up(&mut self) -> Result<(), String>;
+    fn keep_up(&mut self, _written: Written<'_>) -> Result<(), String> {
+        Ok(())
+    }
 
     /// There are no more rows.
     ///
     /// # Errors
     /// As [`Recorder::begin`].
-    fn end(&mut self) -> Result<(), String>;
+    fn end(&mut self, _is_complete: bool, _written: Written<'_>) -> Result<(), String> {
+        Ok(())
+    }
 }
 
 /// All rows stay in memory.
 pub(super) struct InMemory;
 
-impl Recorder for InMemory {
-    fn is_on_disk(&self) -> bool {
-        false
-    }
-
-    fn begin(&mut self, _: &RunResult) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn row(&mut self, _: f64, _: &[f64]) {}
-
-    fn keep_up(&mut self) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn end(&mut self) -> Result<(), String> {
-        Ok(())
-    }
-}
+impl Recorder for InMemory {}
 
 /// The name of the history.
 pub(super) const HISTORY: &str = "history.csv";
 /// The reason in the summary of a run that has not ended in good order.
 const UNFINISHED: &str = "still running, or ended from outside: the history holds what was reached";
 
-/// The history grows on disk; the summary says from the beginning what runs.
+/// Shortest time between two checkpoints.
+const PAUSE: Duration = Duration::from_secs(1);
+/// The same in times that the last one took: what they cost does not show.
+const SHARE: u32 = 50;
+
+/// The history grows on disk; the summary says from the beginning what runs, and the checkpoint goes on from here.
 pub(super) struct OnDisk<'a, M> {
     arguments: &'a Arguments<M>,
     journal: Option<Journal>,
     line: String,
+    identity: String,
+    /// Where the history of a run that goes on stands.
+    mark: Option<Mark>,
+    /// When the next checkpoint is due; at once, before the first one.
+    due: Option<Instant>,
 }
 
 impl<'a, M: Model> OnDisk<'a, M> {
@@ -77,7 +93,23 @@ impl<'a, M: Model> OnDisk<'a, M> {
             arguments,
             journal: None,
             line: String::new(),
+            identity: String::new(),
+            mark: None,
+            due: None,
         }
+    }
+
+    /// Writes a checkpoint of the history as it is on disk.
+    fn write_checkpoint(&mut self, written: Written<'_>) -> Result<(), String> {
+        let Some(journal) = &mut self.journal else {
+            return Ok(());
+        };
+        let start = Instant::now();
+        let mark = journal.mark()?;
+        checkpoint::write(&self.arguments.out, &self.identity, mark, written)?;
+        let end = Instant::now();
+        self.due = Some(end + PAUSE.max(SHARE * (end - start)));
+        Ok(())
     }
 }
 
@@ -86,14 +118,41 @@ impl<M: Model> Recorder for OnDisk<'_, M> {
         true
     }
 
+    fn taken_up(&mut self, result: &RunResult) -> Result<Option<Earlier>, RunError> {
+        let size = Some([result.unknowns, result.constraints]);
+        let identity = checkpoint::identity(&self.arguments.model, &result.settings, size);
+        self.identity = Value::Object(identity.clone()).to_string();
+        if !self.arguments.resume {
+            return Ok(None);
+        }
+        let folder = &self.arguments.out;
+        let found = checkpoint::read(folder).map_err(RunError::Files)?;
+        if let Some(text) = checkpoint::refusal(folder, &found.identity, &identity) {
+            return Err(RunError::Settings(text));
+        }
+        self.mark = Some(found.mark);
+        Ok(Some(found.earlier))
+    }
+
     fn begin(&mut self, result: &RunResult) -> Result<(), String> {
         let folder = &self.arguments.out;
+        files::remove_partial(folder);
+        let journal = match self.mark {
+            Some(mark) => Some(Journal::reopen(folder, HISTORY, mark)?),
+            None => {
+                files::remove(folder, &[checkpoint::NAME])?;
+                None
+            }
+        };
         files::remove(folder, &["report.html", "animation.html", "paraview.pvd"])?;
         let mut known = summary::of_run(&self.arguments.model, result);
         summary::outcome(&mut known, Some(UNFINISHED.into()));
         summary::command_line(&mut known, &self.arguments.line);
         files::write(folder, "summary.json", &summary::to_text(&known))?;
-        self.journal = Some(Journal::create(folder, HISTORY, &result.history.csv_head())?);
+        self.journal = Some(match journal {
+            Some(journal) => journal,
+            None => Journal::create(folder, HISTORY, &result.history.csv_head())?,
+        });
         Ok(())
     }
 
@@ -105,14 +164,21 @@ impl<M: Model> Recorder for OnDisk<'_, M> {
         }
     }
 
-    fn keep_up(&mut self) -> Result<(), String> {
-        match &mut self.journal {
-            Some(journal) => journal.keep_up(),
-            None => Ok(()),
+    fn keep_up(&mut self, written: Written<'_>) -> Result<(), String> {
+        let now = Instant::now();
+        if let Some(journal) = &mut self.journal {
+            journal.keep_up(now)?;
         }
+        if self.due.is_none_or(|due| now >= due) {
+            self.write_checkpoint(written)?;
+        }
+        Ok(())
     }
 
-    fn end(&mut self) -> Result<(), String> {
+    fn end(&mut self, is_complete: bool, written: Written<'_>) -> Result<(), String> {
+        if !is_complete {
+            return self.write_checkpoint(written);
+        }
         match &mut self.journal {
             Some(journal) => journal.flush(),
             None => Ok(()),

@@ -1,15 +1,15 @@
-//! A run in time; what it leaves on disk while it goes on is the recorder's.
+//! A run in time; what it gathers is its course, and what it leaves on disk while it goes on the recorder's.
 
 use std::ops::ControlFlow;
 
 use super::cautions;
 use super::clock::{Clock, Seconds};
+use super::course::Course;
 use super::envelopes::Envelopes;
-use super::history::{Column, History, SKETCHED};
+use super::history::{Column, History};
 use super::pictures::Pictures;
 use super::recorder::{InMemory, Recorder};
 use super::run_error::{Incomplete, RunError};
-use super::sketch::Sketch;
 use super::steady;
 use crate::mesh::Fidelity;
 use crate::{
@@ -171,9 +171,8 @@ pub(super) fn run_recorded<M: Model>(
         seconds: Seconds::default(),
         incomplete: None,
     };
-    integrate(scene.as_mut(), start, &mut result, recorder, watch)?;
+    integrate(scene.as_mut(), start, &mut result, clock, recorder, watch)?;
     result.warnings.splice(0..0, cautions::sentences::<M>(&result.cautions));
-    result.seconds = clock.seconds();
     match result.incomplete {
         None => Ok(result),
         Some(_) => Err(RunError::Incomplete(Box::new(result))),
@@ -186,6 +185,11 @@ pub(super) fn run_recorded<M: Model>(
 /// A time that makes no sense.
 pub(super) fn complete(settings: &RunSettings, defaults: crate::RunDefaults) -> Result<RunSettings, RunError> {
     complete_for(settings, defaults, MOST_ROWS[0])
+}
+
+/// As [`complete`] for a history on disk, which may have many more rows.
+pub(super) fn complete_on_disk(settings: &RunSettings, defaults: crate::RunDefaults) -> Result<RunSettings, RunError> {
+    complete_for(settings, defaults, MOST_ROWS[1])
 }
 
 fn complete_for(settings: &RunSettings, defaults: crate::RunDefaults, most_rows: f64) -> Result<RunSettings, RunError> {
@@ -223,33 +227,32 @@ fn complete_for(settings: &RunSettings, defaults: crate::RunDefaults, most_rows:
     })
 }
 
-/// Integrates from `start`, and fills the result up to the last good time.
+/// Integrates from `start`, or from where the recorder takes the run up, and fills the result up to the last good time.
 fn integrate(
     scene: &mut dyn Scene,
     start: State,
     result: &mut RunResult,
+    clock: Clock,
     recorder: &mut dyn Recorder,
     mut watch: impl FnMut(&Progress) -> ControlFlow<()>,
 ) -> Result<(), RunError> {
     let RunSettings { method, options, .. } = result.settings;
-    let (t_end, every) = times(&result.settings);
+    let (t_end, _) = times(&result.settings);
     let columns = scene.output_columns();
-    let mut integrator = Integrator::new(scene, start, t_end, method, options).map_err(RunError::Start)?;
-    let moved = corrections(integrator.statistics());
-    let mut rows = Rows::new(every, t_end, integrator.state(), columns);
-    if result.settings.pictures {
-        result.pictures = Pictures::new(integrator.system(), rows.count);
+    let taken_up = recorder.taken_up(result)?;
+    let mut integrator = match &taken_up {
+        Some(earlier) if !earlier.renewed.is_empty() => Integrator::resume(scene, &earlier.renewed, method, options),
+        _ => Integrator::new(scene, start, t_end, method, options),
     }
-    let mut energy = EnergyDrift::default();
-    let mut steps = Steps::default();
-    if recorder.is_on_disk() {
-        result.history.thin();
-        steps.thin();
+    .map_err(RunError::Start)?;
+    let moved = corrections(integrator.statistics());
+    let mut course = Course::new(&mut integrator, columns, recorder.is_on_disk(), result, clock);
+    match &taken_up {
+        Some(earlier) => course.take_up(&earlier.course, result).map_err(RunError::Files)?,
+        None => course.begin(&mut integrator),
     }
     recorder.begin(result).map_err(RunError::Files)?;
-    rows.state.clone_from(integrator.state());
-    energy.meet(integrator.system().energy(&rows.state));
-    let mut incomplete = rows.record(&mut integrator, result, recorder).err();
+    let mut incomplete = course.record(&mut integrator, result, recorder).err();
     while incomplete.is_none() {
         let stop = match integrator.step() {
             Ok(stop) => stop,
@@ -258,28 +261,23 @@ fn integrate(
                 break;
             }
         };
-        let t = integrator.state().t;
-        let h = t - integrator.previous_time();
-        if h > 0.0 {
-            steps.push(t, h);
-            rows.state.clone_from(integrator.state());
-            energy.meet(integrator.system().energy(&rows.state));
-        }
-        incomplete = rows.record(&mut integrator, result, recorder).err();
+        course.step(&mut integrator);
+        incomplete = course.record(&mut integrator, result, recorder).err();
         if stop == crate::Stop::End {
             break;
         }
+        let t = integrator.state().t;
+        let h = t - integrator.previous_time();
         if watch(&Progress { t, t_end, h }).is_break() {
             incomplete = incomplete.or(Some(Incomplete::Interrupted));
         }
     }
-    if let Err(error) = recorder.end() {
+    let is_complete = incomplete.is_none();
+    let ended = recorder.end(is_complete, &mut |bytes| course.write(&integrator, result, bytes));
+    if let Err(error) = ended {
         incomplete = incomplete.or(Some(Incomplete::Files(error)));
     }
-    result.steps = steps.taken();
-    result.energy_error = energy.relative();
-    let yielding = result.envelopes.warning();
-    result.warnings = moved.into_iter().chain(rows.warnings).chain(yielding).collect();
+    course.fill(result, moved);
     result.state.clone_from(integrator.state());
     result.statistics = integrator.statistics().clone();
     result.incomplete = incomplete;
@@ -310,140 +308,6 @@ fn corrections(statistics: &Statistics) -> Vec<String> {
 /// End time and time between rows of completed settings.
 pub(super) fn times(settings: &RunSettings) -> (f64, f64) {
     (settings.t_end.unwrap_or(0.0), settings.every.unwrap_or(f64::INFINITY))
-}
-
-/// Rows of the history at whole multiples of a time.
-struct Rows {
-    every: f64,
-    t_end: f64,
-    next: u64,
-    count: u64,
-    state: State,
-    values: Vec<f64>,
-    warnings: Vec<String>,
-}
-
-impl Rows {
-    fn new(every: f64, t_end: f64, state: &State, columns: usize) -> Self {
-        Self {
-            every,
-            t_end,
-            next: 0,
-            // 0.3 / 0.1 is less than 3.
-            count: (t_end / every * (1.0 + 1e-12)).floor() as u64 + 1,
-            state: state.clone(),
-            values: vec![0.0; columns],
-            warnings: Vec::new(),
-        }
-    }
-
-    /// Adds the rows up to the end of the last step.
-    fn record(
-        &mut self,
-        integrator: &mut Integrator<'_, dyn Scene + '_>,
-        result: &mut RunResult,
-        recorder: &mut dyn Recorder,
-    ) -> Result<(), Incomplete> {
-        let reached = integrator.state().t;
-        while self.next < self.count {
-            let time = self.next as f64 * self.every;
-            let t = time.min(self.t_end);
-            // Steps end a rounding before a kink: a row at the kink is that of the step before.
-            let slack = 1e-13 * self.t_end;
-            if t > reached + slack {
-                break;
-            }
-            if t >= reached - slack {
-                self.state.clone_from(integrator.state());
-            } else {
-                integrator.interpolate(t, &mut self.state);
-            }
-            integrator.system().outputs(&self.state, &mut self.values);
-            for text in integrator.system().warnings(&self.state) {
-                let words = without_numbers(&text);
-                if self.warnings.iter().all(|given| without_numbers(given) != words) {
-                    self.warnings.push(text);
-                }
-            }
-            result.history.push(time, &self.values).map_err(Incomplete::Output)?;
-            recorder.row(time, &self.values);
-            result.envelopes.meet(integrator.system(), time, &self.state);
-            if let Some(pictures) = &mut result.pictures {
-                pictures.take(self.next, integrator.system(), time, &self.state);
-            }
-            self.next += 1;
-        }
-        recorder.keep_up().map_err(Incomplete::Files)
-    }
-}
-
-/// The accepted steps.
-#[derive(Default)]
-struct Steps {
-    ends: Vec<f64>,
-    sizes: Vec<f64>,
-    sketch: Option<Sketch>,
-}
-
-impl Steps {
-    /// Keeps from now on what pictures need.
-    fn thin(&mut self) {
-        self.sketch = Some(Sketch::new(SKETCHED));
-    }
-
-    fn push(&mut self, t: f64, h: f64) {
-        match &mut self.sketch {
-            Some(sketch) => sketch.add(&mut self.ends, &mut self.sizes, t, &[h]),
-            None => {
-                self.ends.push(t);
-                self.sizes.push(h);
-            }
-        }
-    }
-
-    fn taken(self) -> Vec<StepTaken> {
-        let steps = self.ends.into_iter().zip(self.sizes);
-        steps.map(|(t, h)| StepTaken { t, h }).collect()
-    }
-}
-
-/// What stays of a warning from row to row.
-fn without_numbers(text: &str) -> String {
-    text.chars()
-        .filter(|c| !(c.is_ascii_digit() || "-.".contains(*c)))
-        .collect()
-}
-
-/// Deviation of the energy from its first value.
-#[derive(Default)]
-struct EnergyDrift {
-    first: Option<f64>,
-    lost: bool,
-    deviation: f64,
-    largest: f64,
-}
-
-impl EnergyDrift {
-    fn meet(&mut self, energy: Option<f64>) {
-        let Some(energy) = energy else {
-            self.lost = true;
-            return;
-        };
-        let first = *self.first.get_or_insert(energy);
-        self.deviation = self.deviation.max((energy - first).abs());
-        self.largest = self.largest.max(energy.abs());
-    }
-
-    fn relative(&self) -> Option<f64> {
-        if self.lost || self.first.is_none() {
-            return None;
-        }
-        Some(if self.deviation == 0.0 {
-            0.0
-        } else {
-            self.deviation / self.largest
-        })
-    }
 }
 
 #[cfg(test)]

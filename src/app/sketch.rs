@@ -1,5 +1,7 @@
 //! Rows thinned while they come, so that their memory stays bounded and no peak is lost: for the pictures of long runs.
 
+use crate::archive::{Archive, Keep};
+
 /// How many rows one kept row stands for.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Sketch {
@@ -10,6 +12,14 @@ pub(super) struct Sketch {
     block: u64,
     /// Rows in the last block so far.
     filled: u64,
+}
+
+impl Keep for Sketch {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self { most: _, block, filled } = self;
+        block.keep(archive);
+        filled.keep(archive);
+    }
 }
 
 impl Sketch {

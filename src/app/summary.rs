@@ -368,6 +368,10 @@ pub(super) fn settings(summary: &mut Summary, settings: &RunSettings) {
     let (t_end, every) = times(settings);
     put(summary, "t_end", json!(t_end));
     put(summary, "every", json!(every));
+    put(summary, "pictures", json!(settings.pictures));
+    if let Some(count) = settings.options.renewed_after {
+        put(summary, "renewed_after", json!(count));
+    }
 }
 
 /// `rod=rigid,beam=modal(3)`, as it is typed.

@@ -4,6 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::Duration;
 
 use rncf_tests::beam::{Beam, Root};
 use rncf_tests::element::Data;
@@ -39,25 +40,44 @@ fn reference() -> RotatingBeam<Swing> {
     RotatingBeam::new(beam, motion).expect("a beam")
 }
 
-/// Runs the crate's program into a folder, and returns the rows of its history.
-fn history(formulation: &str) -> Vec<[f64; 3]> {
+/// A folder for files of these tests.
+fn scratch() -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
+}
+
+/// Builds the crate's program; its path.
+fn program() -> PathBuf {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let user = root.join("outside/crate");
     fs::copy(root.join("../Cargo.lock"), user.join("Cargo.lock")).expect("the crate's folder can be written");
-    let scratch = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
-    let out = scratch.join(format!("outside-{formulation}"));
     let output = Command::new(env!("CARGO"))
-        .args(["run", "--quiet", "--target-dir"])
-        .arg(scratch.join("outside"))
-        .args(["--", "run", "--formulation", formulation, "--rtol", "1e-9", "--quiet"])
-        .arg("--out")
-        .arg(&out)
+        .args(["build", "--quiet", "--target-dir"])
+        .arg(scratch().join("outside"))
         .current_dir(&user)
         .output()
         .expect("cargo runs");
     let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && !said.contains("warning"), "{said}");
+    scratch().join("outside/debug/swing")
+}
+
+/// The program with a folder for its files and further words.
+fn run(program: &Path, out: &Path, words: &[&str]) -> Command {
+    let mut command = Command::new(program);
+    command.args(["run", "--quiet", "--out"]).arg(out).args(words);
+    command
+}
+
+fn finish(mut command: Command) {
+    let output = command.output().expect("the program runs");
+    let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{said}");
-    assert!(!said.contains("warning"), "{said}");
+}
+
+/// Runs the crate's program into a folder, and returns the rows of its history.
+fn history(formulation: &str) -> Vec<[f64; 3]> {
+    let out = scratch().join(format!("outside-{formulation}"));
+    finish(run(&program(), &out, &["--formulation", formulation, "--rtol", "1e-9"]));
     let table = fs::read_to_string(out.join("history.csv")).expect("the run wrote its history");
     let mut lines = table.lines();
     assert_eq!(lines.next(), Some("t [s],u [m],v [m]"));
@@ -91,4 +111,38 @@ fn a_scene_of_its_own_moves_as_formulas_by_hand() {
         assert!(worst < 10.0 * 1e-9 * LENGTH, "{formulation}: {worst}");
         assert!(largest > 0.1 * LENGTH, "the rod should bend visibly, by {largest} m");
     }
+}
+
+/// Rows and all else that a run has gathered survive a kill, and the run goes on from there as if nothing had been.
+#[test]
+fn a_killed_run_goes_on_to_the_same_history() {
+    let program = program();
+    let [whole, killed] = ["whole", "killed"].map(|name| scratch().join(format!("outside-{name}")));
+    let words = ["--rtol", "1e-9", "--every", "50 us"];
+    finish(run(&program, &whole, &words));
+    let _ = fs::remove_dir_all(&killed);
+    let history = |folder: &Path| fs::read(folder.join("history.csv")).unwrap_or_default();
+    let complete = history(&whole);
+    let words_again = [&words[..], &["--resume"]].concat();
+    let mut kills = 0;
+    for (words, least) in [
+        (&words[..], 1),
+        (&words_again, complete.len() / 4),
+        (&words_again, complete.len() / 2),
+    ] {
+        let mut process = run(&program, &killed, words).spawn().expect("the program runs");
+        let is_enough = || history(&killed).len() >= least && killed.join("checkpoint").exists();
+        while !is_enough() && process.try_wait().expect("it is a child").is_none() {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        // What the last one left may be enough.
+        std::thread::sleep(Duration::from_millis(100));
+        process.kill().expect("it is a child");
+        kills += u32::from(!process.wait().expect("it is a child").success());
+    }
+    assert!(kills >= 2, "it ended before it was killed");
+    finish(run(&program, &killed, &words_again));
+    assert!(history(&killed) == complete);
+    assert_eq!(complete.iter().filter(|&&byte| byte == b'\n').count(), 40_002);
+    assert!(!killed.join("checkpoint").exists());
 }

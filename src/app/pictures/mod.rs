@@ -4,6 +4,7 @@ pub(super) mod animation;
 mod base64;
 pub(super) mod paraview;
 
+use crate::archive::{Archive, Keep};
 use crate::mesh::{Configuration, Curve};
 use crate::vector::{Vector, add, apply, norm, subtract};
 use crate::{Scene, State};
@@ -27,6 +28,24 @@ pub struct Pictures {
     pub shots: Vec<Configuration>,
     /// Every so many rows there is a picture.
     stride: u64,
+}
+
+/// The pictures; what is drawn is known.
+impl Keep for Pictures {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            curves: _,
+            frames: _,
+            times,
+            shots,
+            stride: _,
+        } = self;
+        times.keep(archive);
+        shots.keep(archive);
+        if times.len() != shots.len() {
+            archive.misfit();
+        }
+    }
 }
 
 impl Pictures {
