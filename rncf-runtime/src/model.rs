@@ -309,9 +309,18 @@ pub trait Scene: System + Send {
 
     /// Where the model does not describe its bodies well at a state, one sentence each, naming the body
     /// and what to do (THEORY 10, T10, T15).
-    fn warnings(&mut self, _state: &State) -> Vec<String> {
+    fn warnings(&mut self, _state: &State) -> Vec<Warning> {
         Vec::new()
     }
+}
+
+/// Where a model does not describe its bodies well.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Warning {
+    /// One sentence.
+    pub text: String,
+    /// How bad it is: of several sentences that differ in their numbers only, the one with the greatest weight holds.
+    pub weight: f64,
 }
 
 /// Nodal vectors of all bodies in their declared frames at one time.

@@ -18,6 +18,7 @@ mod clock;
 mod command;
 mod date;
 mod diagrams;
+mod doubts;
 mod envelopes;
 mod execute;
 mod figure;

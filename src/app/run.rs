@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use super::cautions;
 use super::clock::{Clock, Seconds};
+use super::doubts::doubts;
 use super::envelopes::Envelopes;
 use super::history::{Column, History, SKETCHED};
 use super::pictures::Pictures;
@@ -14,6 +15,7 @@ use super::steady;
 use crate::mesh::Fidelity;
 use crate::{
     Caution, Formulation, Integrator, Joints, Method, Model, Options, Scene, Start, State, Statistics, StepSize,
+    Warning,
 };
 
 /// What to run and how.
@@ -102,7 +104,7 @@ pub struct RunResult {
     /// What the model says a reader must know.
     pub cautions: Vec<Caution>,
     /// The same in sentences, what the start corrected of the declared positions and velocities, and what the
-    /// scene warns of, each with the numbers of the first row where it does.
+    /// scene warns of, each with the numbers of the row where it is worst.
     pub warnings: Vec<String>,
     /// Last good state.
     pub state: State,
@@ -172,7 +174,9 @@ pub(super) fn run_recorded<M: Model>(
         incomplete: None,
     };
     integrate(scene.as_mut(), start, &mut result, recorder, watch)?;
-    result.warnings.splice(0..0, cautions::sentences::<M>(&result.cautions));
+    let told = cautions::sentences::<M>(&result.cautions);
+    let told = told.into_iter().chain(doubts(model, result.settings.options.rtol));
+    result.warnings.splice(0..0, told);
     result.seconds = clock.seconds();
     match result.incomplete {
         None => Ok(result),
@@ -279,7 +283,9 @@ fn integrate(
     result.steps = steps.taken();
     result.energy_error = energy.relative();
     let yielding = result.envelopes.warning();
-    result.warnings = moved.into_iter().chain(rows.warnings).chain(yielding).collect();
+    let jumps = integrator.statistics().jumps.clone();
+    let told = cautions::texts(rows.warnings);
+    result.warnings = moved.into_iter().chain(jumps).chain(told).chain(yielding).collect();
     result.state.clone_from(integrator.state());
     result.statistics = integrator.statistics().clone();
     result.incomplete = incomplete;
@@ -320,7 +326,7 @@ struct Rows {
     count: u64,
     state: State,
     values: Vec<f64>,
-    warnings: Vec<String>,
+    warnings: Vec<Warning>,
 }
 
 impl Rows {
@@ -359,11 +365,8 @@ impl Rows {
                 integrator.interpolate(t, &mut self.state);
             }
             integrator.system().outputs(&self.state, &mut self.values);
-            for text in integrator.system().warnings(&self.state) {
-                let words = without_numbers(&text);
-                if self.warnings.iter().all(|given| without_numbers(given) != words) {
-                    self.warnings.push(text);
-                }
+            for warning in integrator.system().warnings(&self.state) {
+                cautions::meet(&mut self.warnings, warning);
             }
             result.history.push(time, &self.values).map_err(Incomplete::Output)?;
             recorder.row(time, &self.values);
@@ -405,13 +408,6 @@ impl Steps {
         let steps = self.ends.into_iter().zip(self.sizes);
         steps.map(|(t, h)| StepTaken { t, h }).collect()
     }
-}
-
-/// What stays of a warning from row to row.
-fn without_numbers(text: &str) -> String {
-    text.chars()
-        .filter(|c| !(c.is_ascii_digit() || "-.".contains(*c)))
-        .collect()
 }
 
 /// Deviation of the energy from its first value.
