@@ -1,28 +1,8 @@
 //! Expansion of `models/src/andrews_squeezer.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank makes two and
-/// a half turns in 30 ms, while the triangle hardly moves.
-///
-/// # Chosen and left out
-///
-/// * Rigid body `k1` is free in three motions: two positions and an angle.
-/// * Rigid body `k2` is free in three motions: two positions and an angle.
-/// * Rigid body `k3` is free in three motions: two positions and an angle.
-/// * Rigid body `k4` is free in three motions: two positions and an angle.
-/// * Rigid body `k5` is free in three motions: two positions and an angle.
-/// * Rigid body `k6` is free in three motions: two positions and an angle.
-/// * Rigid body `k7` is free in three motions: two positions and an angle.
-/// * Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): 2 multipliers; linear in its vectors, no second derivatives.
-/// * Force `tension`: a potential; its tangents are derived.
-/// * Force `motor`: no potential; its tangents are derived.
-/// * Not declared, so that no function is written for it: flexible bodies, fixtures, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as force `motor` has no potential.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct AndrewsSqueezer {
-    /// Torque of the motor on the crank. (SI; declared in N m)
-    pub torque: f64,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use andrews_squeezer_equations::AndrewsSqueezer;
 #[allow(clippy::all)]
 impl Default for AndrewsSqueezer {
     fn default() -> Self {
@@ -271,6 +251,29 @@ impl ::rncf::Model for AndrewsSqueezer {
     clippy::all
 )]
 pub mod andrews_squeezer_equations {
+    /// Andrews' squeezer: seven planar bodies, ten revolute joints, a motor and a spring. The crank makes two and
+    /// a half turns in 30 ms, while the triangle hardly moves.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Rigid body `k1` is free in three motions: two positions and an angle.
+    /// * Rigid body `k2` is free in three motions: two positions and an angle.
+    /// * Rigid body `k3` is free in three motions: two positions and an angle.
+    /// * Rigid body `k4` is free in three motions: two positions and an angle.
+    /// * Rigid body `k5` is free in three motions: two positions and an angle.
+    /// * Rigid body `k6` is free in three motions: two positions and an angle.
+    /// * Rigid body `k7` is free in three motions: two positions and an angle.
+    /// * Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): 2 multipliers; linear in its vectors, no second derivatives.
+    /// * Force `tension`: a potential; its tangents are derived.
+    /// * Force `motor`: no potential; its tangents are derived.
+    /// * Not declared, so that no function is written for it: flexible bodies, fixtures, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as force `motor` has no potential.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct AndrewsSqueezer {
+        /// Torque of the motor on the crank. (SI; declared in N m)
+        pub torque: f64,
+    }
     /// Rigid body `k1`: its start relative to its parent, and its rigid parts.
     ///
     /// Parts `k1`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
@@ -278,7 +281,7 @@ pub mod andrews_squeezer_equations {
     /// Crank, turning about the origin.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k1(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k1(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.angle = -0.06171389001427645;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 0.04325;
@@ -293,7 +296,7 @@ pub mod andrews_squeezer_equations {
     /// Rod from the crank's end to the point F, in which four bodies meet.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k2(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k2(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = 0.006986674115451445;
         spec.position[1] = -0.0004317230645688955;
         spec.angle = -0.06171389001427645;
@@ -310,7 +313,7 @@ pub mod andrews_squeezer_equations {
     /// Triangle on the ground's point B, which the spring pulls.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k3(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k3(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = -0.03635;
         spec.position[1] = 0.03273;
         spec.angle = 0.45527981916307037;
@@ -331,7 +334,7 @@ pub mod andrews_squeezer_equations {
     /// Rod from k5 to F.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k4(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k4(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = -0.03399720388583998;
         spec.position[1] = 0.01646197167499768;
         spec.angle = 0.7100333697097284;
@@ -348,7 +351,7 @@ pub mod andrews_squeezer_equations {
     /// Lower arm on the ground's point A.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k5(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k5(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = -0.06934;
         spec.position[1] = -0.00227;
         spec.angle = 0.48736497954384256;
@@ -369,7 +372,7 @@ pub mod andrews_squeezer_equations {
     /// Rod from k7 to F.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k6(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k6(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = -0.03163313450740889;
         spec.position[1] = -0.015618868668304536;
         spec.angle = 1.0078790543839353;
@@ -386,7 +389,7 @@ pub mod andrews_squeezer_equations {
     /// Upper arm on the ground's point A.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k7(model: &super::AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k7(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = -0.06934;
         spec.position[1] = -0.00227;
         spec.angle = 1.2305474445498212;
@@ -409,7 +412,7 @@ pub mod andrews_squeezer_equations {
     ///
     /// Operations: 2 additions, 0 multiplications.
     pub fn constraint_position_o(
-        model: &super::AndrewsSqueezer,
+        model: &AndrewsSqueezer,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -422,7 +425,7 @@ pub mod andrews_squeezer_equations {
     ///
     /// Operations: 2 additions, 0 multiplications.
     pub fn constraint_velocity_o(
-        model: &super::AndrewsSqueezer,
+        model: &AndrewsSqueezer,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -435,7 +438,7 @@ pub mod andrews_squeezer_equations {
     ///
     /// Operations: 2 additions, 0 multiplications.
     pub fn constraint_acceleration_o(
-        model: &super::AndrewsSqueezer,
+        model: &AndrewsSqueezer,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -448,7 +451,7 @@ pub mod andrews_squeezer_equations {
     ///
     /// Operations: 2 additions, 0 multiplications.
     pub fn constraint_jerk_o(
-        model: &super::AndrewsSqueezer,
+        model: &AndrewsSqueezer,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -461,7 +464,7 @@ pub mod andrews_squeezer_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_gradient_o(
-        model: &super::AndrewsSqueezer,
+        model: &AndrewsSqueezer,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -478,7 +481,7 @@ pub mod andrews_squeezer_equations {
     ///
     /// Operations: 4 additions, 5 multiplications, 1 divisions, 1 function calls.
     pub fn force_value_tension(
-        model: &super::AndrewsSqueezer,
+        model: &AndrewsSqueezer,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -501,7 +504,7 @@ pub mod andrews_squeezer_equations {
     ///
     /// Operations: 14 additions, 20 multiplications, 6 divisions, 1 function calls.
     pub fn force_tangent_tension(
-        model: &super::AndrewsSqueezer,
+        model: &AndrewsSqueezer,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -554,7 +557,7 @@ pub mod andrews_squeezer_equations {
     ///
     /// Operations: 4 additions, 4 multiplications, 1 function calls.
     pub fn force_energy_tension(
-        model: &super::AndrewsSqueezer,
+        model: &AndrewsSqueezer,
         t: f64,
         z: &[[f64; 3]],
         energy: &mut f64,
@@ -572,7 +575,7 @@ pub mod andrews_squeezer_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn force_value_motor(
-        model: &super::AndrewsSqueezer,
+        model: &AndrewsSqueezer,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -585,12 +588,7 @@ pub mod andrews_squeezer_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 3 additions, 0 multiplications.
-    pub fn outputs(
-        model: &super::AndrewsSqueezer,
-        t: f64,
-        observed: &[f64],
-        out: &mut [f64],
-    ) {
+    pub fn outputs(model: &AndrewsSqueezer, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0];
         out[1] = observed[1] - observed[0];
         out[2] = observed[2];
@@ -602,18 +600,18 @@ pub mod andrews_squeezer_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::AndrewsSqueezer, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &AndrewsSqueezer, run: &mut ::rncf::RunDefaults) {
         run.t_end = 0.03;
         run.every = 0.0001;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::AndrewsSqueezer,
+        pub model: AndrewsSqueezer,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::AndrewsSqueezer) -> Self {
+        pub fn new(model: &AndrewsSqueezer) -> Self {
             Self { model: model.clone() }
         }
     }

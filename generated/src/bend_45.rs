@@ -1,24 +1,8 @@
 //! Expansion of `models/src/bend_45.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// 45-degree bend (Bathe & Bolourchi 1979): a circular arc, clamped at one end, is loaded out of its plane at the other.
-///
-/// # Chosen and left out
-///
-/// * Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).
-/// * Body `bend` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
-/// * Body `bend`: its material has no damping: no rates of strain and no damping matrix.
-/// * Body `bend` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
-/// * Joint `root`: its conditions are linear in the nodal vectors of `bend` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: forces between two states that conserve energy are derived.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct Bend45 {
-    /// Load at the tip, normal to the plane of the arc. (SI; declared in N)
-    pub load: f64,
-    /// Number of elements. (count)
-    pub elements: usize,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use bend45_equations::Bend45;
 #[allow(clippy::all)]
 impl Default for Bend45 {
     fn default() -> Self {
@@ -154,6 +138,25 @@ impl ::rncf::Model for Bend45 {
     clippy::all
 )]
 pub mod bend45_equations {
+    /// 45-degree bend (Bathe & Bolourchi 1979): a circular arc, clamped at one end, is loaded out of its plane at the other.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).
+    /// * Body `bend` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+    /// * Body `bend`: its material has no damping: no rates of strain and no damping matrix.
+    /// * Body `bend` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+    /// * Joint `root`: its conditions are linear in the nodal vectors of `bend` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: forces between two states that conserve energy are derived.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct Bend45 {
+        /// Load at the tip, normal to the plane of the arc. (SI; declared in N)
+        pub load: f64,
+        /// Number of elements. (count)
+        pub elements: usize,
+    }
     /// Constants of one element `beam_spatial_curved`. Beam with a cross-section: axial strain, shear, bending, torsion.
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
@@ -2265,7 +2268,7 @@ pub mod bend45_equations {
     /// Load `pull` in its frame's axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn load_pull(model: &super::Bend45, t: f64, value: &mut [f64; 3]) {
+    pub fn load_pull(model: &Bend45, t: f64, value: &mut [f64; 3]) {
         value[0] = 0.0;
         value[1] = 0.0;
         value[2] = model.load;
@@ -2274,7 +2277,7 @@ pub mod bend45_equations {
     ///
     /// Operations: 15 additions, 19 multiplications.
     pub fn joint_root_absolute_position(
-        model: &super::Bend45,
+        model: &Bend45,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -2298,7 +2301,7 @@ pub mod bend45_equations {
     ///
     /// Operations: 3 additions, 12 multiplications.
     pub fn joint_root_absolute_jacobian(
-        model: &super::Bend45,
+        model: &Bend45,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -2326,7 +2329,7 @@ pub mod bend45_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_absolute_prescribed(
-        model: &super::Bend45,
+        model: &Bend45,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -2344,7 +2347,7 @@ pub mod bend45_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn outputs(model: &super::Bend45, t: f64, observed: &[f64], out: &mut [f64]) {
+    pub fn outputs(model: &Bend45, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0];
         out[1] = observed[1];
         out[2] = observed[2];
@@ -2352,20 +2355,20 @@ pub mod bend45_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::Bend45, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &Bend45, run: &mut ::rncf::RunDefaults) {
         run.t_end = 100.0;
         run.every = 0.5;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::Bend45,
+        pub model: Bend45,
         pub row_bend: BeamSpatialCurved,
         pub reference_bend: ::std::vec::Vec<[f64; 30]>,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::Bend45) -> Self {
+        pub fn new(model: &Bend45) -> Self {
             Self {
                 model: model.clone(),
                 row_bend: Default::default(),
@@ -2502,13 +2505,13 @@ pub mod bend45_equations {
                 0.14057701493497562,
                 "m^4",
             )?;
-            let shear_factor_y = ::rncf::mesh::positive(
+            let shear_factor_y = ::rncf::mesh::part(
                 "section `square`",
                 "shear_factor_y",
                 0.8333333333333334,
                 "1",
             )?;
-            let shear_factor_z = ::rncf::mesh::positive(
+            let shear_factor_z = ::rncf::mesh::part(
                 "section `square`",
                 "shear_factor_z",
                 0.8333333333333334,

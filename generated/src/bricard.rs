@@ -1,22 +1,8 @@
 //! Expansion of `models/src/bricard.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Bricard's mechanism: five rods and the ground, joined by six revolute joints into a spatial loop. Six joints take
-/// 30 freedoms of five bodies, but one of them twice: the loop moves.
-///
-/// # Chosen and left out
-///
-/// * Rigid body `p01` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Rigid body `p12` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Rigid body `p23` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Rigid body `p34` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Rigid body `p45` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Constraint `p0` (revolute), `p1` (revolute), `p2` (revolute), `p3` (revolute), `p4` (revolute): 5 multipliers; gradient and second derivatives are derived.
-/// * Constraint `p5` (universal): 4 multipliers; gradient and second derivatives are derived.
-/// * Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: there is no flexible body to derive forces for.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct Bricard {}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use bricard_equations::Bricard;
 #[allow(clippy::all)]
 impl Default for Bricard {
     fn default() -> Self {
@@ -140,12 +126,29 @@ impl ::rncf::Model for Bricard {
     clippy::all
 )]
 pub mod bricard_equations {
+    /// Bricard's mechanism: five rods and the ground, joined by six revolute joints into a spatial loop. Six joints take
+    /// 30 freedoms of five bodies, but one of them twice: the loop moves.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Rigid body `p01` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Rigid body `p12` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Rigid body `p23` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Rigid body `p34` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Rigid body `p45` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Constraint `p0` (revolute), `p1` (revolute), `p2` (revolute), `p3` (revolute), `p4` (revolute): 5 multipliers; gradient and second derivatives are derived.
+    /// * Constraint `p5` (universal): 4 multipliers; gradient and second derivatives are derived.
+    /// * Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: there is no flexible body to derive forces for.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct Bricard {}
     /// Rigid body `p01`: its start relative to its parent, and its rigid parts.
     ///
     /// Parts `p01`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_p01(model: &super::Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_p01(model: &Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
         spec.rigid.moment[0] = 0.5;
@@ -158,7 +161,7 @@ pub mod bricard_equations {
     /// Parts `p12`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_p12(model: &super::Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_p12(model: &Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = 1.0;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
@@ -172,7 +175,7 @@ pub mod bricard_equations {
     /// Parts `p23`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_p23(model: &super::Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_p23(model: &Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = 1.0;
         spec.position[1] = -1.0;
         spec.axis[2] = 1.0;
@@ -187,7 +190,7 @@ pub mod bricard_equations {
     /// Parts `p34`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_p34(model: &super::Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_p34(model: &Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = 1.0;
         spec.position[1] = -1.0;
         spec.position[2] = 1.0;
@@ -203,7 +206,7 @@ pub mod bricard_equations {
     /// Parts `p45`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_p45(model: &super::Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_p45(model: &Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[1] = -1.0;
         spec.position[2] = 1.0;
         spec.axis[2] = 1.0;
@@ -216,7 +219,7 @@ pub mod bricard_equations {
     /// Load `weight` in its frame's axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn load_weight(model: &super::Bricard, t: f64, value: &mut [f64; 3]) {
+    pub fn load_weight(model: &Bricard, t: f64, value: &mut [f64; 3]) {
         value[0] = 0.0;
         value[1] = -9.81;
         value[2] = 0.0;
@@ -233,7 +236,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 7 additions, 6 multiplications.
     pub fn constraint_position_p0(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -251,7 +254,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 13 additions, 12 multiplications.
     pub fn constraint_velocity_p0(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -273,7 +276,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 25 additions, 18 multiplications.
     pub fn constraint_acceleration_p0(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -301,7 +304,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 43 additions, 24 multiplications.
     pub fn constraint_jerk_p0(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -347,7 +350,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_gradient_p0(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -376,7 +379,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_rate_gradient_p0(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -401,7 +404,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_hessian_p0(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[f64; 3]],
         lambda: &[f64],
@@ -433,7 +436,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 5 additions, 3 multiplications.
     pub fn constraint_position_p5(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -449,7 +452,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 8 additions, 6 multiplications.
     pub fn constraint_velocity_p5(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -467,7 +470,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 14 additions, 9 multiplications.
     pub fn constraint_acceleration_p5(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -488,7 +491,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 23 additions, 12 multiplications.
     pub fn constraint_jerk_p5(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -518,7 +521,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_gradient_p5(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -541,7 +544,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_rate_gradient_p5(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -560,7 +563,7 @@ pub mod bricard_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_hessian_p5(
-        model: &super::Bricard,
+        model: &Bricard,
         t: f64,
         z: &[[f64; 3]],
         lambda: &[f64],
@@ -578,7 +581,7 @@ pub mod bricard_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn outputs(model: &super::Bricard, t: f64, observed: &[f64], out: &mut [f64]) {
+    pub fn outputs(model: &Bricard, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0];
         out[1] = observed[1];
         out[2] = observed[2];
@@ -586,18 +589,18 @@ pub mod bricard_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::Bricard, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &Bricard, run: &mut ::rncf::RunDefaults) {
         run.t_end = 10.0;
         run.every = 0.01;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::Bricard,
+        pub model: Bricard,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::Bricard) -> Self {
+        pub fn new(model: &Bricard) -> Self {
             Self { model: model.clone() }
         }
     }

@@ -1,27 +1,8 @@
 //! Expansion of `models/src/curved_out_of_plane.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Spin-up of a beam that is curved along the axis of rotation (Ren & Yang 2021, section 4.1.2).
-///
-/// # Chosen and left out
-///
-/// * Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).
-/// * Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
-/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix.
-/// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
-/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
-/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct CurvedOutOfPlane {
-    /// Steady angular velocity. (SI; declared in rad/s)
-    pub omega_s: f64,
-    /// Time to reach it. (SI; declared in s)
-    pub T_s: f64,
-    /// Number of elements. (count)
-    pub elements: usize,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use curved_out_of_plane_equations::CurvedOutOfPlane;
 #[allow(clippy::all)]
 impl Default for CurvedOutOfPlane {
     fn default() -> Self {
@@ -188,6 +169,28 @@ impl ::rncf::Model for CurvedOutOfPlane {
     clippy::all
 )]
 pub mod curved_out_of_plane_equations {
+    /// Spin-up of a beam that is curved along the axis of rotation (Ren & Yang 2021, section 4.1.2).
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).
+    /// * Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+    /// * Body `beam`: its material has no damping: no rates of strain and no damping matrix.
+    /// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
+    /// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+    /// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct CurvedOutOfPlane {
+        /// Steady angular velocity. (SI; declared in rad/s)
+        pub omega_s: f64,
+        /// Time to reach it. (SI; declared in s)
+        pub T_s: f64,
+        /// Number of elements. (count)
+        pub elements: usize,
+    }
     /// Constants of one element `beam_spatial_curved`. Beam with a cross-section: axial strain, shear, bending, torsion.
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
@@ -1489,7 +1492,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
     pub fn frame_hub(
-        model: &super::CurvedOutOfPlane,
+        model: &CurvedOutOfPlane,
         t: f64,
         motion: &mut ::rncf::mesh::FrameMotion,
     ) {
@@ -1527,7 +1530,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// Operations: 15 additions, 19 multiplications.
     pub fn joint_root_referenced_position(
-        model: &super::CurvedOutOfPlane,
+        model: &CurvedOutOfPlane,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1551,7 +1554,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// Operations: 3 additions, 12 multiplications.
     pub fn joint_root_referenced_jacobian(
-        model: &super::CurvedOutOfPlane,
+        model: &CurvedOutOfPlane,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1579,7 +1582,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
-        model: &super::CurvedOutOfPlane,
+        model: &CurvedOutOfPlane,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1598,7 +1601,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// Operations: 25 additions, 37 multiplications, 5 divisions, 3 function calls.
     pub fn joint_root_absolute_position(
-        model: &super::CurvedOutOfPlane,
+        model: &CurvedOutOfPlane,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1636,7 +1639,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// Operations: 28 additions, 50 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_velocity(
-        model: &super::CurvedOutOfPlane,
+        model: &CurvedOutOfPlane,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1682,7 +1685,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// Operations: 65 additions, 86 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_acceleration(
-        model: &super::CurvedOutOfPlane,
+        model: &CurvedOutOfPlane,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1763,7 +1766,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// Operations: 121 additions, 126 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_jerk(
-        model: &super::CurvedOutOfPlane,
+        model: &CurvedOutOfPlane,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1882,7 +1885,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// Operations: 12 additions, 26 multiplications, 5 divisions, 3 function calls.
     pub fn joint_root_absolute_jacobian(
-        model: &super::CurvedOutOfPlane,
+        model: &CurvedOutOfPlane,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1926,7 +1929,7 @@ pub mod curved_out_of_plane_equations {
     ///
     /// Operations: 28 additions, 55 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_prescribed(
-        model: &super::CurvedOutOfPlane,
+        model: &CurvedOutOfPlane,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1982,18 +1985,13 @@ pub mod curved_out_of_plane_equations {
     /// Times at which a derivative of a motion or load may jump (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn kinks(model: &super::CurvedOutOfPlane, kinks: &mut [f64; 1]) {
+    pub fn kinks(model: &CurvedOutOfPlane, kinks: &mut [f64; 1]) {
         kinks[0] = model.T_s;
     }
     /// Output columns from what they observe.
     ///
     /// Operations: 2 additions, 0 multiplications.
-    pub fn outputs(
-        model: &super::CurvedOutOfPlane,
-        t: f64,
-        observed: &[f64],
-        out: &mut [f64],
-    ) {
+    pub fn outputs(model: &CurvedOutOfPlane, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0] - 7.670808617667248;
         out[1] = observed[1];
         out[2] = observed[2] - 1.9586790097540359;
@@ -2001,20 +1999,20 @@ pub mod curved_out_of_plane_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::CurvedOutOfPlane, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &CurvedOutOfPlane, run: &mut ::rncf::RunDefaults) {
         run.t_end = 20.0;
         run.every = 0.05;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::CurvedOutOfPlane,
+        pub model: CurvedOutOfPlane,
         pub row_beam: BeamSpatialCurved,
         pub reference_beam: ::std::vec::Vec<[f64; 30]>,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::CurvedOutOfPlane) -> Self {
+        pub fn new(model: &CurvedOutOfPlane) -> Self {
             Self {
                 model: model.clone(),
                 row_beam: Default::default(),
@@ -2161,13 +2159,13 @@ pub mod curved_out_of_plane_equations {
                 1.643e-8,
                 "m^4",
             )?;
-            let shear_factor_y = ::rncf::mesh::positive(
+            let shear_factor_y = ::rncf::mesh::part(
                 "section `tube`",
                 "shear_factor_y",
                 0.53,
                 "1",
             )?;
-            let shear_factor_z = ::rncf::mesh::positive(
+            let shear_factor_z = ::rncf::mesh::part(
                 "section `tube`",
                 "shear_factor_z",
                 0.53,

@@ -1,28 +1,8 @@
 //! Expansion of `models/src/curved_upwind.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Spin-up of a beam that is curved towards its motion (Ren & Yang 2021, section 4.1.2).
-///
-/// # Chosen and left out
-///
-/// * Body `beam` uses `beam_planar_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1967).
-/// * Body `beam` is planar: two components a vector, no motion along the normal.
-/// * Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.
-/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix.
-/// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
-/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
-/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct CurvedUpwind {
-    /// Steady angular velocity. (SI; declared in rad/s)
-    pub omega_s: f64,
-    /// Time to reach it. (SI; declared in s)
-    pub T_s: f64,
-    /// Number of elements. (count)
-    pub elements: usize,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use curved_upwind_equations::CurvedUpwind;
 #[allow(clippy::all)]
 impl Default for CurvedUpwind {
     fn default() -> Self {
@@ -189,6 +169,29 @@ impl ::rncf::Model for CurvedUpwind {
     clippy::all
 )]
 pub mod curved_upwind_equations {
+    /// Spin-up of a beam that is curved towards its motion (Ren & Yang 2021, section 4.1.2).
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `beam` uses `beam_planar_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1967).
+    /// * Body `beam` is planar: two components a vector, no motion along the normal.
+    /// * Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.
+    /// * Body `beam`: its material has no damping: no rates of strain and no damping matrix.
+    /// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
+    /// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+    /// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct CurvedUpwind {
+        /// Steady angular velocity. (SI; declared in rad/s)
+        pub omega_s: f64,
+        /// Time to reach it. (SI; declared in s)
+        pub T_s: f64,
+        /// Number of elements. (count)
+        pub elements: usize,
+    }
     /// Constants of one element `beam_planar_curved`. Beam with a cross-section: axial strain, shear, bending, torsion.
     ///
     /// Nodal vectors: r0, r0x, r0y, ry_half, r1, r1x, r1y, 2 components each.
@@ -810,7 +813,7 @@ pub mod curved_upwind_equations {
     ///
     /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
     pub fn frame_hub(
-        model: &super::CurvedUpwind,
+        model: &CurvedUpwind,
         t: f64,
         motion: &mut ::rncf::mesh::FrameMotion,
     ) {
@@ -848,7 +851,7 @@ pub mod curved_upwind_equations {
     ///
     /// Operations: 3 additions, 2 multiplications.
     pub fn joint_root_referenced_position(
-        model: &super::CurvedUpwind,
+        model: &CurvedUpwind,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -864,7 +867,7 @@ pub mod curved_upwind_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_jacobian(
-        model: &super::CurvedUpwind,
+        model: &CurvedUpwind,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -878,7 +881,7 @@ pub mod curved_upwind_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
-        model: &super::CurvedUpwind,
+        model: &CurvedUpwind,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -892,7 +895,7 @@ pub mod curved_upwind_equations {
     ///
     /// Operations: 11 additions, 16 multiplications, 5 divisions, 3 function calls.
     pub fn joint_root_absolute_position(
-        model: &super::CurvedUpwind,
+        model: &CurvedUpwind,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -920,7 +923,7 @@ pub mod curved_upwind_equations {
     ///
     /// Operations: 11 additions, 21 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_velocity(
-        model: &super::CurvedUpwind,
+        model: &CurvedUpwind,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -953,7 +956,7 @@ pub mod curved_upwind_equations {
     ///
     /// Operations: 21 additions, 35 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_acceleration(
-        model: &super::CurvedUpwind,
+        model: &CurvedUpwind,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1001,7 +1004,7 @@ pub mod curved_upwind_equations {
     ///
     /// Operations: 36 additions, 51 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_jerk(
-        model: &super::CurvedUpwind,
+        model: &CurvedUpwind,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1059,7 +1062,7 @@ pub mod curved_upwind_equations {
     ///
     /// Operations: 6 additions, 10 multiplications, 5 divisions, 3 function calls.
     pub fn joint_root_absolute_jacobian(
-        model: &super::CurvedUpwind,
+        model: &CurvedUpwind,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1083,7 +1086,7 @@ pub mod curved_upwind_equations {
     ///
     /// Operations: 22 additions, 43 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_prescribed(
-        model: &super::CurvedUpwind,
+        model: &CurvedUpwind,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1130,18 +1133,13 @@ pub mod curved_upwind_equations {
     /// Times at which a derivative of a motion or load may jump (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn kinks(model: &super::CurvedUpwind, kinks: &mut [f64; 1]) {
+    pub fn kinks(model: &CurvedUpwind, kinks: &mut [f64; 1]) {
         kinks[0] = model.T_s;
     }
     /// Output columns from what they observe.
     ///
     /// Operations: 2 additions, 0 multiplications.
-    pub fn outputs(
-        model: &super::CurvedUpwind,
-        t: f64,
-        observed: &[f64],
-        out: &mut [f64],
-    ) {
+    pub fn outputs(model: &CurvedUpwind, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0] - 7.670808617667248;
         out[1] = observed[1] - 1.9586790097540359;
         out[2] = 0.0;
@@ -1149,20 +1147,20 @@ pub mod curved_upwind_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::CurvedUpwind, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &CurvedUpwind, run: &mut ::rncf::RunDefaults) {
         run.t_end = 20.0;
         run.every = 0.05;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::CurvedUpwind,
+        pub model: CurvedUpwind,
         pub row_beam: BeamPlanarCurved,
         pub reference_beam: ::std::vec::Vec<[f64; 13]>,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::CurvedUpwind) -> Self {
+        pub fn new(model: &CurvedUpwind) -> Self {
             Self {
                 model: model.clone(),
                 row_beam: Default::default(),
@@ -1279,7 +1277,7 @@ pub mod curved_upwind_equations {
                 8.215e-9,
                 "m^4",
             )?;
-            let shear_factor_y = ::rncf::mesh::positive(
+            let shear_factor_y = ::rncf::mesh::part(
                 "section `tube`",
                 "shear_factor_y",
                 0.53,

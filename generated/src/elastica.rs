@@ -1,27 +1,8 @@
 //! Expansion of `models/src/elastica.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// The elastica: a slender cantilever under a transverse dead load at its tip, compared with elliptic integrals.
-///
-/// # Chosen and left out
-///
-/// * Body `beam` uses `beam_planar`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1954).
-/// * Body `beam` is planar: two components a vector, no motion along the normal.
-/// * Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.
-/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
-/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: forces between two states that conserve energy are derived.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct Elastica {
-    /// Load at the tip times L^2/(EI). (SI; declared in 1)
-    pub alpha: f64,
-    /// Radius of the section over the length. (SI; declared in 1)
-    pub slenderness: f64,
-    /// Number of elements. (count)
-    pub elements: usize,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use elastica_equations::Elastica;
 #[allow(clippy::all)]
 impl Default for Elastica {
     fn default() -> Self {
@@ -174,6 +155,28 @@ impl ::rncf::Model for Elastica {
     clippy::all
 )]
 pub mod elastica_equations {
+    /// The elastica: a slender cantilever under a transverse dead load at its tip, compared with elliptic integrals.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `beam` uses `beam_planar`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1954).
+    /// * Body `beam` is planar: two components a vector, no motion along the normal.
+    /// * Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.
+    /// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+    /// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: forces between two states that conserve energy are derived.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct Elastica {
+        /// Load at the tip times L^2/(EI). (SI; declared in 1)
+        pub alpha: f64,
+        /// Radius of the section over the length. (SI; declared in 1)
+        pub slenderness: f64,
+        /// Number of elements. (count)
+        pub elements: usize,
+    }
     /// Constants of one element `beam_planar`. Beam with a cross-section: axial strain, shear, bending, torsion.
     ///
     /// Nodal vectors: r0, r0x, r0y, ry_half, r1, r1x, r1y, 2 components each.
@@ -957,7 +960,7 @@ pub mod elastica_equations {
     /// Load `pull` in its frame's axes.
     ///
     /// Operations: 0 additions, 5 multiplications, 1 divisions.
-    pub fn load_pull(model: &super::Elastica, t: f64, value: &mut [f64; 3]) {
+    pub fn load_pull(model: &Elastica, t: f64, value: &mut [f64; 3]) {
         value[0] = 0.0;
         value[1] = model.alpha * 210000000000.0 * 3.141592653589793 / 4.0
             * model.slenderness.powi(4);
@@ -967,7 +970,7 @@ pub mod elastica_equations {
     ///
     /// Operations: 3 additions, 2 multiplications.
     pub fn joint_root_absolute_position(
-        model: &super::Elastica,
+        model: &Elastica,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -983,7 +986,7 @@ pub mod elastica_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_absolute_jacobian(
-        model: &super::Elastica,
+        model: &Elastica,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -997,7 +1000,7 @@ pub mod elastica_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_absolute_prescribed(
-        model: &super::Elastica,
+        model: &Elastica,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1010,26 +1013,26 @@ pub mod elastica_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 1 additions, 0 multiplications.
-    pub fn outputs(model: &super::Elastica, t: f64, observed: &[f64], out: &mut [f64]) {
+    pub fn outputs(model: &Elastica, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = 1.0 - observed[0];
         out[1] = observed[1];
     }
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::Elastica, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &Elastica, run: &mut ::rncf::RunDefaults) {
         run.t_end = 1.0;
         run.every = 0.01;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::Elastica,
+        pub model: Elastica,
         pub row_beam: BeamPlanar,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::Elastica) -> Self {
+        pub fn new(model: &Elastica) -> Self {
             Self {
                 model: model.clone(),
                 row_beam: Default::default(),
@@ -1142,7 +1145,7 @@ pub mod elastica_equations {
                 0.7853981633974483 * model.slenderness.powi(4),
                 "m^4",
             )?;
-            let shear_factor_y = ::rncf::mesh::positive(
+            let shear_factor_y = ::rncf::mesh::part(
                 "section `round`",
                 "shear_factor_y",
                 0.8863636363636362,

@@ -1,48 +1,8 @@
 //! Expansion of `models/src/esail.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Electric solar wind sail at one astronomical unit: charged main tethers, remote units at their tips, a ring of
-/// auxiliary tethers (Ren & Yang 2021, section 4.3).
-///
-/// The default is the 10 km sail. That of 20 km: length="20 km" voltage="20 kV" core_mass="80 kg".
-///
-/// # Chosen and left out
-///
-/// * Body `main` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
-/// * Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
-/// * Body `main`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `main` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
-/// * Body `aux` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
-/// * Body `aux` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
-/// * Body `aux`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
-/// * Joint `hub`: its conditions are linear in the nodal vectors of `main` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Constraint `sun_x` (constraint), `sun_y` (constraint): 1 multiplier; gradient and second derivatives are derived.
-/// * Fixture `remote` adds constants to the inertia of `main` and no unknowns.
-/// * Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, kinks of motions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as the load per length `thrust` has no potential.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct Esail {
-    /// Length of a main tether. (SI; declared in km)
-    pub length: f64,
-    /// Rate of spin. (SI; declared in deg/s)
-    pub spin: f64,
-    /// Potential of the main tethers. (SI; declared in kV)
-    pub voltage: f64,
-    /// Number of main tethers. (count)
-    pub tethers: usize,
-    /// Number of elements of a main tether. (count)
-    pub elements: usize,
-    /// Mass of a remote unit. (SI; declared in kg)
-    pub remote_mass: f64,
-    /// Mass of the core. (SI; declared in kg)
-    pub core_mass: f64,
-    /// Distance of the tethers' roots from the core. (SI; declared in m)
-    pub hub_radius: f64,
-    /// Relative differences of the remote units' masses, without a pattern: what a real sail buckles from. (SI; declared in 1)
-    pub asymmetry: f64,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use esail_equations::Esail;
 #[allow(clippy::all)]
 impl Default for Esail {
     fn default() -> Self {
@@ -405,6 +365,49 @@ impl ::rncf::Model for Esail {
     clippy::all
 )]
 pub mod esail_equations {
+    /// Electric solar wind sail at one astronomical unit: charged main tethers, remote units at their tips, a ring of
+    /// auxiliary tethers (Ren & Yang 2021, section 4.3).
+    ///
+    /// The default is the 10 km sail. That of 20 km: length="20 km" voltage="20 kV" core_mass="80 kg".
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `main` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
+    /// * Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+    /// * Body `main`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `main` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+    /// * Body `aux` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
+    /// * Body `aux` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+    /// * Body `aux`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+    /// * Joint `hub`: its conditions are linear in the nodal vectors of `main` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Constraint `sun_x` (constraint), `sun_y` (constraint): 1 multiplier; gradient and second derivatives are derived.
+    /// * Fixture `remote` adds constants to the inertia of `main` and no unknowns.
+    /// * Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, kinks of motions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as the load per length `thrust` has no potential.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct Esail {
+        /// Length of a main tether. (SI; declared in km)
+        pub length: f64,
+        /// Rate of spin. (SI; declared in deg/s)
+        pub spin: f64,
+        /// Potential of the main tethers. (SI; declared in kV)
+        pub voltage: f64,
+        /// Number of main tethers. (count)
+        pub tethers: usize,
+        /// Number of elements of a main tether. (count)
+        pub elements: usize,
+        /// Mass of a remote unit. (SI; declared in kg)
+        pub remote_mass: f64,
+        /// Mass of the core. (SI; declared in kg)
+        pub core_mass: f64,
+        /// Distance of the tethers' roots from the core. (SI; declared in m)
+        pub hub_radius: f64,
+        /// Relative differences of the remote units' masses, without a pattern: what a real sail buckles from. (SI; declared in 1)
+        pub asymmetry: f64,
+    }
     /// Constants of one element `cable_spatial`. Hermite centre-line element: axial strain and bending, no shear, no torsion.
     ///
     /// Nodal vectors: r0, s0, r1, s1, 3 components each.
@@ -1133,7 +1136,7 @@ pub mod esail_equations {
     /// Spins about its z axis, which points away from the Sun.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_sail(model: &super::Esail, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_sail(model: &Esail, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = 150000000000.0;
         spec.velocity[1] = 29824.48658401348;
         spec.spin[0] = -1.9882991056008987e-7;
@@ -1146,7 +1149,7 @@ pub mod esail_equations {
     ///
     /// Operations: 2 additions, 7 multiplications, 3 divisions, 2 function calls.
     pub fn initial_aux(
-        model: &super::Esail,
+        model: &Esail,
         x: f64,
         index: f64,
         position: &mut [[f64; 3]; 2],
@@ -1166,7 +1169,7 @@ pub mod esail_equations {
     ///
     /// Operations: 7 additions, 6 multiplications.
     pub fn joint_hub_referenced_position(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1186,7 +1189,7 @@ pub mod esail_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_hub_referenced_jacobian(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1205,7 +1208,7 @@ pub mod esail_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_hub_referenced_prescribed(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1225,7 +1228,7 @@ pub mod esail_equations {
     ///
     /// Operations: 2 additions, 3 multiplications, 1 divisions.
     pub fn constraint_position_sun_x(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1238,7 +1241,7 @@ pub mod esail_equations {
     ///
     /// Operations: 5 additions, 6 multiplications, 1 divisions.
     pub fn constraint_velocity_sun_x(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1253,7 +1256,7 @@ pub mod esail_equations {
     ///
     /// Operations: 11 additions, 9 multiplications, 1 divisions.
     pub fn constraint_acceleration_sun_x(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1272,7 +1275,7 @@ pub mod esail_equations {
     ///
     /// Operations: 20 additions, 12 multiplications, 1 divisions.
     pub fn constraint_jerk_sun_x(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1300,7 +1303,7 @@ pub mod esail_equations {
     ///
     /// Operations: 0 additions, 0 multiplications, 6 divisions.
     pub fn constraint_gradient_sun_x(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -1317,7 +1320,7 @@ pub mod esail_equations {
     ///
     /// Operations: 0 additions, 0 multiplications, 6 divisions.
     pub fn constraint_rate_gradient_sun_x(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -1336,7 +1339,7 @@ pub mod esail_equations {
     ///
     /// Operations: 0 additions, 1 multiplications.
     pub fn constraint_hessian_sun_x(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         z: &[[f64; 3]],
         lambda: &[f64],
@@ -1356,7 +1359,7 @@ pub mod esail_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn outputs_of_one_0(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         index: f64,
         observed: &[f64],
@@ -1368,7 +1371,7 @@ pub mod esail_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn outputs_of_one_1(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         index: f64,
         observed: &[f64],
@@ -1380,7 +1383,7 @@ pub mod esail_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn outputs_of_one_2(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         index: f64,
         observed: &[f64],
@@ -1392,7 +1395,7 @@ pub mod esail_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn outputs_of_one_3(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         index: f64,
         observed: &[f64],
@@ -1404,7 +1407,7 @@ pub mod esail_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn outputs_of_one_4(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         index: f64,
         observed: &[f64],
@@ -1415,7 +1418,7 @@ pub mod esail_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 5 additions, 6 multiplications, 1 divisions, 1 function calls.
-    pub fn outputs(model: &super::Esail, t: f64, observed: &[f64], out: &mut [f64]) {
+    pub fn outputs(model: &Esail, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = (observed[0] * observed[0] + observed[1] * observed[1]
             + observed[2] * observed[2])
             .sqrt() - 150000000000.0;
@@ -1432,7 +1435,7 @@ pub mod esail_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::Esail, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &Esail, run: &mut ::rncf::RunDefaults) {
         run.t_end = 200.0;
         run.every = 1.0;
     }
@@ -1442,7 +1445,7 @@ pub mod esail_equations {
     ///
     /// Operations: 13 additions, 14 multiplications, 1 divisions.
     pub fn density_values_thrust(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         index: f64,
         z: &[[f64; 3]],
@@ -1465,7 +1468,7 @@ pub mod esail_equations {
     ///
     /// Operations: 7 additions, 11 multiplications, 4 divisions.
     pub fn density_gradient_thrust(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         index: f64,
         z: &[[f64; 3]],
@@ -2382,12 +2385,7 @@ pub mod esail_equations {
     /// Of `sun`: `z[0]` a point of `sail` (inertial axes).
     ///
     /// Operations: 2 additions, 8 multiplications, 3 divisions, 1 function calls.
-    pub fn field_sun(
-        model: &super::Esail,
-        t: f64,
-        z: &[[f64; 3]],
-        gravity: &mut [f64; 3],
-    ) {
+    pub fn field_sun(model: &Esail, t: f64, z: &[[f64; 3]], gravity: &mut [f64; 3]) {
         let t15 = (z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2])
             .sqrt()
             .powi(3);
@@ -2399,7 +2397,7 @@ pub mod esail_equations {
     ///
     /// Operations: 5 additions, 29 multiplications, 13 divisions, 1 function calls.
     pub fn field_gradient_sun(
-        model: &super::Esail,
+        model: &Esail,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -2427,7 +2425,7 @@ pub mod esail_equations {
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::Esail,
+        pub model: Esail,
         /// How often each loop is gone through.
         pub counts: [usize; 1],
         /// Number of the first repetition of every body.
@@ -2439,7 +2437,7 @@ pub mod esail_equations {
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::Esail) -> Self {
+        pub fn new(model: &Esail) -> Self {
             let counts = [model.tethers];
             Self {
                 model: model.clone(),

@@ -1,46 +1,8 @@
 //! Expansion of `models/src/esail_slack.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Electric solar wind sail at one astronomical unit whose tethers go slack instead of carrying compression: a wire of
-/// 628 m and 76 um buckles under 3e-12 N.
-///
-/// # Chosen and left out
-///
-/// * Body `main` uses `cable_spatial_slack`. Form: points unrolled (the cheapest; operations of force and tangent: points unrolled: 632 and 2395; loop over points: 677 and 2601; a loop counts 1.3 times).
-/// * Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
-/// * Body `main`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `main` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
-/// * Body `aux` uses `cable_spatial_slack`. Form: points unrolled (the cheapest; operations of force and tangent: points unrolled: 632 and 2395; loop over points: 677 and 2601; a loop counts 1.3 times).
-/// * Body `aux` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
-/// * Body `aux`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
-/// * Joint `hub`: its conditions are linear in the nodal vectors of `main` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Constraint `sun_x` (constraint), `sun_y` (constraint): 1 multiplier; gradient and second derivatives are derived.
-/// * Fixture `remote` adds constants to the inertia of `main` and no unknowns.
-/// * Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, kinks of motions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as the load per length `thrust` has no potential.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct EsailSlack {
-    /// Length of a main tether. (SI; declared in km)
-    pub length: f64,
-    /// Rate of spin. (SI; declared in deg/s)
-    pub spin: f64,
-    /// Potential of the main tethers. (SI; declared in kV)
-    pub voltage: f64,
-    /// Number of main tethers. (count)
-    pub tethers: usize,
-    /// Number of elements of a main tether. (count)
-    pub elements: usize,
-    /// Mass of a remote unit. (SI; declared in kg)
-    pub remote_mass: f64,
-    /// Mass of the core. (SI; declared in kg)
-    pub core_mass: f64,
-    /// Distance of the tethers' roots from the core. (SI; declared in m)
-    pub hub_radius: f64,
-    /// Relative differences of the remote units' masses, without a pattern: what a real sail buckles from. (SI; declared in 1)
-    pub asymmetry: f64,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use esail_slack_equations::EsailSlack;
 #[allow(clippy::all)]
 impl Default for EsailSlack {
     fn default() -> Self {
@@ -403,6 +365,47 @@ impl ::rncf::Model for EsailSlack {
     clippy::all
 )]
 pub mod esail_slack_equations {
+    /// Electric solar wind sail at one astronomical unit whose tethers go slack instead of carrying compression: a wire of
+    /// 628 m and 76 um buckles under 3e-12 N.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `main` uses `cable_spatial_slack`. Form: points unrolled (the cheapest; operations of force and tangent: points unrolled: 632 and 2395; loop over points: 677 and 2601; a loop counts 1.3 times).
+    /// * Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+    /// * Body `main`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `main` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+    /// * Body `aux` uses `cable_spatial_slack`. Form: points unrolled (the cheapest; operations of force and tangent: points unrolled: 632 and 2395; loop over points: 677 and 2601; a loop counts 1.3 times).
+    /// * Body `aux` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+    /// * Body `aux`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+    /// * Joint `hub`: its conditions are linear in the nodal vectors of `main` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Constraint `sun_x` (constraint), `sun_y` (constraint): 1 multiplier; gradient and second derivatives are derived.
+    /// * Fixture `remote` adds constants to the inertia of `main` and no unknowns.
+    /// * Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, kinks of motions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as the load per length `thrust` has no potential.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct EsailSlack {
+        /// Length of a main tether. (SI; declared in km)
+        pub length: f64,
+        /// Rate of spin. (SI; declared in deg/s)
+        pub spin: f64,
+        /// Potential of the main tethers. (SI; declared in kV)
+        pub voltage: f64,
+        /// Number of main tethers. (count)
+        pub tethers: usize,
+        /// Number of elements of a main tether. (count)
+        pub elements: usize,
+        /// Mass of a remote unit. (SI; declared in kg)
+        pub remote_mass: f64,
+        /// Mass of the core. (SI; declared in kg)
+        pub core_mass: f64,
+        /// Distance of the tethers' roots from the core. (SI; declared in m)
+        pub hub_radius: f64,
+        /// Relative differences of the remote units' masses, without a pattern: what a real sail buckles from. (SI; declared in 1)
+        pub asymmetry: f64,
+    }
     /// Constants of one element `cable_spatial_slack`. Hermite centre-line element: axial strain and bending, no shear, no torsion.
     ///
     /// Nodal vectors: r0, s0, r1, s1, 3 components each.
@@ -1897,7 +1900,7 @@ pub mod esail_slack_equations {
     /// Spins about its z axis, which points away from the Sun.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_sail(model: &super::EsailSlack, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_sail(model: &EsailSlack, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = 150000000000.0;
         spec.velocity[1] = 29824.48658401348;
         spec.spin[0] = -1.9882991056008987e-7;
@@ -1910,7 +1913,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 2 additions, 7 multiplications, 3 divisions, 2 function calls.
     pub fn initial_aux(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         x: f64,
         index: f64,
         position: &mut [[f64; 3]; 2],
@@ -1930,7 +1933,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 7 additions, 6 multiplications.
     pub fn joint_hub_referenced_position(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1950,7 +1953,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_hub_referenced_jacobian(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1969,7 +1972,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_hub_referenced_prescribed(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1989,7 +1992,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 2 additions, 3 multiplications, 1 divisions.
     pub fn constraint_position_sun_x(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2002,7 +2005,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 5 additions, 6 multiplications, 1 divisions.
     pub fn constraint_velocity_sun_x(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2017,7 +2020,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 11 additions, 9 multiplications, 1 divisions.
     pub fn constraint_acceleration_sun_x(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2036,7 +2039,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 20 additions, 12 multiplications, 1 divisions.
     pub fn constraint_jerk_sun_x(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2064,7 +2067,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 0 additions, 0 multiplications, 6 divisions.
     pub fn constraint_gradient_sun_x(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -2081,7 +2084,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 0 additions, 0 multiplications, 6 divisions.
     pub fn constraint_rate_gradient_sun_x(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -2100,7 +2103,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 0 additions, 1 multiplications.
     pub fn constraint_hessian_sun_x(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         z: &[[f64; 3]],
         lambda: &[f64],
@@ -2120,7 +2123,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn outputs_of_one_0(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         index: f64,
         observed: &[f64],
@@ -2132,7 +2135,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn outputs_of_one_1(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         index: f64,
         observed: &[f64],
@@ -2144,7 +2147,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn outputs_of_one_2(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         index: f64,
         observed: &[f64],
@@ -2156,7 +2159,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn outputs_of_one_3(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         index: f64,
         observed: &[f64],
@@ -2168,7 +2171,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn outputs_of_one_4(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         index: f64,
         observed: &[f64],
@@ -2179,12 +2182,7 @@ pub mod esail_slack_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 5 additions, 6 multiplications, 1 divisions, 1 function calls.
-    pub fn outputs(
-        model: &super::EsailSlack,
-        t: f64,
-        observed: &[f64],
-        out: &mut [f64],
-    ) {
+    pub fn outputs(model: &EsailSlack, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = (observed[0] * observed[0] + observed[1] * observed[1]
             + observed[2] * observed[2])
             .sqrt() - 150000000000.0;
@@ -2201,7 +2199,7 @@ pub mod esail_slack_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::EsailSlack, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &EsailSlack, run: &mut ::rncf::RunDefaults) {
         run.t_end = 200.0;
         run.every = 1.0;
     }
@@ -2211,7 +2209,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 13 additions, 14 multiplications, 1 divisions.
     pub fn density_values_thrust(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         index: f64,
         z: &[[f64; 3]],
@@ -2234,7 +2232,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 7 additions, 11 multiplications, 4 divisions.
     pub fn density_gradient_thrust(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         index: f64,
         z: &[[f64; 3]],
@@ -3152,7 +3150,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 2 additions, 8 multiplications, 3 divisions, 1 function calls.
     pub fn field_sun(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         z: &[[f64; 3]],
         gravity: &mut [f64; 3],
@@ -3168,7 +3166,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 5 additions, 29 multiplications, 13 divisions, 1 function calls.
     pub fn field_gradient_sun(
-        model: &super::EsailSlack,
+        model: &EsailSlack,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -3196,7 +3194,7 @@ pub mod esail_slack_equations {
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::EsailSlack,
+        pub model: EsailSlack,
         /// How often each loop is gone through.
         pub counts: [usize; 1],
         /// Number of the first repetition of every body.
@@ -3208,7 +3206,7 @@ pub mod esail_slack_equations {
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::EsailSlack) -> Self {
+        pub fn new(model: &EsailSlack) -> Self {
             let counts = [model.tethers];
             Self {
                 model: model.clone(),

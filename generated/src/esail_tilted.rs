@@ -1,55 +1,8 @@
 //! Expansion of `models/src/esail_tilted.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// A tilted E-sail with free attitude. The voltage of each main tether varies with its place, so that the thrust turns the
-/// plane of the spin with the orbit (Toivanen & Janhunen 2013). The part of that thrust in the plane then changes the rate
-/// of spin by orbital_rate tan(tilt): slowly faster where the sail is driven along its orbit, slower where against it. The ring
-/// of auxiliary tethers has no such part, so that charging it takes the change away (TI tether rig, Janhunen & Toivanen 2016).
-///
-/// # Chosen and left out
-///
-/// * Body `main` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
-/// * Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
-/// * Body `main`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `main` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
-/// * Body `aux` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
-/// * Body `aux` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
-/// * Body `aux`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
-/// * Joint `hub`: its conditions are linear in the nodal vectors of `main` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Fixture `remote` adds constants to the inertia of `main` and no unknowns.
-/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
-/// * Not declared, so that no function is written for it: constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, kinks of motions, cautions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as the load per length `thrust` has no potential.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct EsailTilted {
-    /// Angle of the spin axis to the direction from the Sun, positive towards the motion on the orbit. (SI; declared in deg)
-    pub tilt: f64,
-    /// How strongly the voltages answer to the angle that the spin axis is off. (SI; declared in 1)
-    pub gain: f64,
-    /// Part of the turning that the ring does: 0 none, 1 all of it, 2 reverses the change of the spin. (SI; declared in 1)
-    pub ring_share: f64,
-    /// Amplitude of the voltages that turns the spin axis with the orbit: 4 (m + rho A L / 3) spin orbital_rate / (f cos(tilt)),
-    /// with the thrust f per length. (SI; declared in 1)
-    pub turning: f64,
-    /// Mean potential of the ring, as a part of that of the main tethers, where it does something. (SI; declared in 1)
-    pub ring_bias: f64,
-    /// Length of a main tether. (SI; declared in km)
-    pub length: f64,
-    /// Rate of spin. (SI; declared in deg/s)
-    pub spin: f64,
-    /// Potential of the main tethers. (SI; declared in kV)
-    pub voltage: f64,
-    /// Number of main tethers. (count)
-    pub tethers: usize,
-    /// Number of elements of a main tether. (count)
-    pub elements: usize,
-    /// Mass of a remote unit. (SI; declared in kg)
-    pub remote_mass: f64,
-    /// Mass of the core. (SI; declared in kg)
-    pub core_mass: f64,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use esail_tilted_equations::EsailTilted;
 #[allow(clippy::all)]
 impl Default for EsailTilted {
     fn default() -> Self {
@@ -402,6 +355,56 @@ impl ::rncf::Model for EsailTilted {
     clippy::all
 )]
 pub mod esail_tilted_equations {
+    /// A tilted E-sail with free attitude. The voltage of each main tether varies with its place, so that the thrust turns the
+    /// plane of the spin with the orbit (Toivanen & Janhunen 2013). The part of that thrust in the plane then changes the rate
+    /// of spin by orbital_rate tan(tilt): slowly faster where the sail is driven along its orbit, slower where against it. The ring
+    /// of auxiliary tethers has no such part, so that charging it takes the change away (TI tether rig, Janhunen & Toivanen 2016).
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `main` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
+    /// * Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+    /// * Body `main`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `main` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+    /// * Body `aux` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
+    /// * Body `aux` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+    /// * Body `aux`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `aux` moves in the free frame `sail`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+    /// * Joint `hub`: its conditions are linear in the nodal vectors of `main` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Frame `sail` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Fixture `remote` adds constants to the inertia of `main` and no unknowns.
+    /// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+    /// * Not declared, so that no function is written for it: constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, kinks of motions, cautions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as the load per length `thrust` has no potential.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct EsailTilted {
+        /// Angle of the spin axis to the direction from the Sun, positive towards the motion on the orbit. (SI; declared in deg)
+        pub tilt: f64,
+        /// How strongly the voltages answer to the angle that the spin axis is off. (SI; declared in 1)
+        pub gain: f64,
+        /// Part of the turning that the ring does: 0 none, 1 all of it, 2 reverses the change of the spin. (SI; declared in 1)
+        pub ring_share: f64,
+        /// Amplitude of the voltages that turns the spin axis with the orbit: 4 (m + rho A L / 3) spin orbital_rate / (f cos(tilt)),
+        /// with the thrust f per length. (SI; declared in 1)
+        pub turning: f64,
+        /// Mean potential of the ring, as a part of that of the main tethers, where it does something. (SI; declared in 1)
+        pub ring_bias: f64,
+        /// Length of a main tether. (SI; declared in km)
+        pub length: f64,
+        /// Rate of spin. (SI; declared in deg/s)
+        pub spin: f64,
+        /// Potential of the main tethers. (SI; declared in kV)
+        pub voltage: f64,
+        /// Number of main tethers. (count)
+        pub tethers: usize,
+        /// Number of elements of a main tether. (count)
+        pub elements: usize,
+        /// Mass of a remote unit. (SI; declared in kg)
+        pub remote_mass: f64,
+        /// Mass of the core. (SI; declared in kg)
+        pub core_mass: f64,
+    }
     /// Constants of one element `cable_spatial`. Hermite centre-line element: axial strain and bending, no shear, no torsion.
     ///
     /// Nodal vectors: r0, s0, r1, s1, 3 components each.
@@ -1127,7 +1130,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 0 additions, 0 multiplications, 2 function calls.
     pub fn frame_tilted(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         t: f64,
         motion: &mut ::rncf::mesh::FrameMotion,
     ) {
@@ -1146,7 +1149,7 @@ pub mod esail_tilted_equations {
     /// Spins about its z axis.
     ///
     /// Operations: 0 additions, 4 multiplications, 2 function calls.
-    pub fn free_sail(model: &super::EsailTilted, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_sail(model: &EsailTilted, spec: &mut ::rncf::mesh::FreeSpec) {
         let t15 = model.tilt.cos();
         let t16 = model.tilt.sin();
         spec.position[0] = 150000000000.0 * t15;
@@ -1162,7 +1165,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 2 additions, 7 multiplications, 3 divisions, 2 function calls.
     pub fn initial_aux(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         x: f64,
         index: f64,
         position: &mut [[f64; 3]; 2],
@@ -1182,7 +1185,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 7 additions, 6 multiplications.
     pub fn joint_hub_referenced_position(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1202,7 +1205,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_hub_referenced_jacobian(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1221,7 +1224,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_hub_referenced_prescribed(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1237,7 +1240,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn outputs_of_one_0(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         t: f64,
         index: f64,
         observed: &[f64],
@@ -1249,7 +1252,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn outputs_of_one_1(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         t: f64,
         index: f64,
         observed: &[f64],
@@ -1260,12 +1263,7 @@ pub mod esail_tilted_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 18 additions, 32 multiplications, 4 divisions, 7 function calls.
-    pub fn outputs(
-        model: &super::EsailTilted,
-        t: f64,
-        observed: &[f64],
-        out: &mut [f64],
-    ) {
+    pub fn outputs(model: &EsailTilted, t: f64, observed: &[f64], out: &mut [f64]) {
         let t24 = (observed[4] * observed[6] - observed[2] * observed[7]).powi(2)
             + (observed[0] * observed[7] - observed[4] * observed[8]).powi(2);
         let t25 = (t24 + (observed[2] * observed[8] - observed[0] * observed[6]).powi(2))
@@ -1295,7 +1293,7 @@ pub mod esail_tilted_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::EsailTilted, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &EsailTilted, run: &mut ::rncf::RunDefaults) {
         run.t_end = 86400.0;
         run.every = 600.0;
     }
@@ -1305,7 +1303,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 24 additions, 36 multiplications, 5 divisions, 5 function calls.
     pub fn density_values_thrust(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         t: f64,
         index: f64,
         z: &[[f64; 3]],
@@ -1342,7 +1340,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 32 additions, 89 multiplications, 18 divisions, 5 function calls.
     pub fn density_gradient_thrust(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         t: f64,
         index: f64,
         z: &[[f64; 3]],
@@ -2301,7 +2299,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 25 additions, 38 multiplications, 6 divisions, 5 function calls.
     pub fn density_values_ring_thrust(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         t: f64,
         index: f64,
         z: &[[f64; 3]],
@@ -2340,7 +2338,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 33 additions, 94 multiplications, 19 divisions, 5 function calls.
     pub fn density_gradient_ring_thrust(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         t: f64,
         index: f64,
         z: &[[f64; 3]],
@@ -3301,7 +3299,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 2 additions, 8 multiplications, 3 divisions, 1 function calls.
     pub fn field_sun(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         t: f64,
         z: &[[f64; 3]],
         gravity: &mut [f64; 3],
@@ -3317,7 +3315,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 5 additions, 29 multiplications, 13 divisions, 1 function calls.
     pub fn field_gradient_sun(
-        model: &super::EsailTilted,
+        model: &EsailTilted,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -3345,7 +3343,7 @@ pub mod esail_tilted_equations {
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::EsailTilted,
+        pub model: EsailTilted,
         /// How often each loop is gone through.
         pub counts: [usize; 1],
         /// Number of the first repetition of every body.
@@ -3357,7 +3355,7 @@ pub mod esail_tilted_equations {
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::EsailTilted) -> Self {
+        pub fn new(model: &EsailTilted) -> Self {
             let counts = [model.tethers];
             Self {
                 model: model.clone(),

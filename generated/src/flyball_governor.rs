@@ -1,24 +1,8 @@
 //! Expansion of `models/src/flyball_governor.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Flyball governor: two arms with balls on a spinning shaft, held by stiff, strongly damped springs on a slider.
-///
-/// # Chosen and left out
-///
-/// * Rigid body `shaft` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Rigid body `slider` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Rigid body `right` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Rigid body `left` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Constraint `foot` (revolute), `right_pin` (revolute), `left_pin` (revolute): 5 multipliers; gradient and second derivatives are derived.
-/// * Constraint `guide` (prismatic): 5 multipliers; gradient and second derivatives are derived.
-/// * Force `right_strut`, `left_strut`: no potential; its tangents are derived.
-/// * Not declared, so that no function is written for it: flexible bodies, fixtures, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as force `right_strut` has no potential.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct FlyballGovernor {
-    /// Spin at the start. Some sources begin with 2 pi rad/s. (SI; declared in rad/s)
-    pub omega_0: f64,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use flyball_governor_equations::FlyballGovernor;
 #[allow(clippy::all)]
 impl Default for FlyballGovernor {
     fn default() -> Self {
@@ -193,6 +177,25 @@ impl ::rncf::Model for FlyballGovernor {
     clippy::all
 )]
 pub mod flyball_governor_equations {
+    /// Flyball governor: two arms with balls on a spinning shaft, held by stiff, strongly damped springs on a slider.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Rigid body `shaft` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Rigid body `slider` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Rigid body `right` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Rigid body `left` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Constraint `foot` (revolute), `right_pin` (revolute), `left_pin` (revolute): 5 multipliers; gradient and second derivatives are derived.
+    /// * Constraint `guide` (prismatic): 5 multipliers; gradient and second derivatives are derived.
+    /// * Force `right_strut`, `left_strut`: no potential; its tangents are derived.
+    /// * Not declared, so that no function is written for it: flexible bodies, fixtures, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as force `right_strut` has no potential.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct FlyballGovernor {
+        /// Spin at the start. Some sources begin with 2 pi rad/s. (SI; declared in rad/s)
+        pub omega_0: f64,
+    }
     /// Rigid body `shaft`: its start relative to its parent, and its rigid parts.
     ///
     /// Parts `shaft`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
@@ -200,10 +203,7 @@ pub mod flyball_governor_equations {
     /// Shaft, from the ground to the arms' pins.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_shaft(
-        model: &super::FlyballGovernor,
-        spec: &mut ::rncf::mesh::FreeSpec,
-    ) {
+    pub fn free_shaft(model: &FlyballGovernor, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.spin[2] = model.omega_0;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 0.3;
@@ -219,10 +219,7 @@ pub mod flyball_governor_equations {
     /// Slider; the springs stand on it beside the shaft.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_slider(
-        model: &super::FlyballGovernor,
-        spec: &mut ::rncf::mesh::FreeSpec,
-    ) {
+    pub fn free_slider(model: &FlyballGovernor, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[2] = 0.5;
         spec.spin[2] = model.omega_0;
         spec.axis[2] = 1.0;
@@ -236,10 +233,7 @@ pub mod flyball_governor_equations {
     /// Parts `right`, `right_ball`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 3 multiplications.
-    pub fn free_right(
-        model: &super::FlyballGovernor,
-        spec: &mut ::rncf::mesh::FreeSpec,
-    ) {
+    pub fn free_right(model: &FlyballGovernor, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = 0.05;
         spec.position[2] = 1.0;
         spec.velocity[1] = model.omega_0 * 0.05;
@@ -258,7 +252,7 @@ pub mod flyball_governor_equations {
     /// Parts `left`, `left_ball`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 3 multiplications.
-    pub fn free_left(model: &super::FlyballGovernor, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_left(model: &FlyballGovernor, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = -0.05;
         spec.position[2] = 1.0;
         spec.velocity[1] = model.omega_0 * (-0.05);
@@ -275,7 +269,7 @@ pub mod flyball_governor_equations {
     /// Load `weight` in its frame's axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn load_weight(model: &super::FlyballGovernor, t: f64, value: &mut [f64; 3]) {
+    pub fn load_weight(model: &FlyballGovernor, t: f64, value: &mut [f64; 3]) {
         value[0] = 0.0;
         value[1] = 0.0;
         value[2] = -9.81;
@@ -292,7 +286,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 7 additions, 6 multiplications.
     pub fn constraint_position_foot(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -310,7 +304,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 13 additions, 12 multiplications.
     pub fn constraint_velocity_foot(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -332,7 +326,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 25 additions, 18 multiplications.
     pub fn constraint_acceleration_foot(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -360,7 +354,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 43 additions, 24 multiplications.
     pub fn constraint_jerk_foot(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -406,7 +400,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_gradient_foot(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -435,7 +429,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_rate_gradient_foot(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -460,7 +454,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_hessian_foot(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[f64; 3]],
         lambda: &[f64],
@@ -493,7 +487,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 13 additions, 15 multiplications.
     pub fn constraint_position_guide(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -515,7 +509,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 31 additions, 30 multiplications.
     pub fn constraint_velocity_guide(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -552,7 +546,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 64 additions, 45 multiplications.
     pub fn constraint_acceleration_guide(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -605,7 +599,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 112 additions, 60 multiplications.
     pub fn constraint_jerk_guide(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -702,7 +696,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_gradient_guide(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -752,7 +746,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_rate_gradient_guide(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -804,7 +798,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_hessian_guide(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[f64; 3]],
         lambda: &[f64],
@@ -861,7 +855,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 12 additions, 11 multiplications, 2 divisions, 1 function calls.
     pub fn force_value_right_strut(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -891,7 +885,7 @@ pub mod flyball_governor_equations {
     ///
     /// Operations: 45 additions, 72 multiplications, 27 divisions, 1 function calls.
     pub fn force_tangent_right_strut(
-        model: &super::FlyballGovernor,
+        model: &FlyballGovernor,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -1049,12 +1043,7 @@ pub mod flyball_governor_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 2 additions, 3 multiplications, 1 function calls.
-    pub fn outputs(
-        model: &super::FlyballGovernor,
-        t: f64,
-        observed: &[f64],
-        out: &mut [f64],
-    ) {
+    pub fn outputs(model: &FlyballGovernor, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = (-observed[0]).asin();
         out[1] = observed[1];
         out[2] = observed[2] * observed[3] + observed[4] * observed[5]
@@ -1063,18 +1052,18 @@ pub mod flyball_governor_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::FlyballGovernor, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &FlyballGovernor, run: &mut ::rncf::RunDefaults) {
         run.t_end = 10.0;
         run.every = 0.01;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::FlyballGovernor,
+        pub model: FlyballGovernor,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::FlyballGovernor) -> Self {
+        pub fn new(model: &FlyballGovernor) -> Self {
             Self { model: model.clone() }
         }
     }

@@ -1,24 +1,8 @@
 //! Expansion of `models/src/four_bar.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// N-four-bar linkage with N = 2: three upright links on the ground, two couplers, gravity. Where the links lie flat
-/// all rods are in line and the linkage could leave its parallelogram; it happens twice a turn.
-///
-/// # Chosen and left out
-///
-/// * Rigid body `link_0` is free in three motions: two positions and an angle.
-/// * Rigid body `link_1` is free in three motions: two positions and an angle.
-/// * Rigid body `link_2` is free in three motions: two positions and an angle.
-/// * Rigid body `coupler_1` is free in three motions: two positions and an angle.
-/// * Rigid body `coupler_2` is free in three motions: two positions and an angle.
-/// * Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): 2 multipliers; linear in its vectors, no second derivatives.
-/// * Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: there is no flexible body to derive forces for.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct FourBar {
-    /// Angular velocity of the links at the start, which moves their ends at 1 m/s. (SI; declared in rad/s)
-    pub speed: f64,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use four_bar_equations::FourBar;
 #[allow(clippy::all)]
 impl Default for FourBar {
     fn default() -> Self {
@@ -157,12 +141,31 @@ impl ::rncf::Model for FourBar {
     clippy::all
 )]
 pub mod four_bar_equations {
+    /// N-four-bar linkage with N = 2: three upright links on the ground, two couplers, gravity. Where the links lie flat
+    /// all rods are in line and the linkage could leave its parallelogram; it happens twice a turn.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Rigid body `link_0` is free in three motions: two positions and an angle.
+    /// * Rigid body `link_1` is free in three motions: two positions and an angle.
+    /// * Rigid body `link_2` is free in three motions: two positions and an angle.
+    /// * Rigid body `coupler_1` is free in three motions: two positions and an angle.
+    /// * Rigid body `coupler_2` is free in three motions: two positions and an angle.
+    /// * Constraint `a0` (revolute), `a1` (revolute), `a2` (revolute), `b0` (revolute), `b1` (revolute), `b12` (revolute), `b2` (revolute): 2 multipliers; linear in its vectors, no second derivatives.
+    /// * Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: there is no flexible body to derive forces for.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct FourBar {
+        /// Angular velocity of the links at the start, which moves their ends at 1 m/s. (SI; declared in rad/s)
+        pub speed: f64,
+    }
     /// Rigid body `link_0`: its start relative to its parent, and its rigid parts.
     ///
     /// Parts `link_0`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_link_0(model: &super::FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_link_0(model: &FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.spin[2] = model.speed;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
@@ -175,7 +178,7 @@ pub mod four_bar_equations {
     /// Parts `link_1`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_link_1(model: &super::FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_link_1(model: &FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = 1.0;
         spec.spin[2] = model.speed;
         spec.axis[2] = 1.0;
@@ -189,7 +192,7 @@ pub mod four_bar_equations {
     /// Parts `link_2`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_link_2(model: &super::FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_link_2(model: &FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = 2.0;
         spec.spin[2] = model.speed;
         spec.axis[2] = 1.0;
@@ -203,7 +206,7 @@ pub mod four_bar_equations {
     /// Parts `coupler_1`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_coupler_1(model: &super::FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_coupler_1(model: &FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[1] = 1.0;
         spec.velocity[0] = -model.speed;
         spec.axis[2] = 1.0;
@@ -217,7 +220,7 @@ pub mod four_bar_equations {
     /// Parts `coupler_2`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_coupler_2(model: &super::FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_coupler_2(model: &FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = 1.0;
         spec.position[1] = 1.0;
         spec.velocity[0] = -model.speed;
@@ -230,7 +233,7 @@ pub mod four_bar_equations {
     /// Load `weight` in its frame's axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn load_weight(model: &super::FourBar, t: f64, value: &mut [f64; 3]) {
+    pub fn load_weight(model: &FourBar, t: f64, value: &mut [f64; 3]) {
         value[0] = 0.0;
         value[1] = -9.81;
         value[2] = 0.0;
@@ -244,7 +247,7 @@ pub mod four_bar_equations {
     ///
     /// Operations: 2 additions, 0 multiplications.
     pub fn constraint_position_a0(
-        model: &super::FourBar,
+        model: &FourBar,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -257,7 +260,7 @@ pub mod four_bar_equations {
     ///
     /// Operations: 2 additions, 0 multiplications.
     pub fn constraint_velocity_a0(
-        model: &super::FourBar,
+        model: &FourBar,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -270,7 +273,7 @@ pub mod four_bar_equations {
     ///
     /// Operations: 2 additions, 0 multiplications.
     pub fn constraint_acceleration_a0(
-        model: &super::FourBar,
+        model: &FourBar,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -283,7 +286,7 @@ pub mod four_bar_equations {
     ///
     /// Operations: 2 additions, 0 multiplications.
     pub fn constraint_jerk_a0(
-        model: &super::FourBar,
+        model: &FourBar,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -296,7 +299,7 @@ pub mod four_bar_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_gradient_a0(
-        model: &super::FourBar,
+        model: &FourBar,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -310,25 +313,25 @@ pub mod four_bar_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn outputs(model: &super::FourBar, t: f64, observed: &[f64], out: &mut [f64]) {
+    pub fn outputs(model: &FourBar, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0];
         out[1] = observed[1];
     }
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::FourBar, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &FourBar, run: &mut ::rncf::RunDefaults) {
         run.t_end = 10.0;
         run.every = 0.01;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::FourBar,
+        pub model: FourBar,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::FourBar) -> Self {
+        pub fn new(model: &FourBar) -> Self {
             Self { model: model.clone() }
         }
     }

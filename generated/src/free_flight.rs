@@ -1,34 +1,8 @@
 //! Expansion of `models/src/free_flight.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// A soft cable that flies and tumbles freely with a mass at its end: nothing acts on it, so that energy, momentum and
-/// angular momentum stay.
-///
-/// # Chosen and left out
-///
-/// * Body `cable` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
-/// * Body `cable` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
-/// * Body `cable`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `cable` moves in the free frame `f`, which follows the body's chord: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
-/// * Frame `f` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Fixture `tip` adds constants to the inertia of `cable` and no unknowns.
-/// * Not declared, so that no function is written for it: constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: forces between two states that conserve energy are derived.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct FreeFlight {
-    /// Number of elements. (count)
-    pub elements: usize,
-    /// Mass at the end. (SI; declared in kg)
-    pub tip_mass: f64,
-    /// Radius of the arc that the cable starts in. (SI; declared in m)
-    pub radius: f64,
-    /// Initial angular velocity about the tangent at the cable's start: it keeps the cable bent. (SI; declared in rad/s)
-    pub roll: f64,
-    /// Initial angular velocity in the plane of the arc, across the tangent. (SI; declared in rad/s)
-    pub pitch: f64,
-    /// Initial angular velocity about the normal of the arc. (SI; declared in rad/s)
-    pub yaw: f64,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use free_flight_equations::FreeFlight;
 #[allow(clippy::all)]
 impl Default for FreeFlight {
     fn default() -> Self {
@@ -231,6 +205,35 @@ impl ::rncf::Model for FreeFlight {
     clippy::all
 )]
 pub mod free_flight_equations {
+    /// A soft cable that flies and tumbles freely with a mass at its end: nothing acts on it, so that energy, momentum and
+    /// angular momentum stay.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `cable` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
+    /// * Body `cable` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+    /// * Body `cable`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `cable` moves in the free frame `f`, which follows the body's chord: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+    /// * Frame `f` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Fixture `tip` adds constants to the inertia of `cable` and no unknowns.
+    /// * Not declared, so that no function is written for it: constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: forces between two states that conserve energy are derived.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct FreeFlight {
+        /// Number of elements. (count)
+        pub elements: usize,
+        /// Mass at the end. (SI; declared in kg)
+        pub tip_mass: f64,
+        /// Radius of the arc that the cable starts in. (SI; declared in m)
+        pub radius: f64,
+        /// Initial angular velocity about the tangent at the cable's start: it keeps the cable bent. (SI; declared in rad/s)
+        pub roll: f64,
+        /// Initial angular velocity in the plane of the arc, across the tangent. (SI; declared in rad/s)
+        pub pitch: f64,
+        /// Initial angular velocity about the normal of the arc. (SI; declared in rad/s)
+        pub yaw: f64,
+    }
     /// Constants of one element `cable_spatial`. Hermite centre-line element: axial strain and bending, no shear, no torsion.
     ///
     /// Nodal vectors: r0, s0, r1, s1, 3 components each.
@@ -1524,7 +1527,7 @@ pub mod free_flight_equations {
     /// Frame of the cable: it follows the chord, which no quick bending turns.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_f(model: &super::FreeFlight, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_f(model: &FreeFlight, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[0] = 0.3;
         spec.position[1] = -0.2;
         spec.position[2] = 0.5;
@@ -1543,7 +1546,7 @@ pub mod free_flight_equations {
     ///
     /// Operations: 1 additions, 6 multiplications, 2 divisions, 2 function calls.
     pub fn initial_cable(
-        model: &super::FreeFlight,
+        model: &FreeFlight,
         x: f64,
         position: &mut [[f64; 3]; 2],
         velocity: &mut [[f64; 3]; 2],
@@ -1560,12 +1563,7 @@ pub mod free_flight_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 5 additions, 3 multiplications, 1 function calls.
-    pub fn outputs(
-        model: &super::FreeFlight,
-        t: f64,
-        observed: &[f64],
-        out: &mut [f64],
-    ) {
+    pub fn outputs(model: &FreeFlight, t: f64, observed: &[f64], out: &mut [f64]) {
         let t24 = ((observed[6] - observed[7]).powi(2)
             + (observed[8] - observed[9]).powi(2)
             + (observed[10] - observed[11]).powi(2))
@@ -1581,19 +1579,19 @@ pub mod free_flight_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::FreeFlight, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &FreeFlight, run: &mut ::rncf::RunDefaults) {
         run.t_end = 2.0;
         run.every = 0.01;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::FreeFlight,
+        pub model: FreeFlight,
         pub row_cable: CableSpatial,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::FreeFlight) -> Self {
+        pub fn new(model: &FreeFlight) -> Self {
             Self {
                 model: model.clone(),
                 row_cable: Default::default(),

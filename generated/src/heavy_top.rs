@@ -1,16 +1,8 @@
 //! Expansion of `models/src/heavy_top.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Heavy top: a spinning disc on a weightless arm, whose end stays at the origin (Bruls, Cardona & Arnold 2012).
-///
-/// # Chosen and left out
-///
-/// * Rigid body `top` is free in six motions: three positions and a rotation vector that begins anew every step.
-/// * Constraint `pivot` (spherical): 3 multipliers; linear in its vectors, no second derivatives.
-/// * Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: there is no flexible body to derive forces for.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct HeavyTop {}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use heavy_top_equations::HeavyTop;
 #[allow(clippy::all)]
 impl Default for HeavyTop {
     fn default() -> Self {
@@ -123,6 +115,17 @@ impl ::rncf::Model for HeavyTop {
     clippy::all
 )]
 pub mod heavy_top_equations {
+    /// Heavy top: a spinning disc on a weightless arm, whose end stays at the origin (Bruls, Cardona & Arnold 2012).
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Rigid body `top` is free in six motions: three positions and a rotation vector that begins anew every step.
+    /// * Constraint `pivot` (spherical): 3 multipliers; linear in its vectors, no second derivatives.
+    /// * Not declared, so that no function is written for it: flexible bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: there is no flexible body to derive forces for.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct HeavyTop {}
     /// Rigid body `top`: its start relative to its parent, and its rigid parts.
     ///
     /// Parts `top`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
@@ -130,7 +133,7 @@ pub mod heavy_top_equations {
     /// The disc. Its frame has the axes of inertia and begins at the centre of mass; the arm lies along its y axis.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_top(model: &super::HeavyTop, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_top(model: &HeavyTop, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.position[1] = 1.0;
         spec.velocity[0] = 4.61538;
         spec.spin[1] = 150.0;
@@ -144,7 +147,7 @@ pub mod heavy_top_equations {
     /// Load `weight` in its frame's axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn load_weight(model: &super::HeavyTop, t: f64, value: &mut [f64; 3]) {
+    pub fn load_weight(model: &HeavyTop, t: f64, value: &mut [f64; 3]) {
         value[0] = 0.0;
         value[1] = 0.0;
         value[2] = -9.81;
@@ -159,7 +162,7 @@ pub mod heavy_top_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_position_pivot(
-        model: &super::HeavyTop,
+        model: &HeavyTop,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -173,7 +176,7 @@ pub mod heavy_top_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_velocity_pivot(
-        model: &super::HeavyTop,
+        model: &HeavyTop,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -187,7 +190,7 @@ pub mod heavy_top_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_acceleration_pivot(
-        model: &super::HeavyTop,
+        model: &HeavyTop,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -201,7 +204,7 @@ pub mod heavy_top_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_jerk_pivot(
-        model: &super::HeavyTop,
+        model: &HeavyTop,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -215,7 +218,7 @@ pub mod heavy_top_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_gradient_pivot(
-        model: &super::HeavyTop,
+        model: &HeavyTop,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -231,7 +234,7 @@ pub mod heavy_top_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn outputs(model: &super::HeavyTop, t: f64, observed: &[f64], out: &mut [f64]) {
+    pub fn outputs(model: &HeavyTop, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0];
         out[1] = observed[1];
         out[2] = observed[2];
@@ -242,18 +245,18 @@ pub mod heavy_top_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::HeavyTop, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &HeavyTop, run: &mut ::rncf::RunDefaults) {
         run.t_end = 1.0;
         run.every = 0.005;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::HeavyTop,
+        pub model: HeavyTop,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::HeavyTop) -> Self {
+        pub fn new(model: &HeavyTop) -> Self {
             Self { model: model.clone() }
         }
     }

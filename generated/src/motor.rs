@@ -1,34 +1,8 @@
 //! Expansion of `models/src/motor.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// High-speed motor (Ren & Yang 2021, section 4.1.3): a shaft that is clamped in the motor and pinned at its far end
-/// carries an unbalanced disc in its middle.
-///
-/// # Chosen and left out
-///
-/// * Body `shaft` uses `beam_spatial_damped`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1945 and 23675).
-/// * Body `shaft` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
-/// * Body `shaft`: its axis is straight: no stress-free curvature for each element.
-/// * Body `shaft` moves in the prescribed frame `rotor`: no unknowns for the frame, its reactions are evaluated.
-/// * Joint `drive_end`: its conditions are linear in the nodal vectors of `shaft` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Joint `far_end`: its conditions are linear in the nodal vectors of `shaft` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Fixture `disc` adds constants to the inertia of `shaft` and no unknowns.
-/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
-/// * Not declared, so that no function is written for it: free frames and rigid bodies, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as body `shaft` is damped.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct Motor {
-    /// Steady angular velocity. (SI; declared in rpm)
-    pub speed: f64,
-    /// Time to reach it. (SI; declared in s)
-    pub T_s: f64,
-    /// Number of elements; an even one has a node under the disc. (count)
-    pub elements: usize,
-    /// Damping time of the shaft's strains. (SI; declared in s)
-    pub damping: f64,
-    /// Distance of the disc's centre from the axis, along y. (SI; declared in mm)
-    pub eccentricity: f64,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use motor_equations::Motor;
 #[allow(clippy::all)]
 impl Default for Motor {
     fn default() -> Self {
@@ -240,6 +214,35 @@ impl ::rncf::Model for Motor {
     clippy::all
 )]
 pub mod motor_equations {
+    /// High-speed motor (Ren & Yang 2021, section 4.1.3): a shaft that is clamped in the motor and pinned at its far end
+    /// carries an unbalanced disc in its middle.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `shaft` uses `beam_spatial_damped`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1945 and 23675).
+    /// * Body `shaft` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+    /// * Body `shaft`: its axis is straight: no stress-free curvature for each element.
+    /// * Body `shaft` moves in the prescribed frame `rotor`: no unknowns for the frame, its reactions are evaluated.
+    /// * Joint `drive_end`: its conditions are linear in the nodal vectors of `shaft` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Joint `far_end`: its conditions are linear in the nodal vectors of `shaft` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Fixture `disc` adds constants to the inertia of `shaft` and no unknowns.
+    /// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+    /// * Not declared, so that no function is written for it: free frames and rigid bodies, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as body `shaft` is damped.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct Motor {
+        /// Steady angular velocity. (SI; declared in rpm)
+        pub speed: f64,
+        /// Time to reach it. (SI; declared in s)
+        pub T_s: f64,
+        /// Number of elements; an even one has a node under the disc. (count)
+        pub elements: usize,
+        /// Damping time of the shaft's strains. (SI; declared in s)
+        pub damping: f64,
+        /// Distance of the disc's centre from the axis, along y. (SI; declared in mm)
+        pub eccentricity: f64,
+    }
     /// Constants of one element `beam_spatial_damped`. Beam with a cross-section: axial strain, shear, bending, torsion.
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
@@ -1908,11 +1911,7 @@ pub mod motor_equations {
     /// Motion of frame `rotor` and its first two derivatives.
     ///
     /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
-    pub fn frame_rotor(
-        model: &super::Motor,
-        t: f64,
-        motion: &mut ::rncf::mesh::FrameMotion,
-    ) {
+    pub fn frame_rotor(model: &Motor, t: f64, motion: &mut ::rncf::mesh::FrameMotion) {
         *motion = ::rncf::mesh::FrameMotion::INERTIAL;
         let t15 = model.speed / model.T_s;
         let t16 = (model.T_s / 6.283185307179586).powi(2);
@@ -1947,7 +1946,7 @@ pub mod motor_equations {
     ///
     /// Operations: 15 additions, 19 multiplications.
     pub fn joint_drive_end_referenced_position(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1971,7 +1970,7 @@ pub mod motor_equations {
     ///
     /// Operations: 3 additions, 12 multiplications.
     pub fn joint_drive_end_referenced_jacobian(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1999,7 +1998,7 @@ pub mod motor_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_drive_end_referenced_prescribed(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -2018,7 +2017,7 @@ pub mod motor_equations {
     ///
     /// Operations: 25 additions, 37 multiplications, 5 divisions, 3 function calls.
     pub fn joint_drive_end_absolute_position(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -2056,7 +2055,7 @@ pub mod motor_equations {
     ///
     /// Operations: 28 additions, 50 multiplications, 6 divisions, 4 function calls.
     pub fn joint_drive_end_absolute_velocity(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -2102,7 +2101,7 @@ pub mod motor_equations {
     ///
     /// Operations: 65 additions, 86 multiplications, 6 divisions, 4 function calls.
     pub fn joint_drive_end_absolute_acceleration(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -2183,7 +2182,7 @@ pub mod motor_equations {
     ///
     /// Operations: 121 additions, 126 multiplications, 6 divisions, 4 function calls.
     pub fn joint_drive_end_absolute_jerk(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -2302,7 +2301,7 @@ pub mod motor_equations {
     ///
     /// Operations: 12 additions, 26 multiplications, 5 divisions, 3 function calls.
     pub fn joint_drive_end_absolute_jacobian(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -2346,7 +2345,7 @@ pub mod motor_equations {
     ///
     /// Operations: 28 additions, 55 multiplications, 6 divisions, 4 function calls.
     pub fn joint_drive_end_absolute_prescribed(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -2403,7 +2402,7 @@ pub mod motor_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn joint_far_end_referenced_position(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -2419,7 +2418,7 @@ pub mod motor_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_far_end_referenced_jacobian(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -2432,7 +2431,7 @@ pub mod motor_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_far_end_referenced_prescribed(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -2451,7 +2450,7 @@ pub mod motor_equations {
     ///
     /// Operations: 9 additions, 10 multiplications, 5 divisions, 3 function calls.
     pub fn joint_far_end_absolute_position(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -2477,7 +2476,7 @@ pub mod motor_equations {
     ///
     /// Operations: 8 additions, 15 multiplications, 6 divisions, 4 function calls.
     pub fn joint_far_end_absolute_velocity(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -2507,7 +2506,7 @@ pub mod motor_equations {
     ///
     /// Operations: 12 additions, 23 multiplications, 6 divisions, 4 function calls.
     pub fn joint_far_end_absolute_acceleration(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -2546,7 +2545,7 @@ pub mod motor_equations {
     ///
     /// Operations: 19 additions, 33 multiplications, 6 divisions, 4 function calls.
     pub fn joint_far_end_absolute_jerk(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -2587,7 +2586,7 @@ pub mod motor_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_far_end_absolute_jacobian(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -2600,7 +2599,7 @@ pub mod motor_equations {
     ///
     /// Operations: 28 additions, 55 multiplications, 6 divisions, 4 function calls.
     pub fn joint_far_end_absolute_prescribed(
-        model: &super::Motor,
+        model: &Motor,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -2656,13 +2655,13 @@ pub mod motor_equations {
     /// Times at which a derivative of a motion or load may jump (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn kinks(model: &super::Motor, kinks: &mut [f64; 1]) {
+    pub fn kinks(model: &Motor, kinks: &mut [f64; 1]) {
         kinks[0] = model.T_s;
     }
     /// Output columns from what they observe.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn outputs(model: &super::Motor, t: f64, observed: &[f64], out: &mut [f64]) {
+    pub fn outputs(model: &Motor, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0];
         out[1] = observed[1];
         out[2] = observed[2];
@@ -2671,19 +2670,19 @@ pub mod motor_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::Motor, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &Motor, run: &mut ::rncf::RunDefaults) {
         run.t_end = 1.2;
         run.every = 0.001;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::Motor,
+        pub model: Motor,
         pub row_shaft: BeamSpatialDamped,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::Motor) -> Self {
+        pub fn new(model: &Motor) -> Self {
             Self {
                 model: model.clone(),
                 row_shaft: Default::default(),
@@ -2838,13 +2837,13 @@ pub mod motor_equations {
                 9.817477042468108e-6,
                 "m^4",
             )?;
-            let shear_factor_y = ::rncf::mesh::positive(
+            let shear_factor_y = ::rncf::mesh::part(
                 "section `round`",
                 "shear_factor_y",
                 0.8863636363636362,
                 "1",
             )?;
-            let shear_factor_z = ::rncf::mesh::positive(
+            let shear_factor_z = ::rncf::mesh::part(
                 "section `round`",
                 "shear_factor_z",
                 0.8863636363636362,

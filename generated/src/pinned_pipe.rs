@@ -1,32 +1,8 @@
 //! Expansion of `models/src/pinned_pipe.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// A pipe on nine elastic supports, shaken by a force between two of them. It has a frame of its own that it hardly needs,
-/// as nothing turns far: every support ties the frame and the pipe to the ground.
-///
-/// # Chosen and left out
-///
-/// * Body `pipe` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).
-/// * Body `pipe` is planar: two components a vector, no motion along the normal.
-/// * Body `pipe` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
-/// * Body `pipe`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `pipe` moves in the free frame `own`, which follows the body's chord: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
-/// * Frame `own` is free in three motions: two positions and an angle.
-/// * Force `support_0`, `support_1`, `support_2`, `support_3`, `support_4`, `support_5`, `support_6`, `support_7`, `support_8`: a potential; its tangents are derived.
-/// * Force `shake`: no potential; its tangents are derived.
-/// * Not declared, so that no function is written for it: fixtures, constraints with multipliers, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as force `shake` has no potential.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct PinnedPipe {
-    /// Number of elements. (count)
-    pub elements: usize,
-    /// Stiffness of a support along each axis. (SI; declared in kN/m)
-    pub support: f64,
-    /// Amplitude of the force. (SI; declared in N)
-    pub push: f64,
-    /// Its angular frequency. (SI; declared in rad/s)
-    pub rate: f64,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use pinned_pipe_equations::PinnedPipe;
 #[allow(clippy::all)]
 impl Default for PinnedPipe {
     fn default() -> Self {
@@ -203,6 +179,33 @@ impl ::rncf::Model for PinnedPipe {
     clippy::all
 )]
 pub mod pinned_pipe_equations {
+    /// A pipe on nine elastic supports, shaken by a force between two of them. It has a frame of its own that it hardly needs,
+    /// as nothing turns far: every support ties the frame and the pipe to the ground.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `pipe` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).
+    /// * Body `pipe` is planar: two components a vector, no motion along the normal.
+    /// * Body `pipe` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+    /// * Body `pipe`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `pipe` moves in the free frame `own`, which follows the body's chord: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+    /// * Frame `own` is free in three motions: two positions and an angle.
+    /// * Force `support_0`, `support_1`, `support_2`, `support_3`, `support_4`, `support_5`, `support_6`, `support_7`, `support_8`: a potential; its tangents are derived.
+    /// * Force `shake`: no potential; its tangents are derived.
+    /// * Not declared, so that no function is written for it: fixtures, constraints with multipliers, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as force `shake` has no potential.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct PinnedPipe {
+        /// Number of elements. (count)
+        pub elements: usize,
+        /// Stiffness of a support along each axis. (SI; declared in kN/m)
+        pub support: f64,
+        /// Amplitude of the force. (SI; declared in N)
+        pub push: f64,
+        /// Its angular frequency. (SI; declared in rad/s)
+        pub rate: f64,
+    }
     /// Constants of one element `cable_planar`. Hermite centre-line element: axial strain and bending, no shear, no torsion.
     ///
     /// Nodal vectors: r0, s0, r1, s1, 2 components each.
@@ -811,7 +814,7 @@ pub mod pinned_pipe_equations {
     /// Follows the pipe's chord.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_own(model: &super::PinnedPipe, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_own(model: &PinnedPipe, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.axis[2] = 1.0;
     }
     /// Force `support_0`, `support_1`, `support_2`, `support_3`, `support_4`, `support_5`, `support_6`, `support_7`, `support_8`: writes f(z, z', t) on its markers, inertial axes; entries that are always zero are left alone.
@@ -820,7 +823,7 @@ pub mod pinned_pipe_equations {
     ///
     /// Operations: 2 additions, 2 multiplications.
     pub fn force_value_support_0(
-        model: &super::PinnedPipe,
+        model: &PinnedPipe,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -835,7 +838,7 @@ pub mod pinned_pipe_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn force_tangent_support_0(
-        model: &super::PinnedPipe,
+        model: &PinnedPipe,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -853,7 +856,7 @@ pub mod pinned_pipe_equations {
     ///
     /// Operations: 3 additions, 6 multiplications.
     pub fn force_energy_support_0(
-        model: &super::PinnedPipe,
+        model: &PinnedPipe,
         t: f64,
         z: &[[f64; 3]],
         energy: &mut f64,
@@ -870,7 +873,7 @@ pub mod pinned_pipe_equations {
     ///
     /// Operations: 0 additions, 2 multiplications, 1 function calls.
     pub fn force_value_shake(
-        model: &super::PinnedPipe,
+        model: &PinnedPipe,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -883,31 +886,26 @@ pub mod pinned_pipe_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn outputs(
-        model: &super::PinnedPipe,
-        t: f64,
-        observed: &[f64],
-        out: &mut [f64],
-    ) {
+    pub fn outputs(model: &PinnedPipe, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0];
         out[1] = observed[1];
     }
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::PinnedPipe, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &PinnedPipe, run: &mut ::rncf::RunDefaults) {
         run.t_end = 0.5;
         run.every = 0.0025;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::PinnedPipe,
+        pub model: PinnedPipe,
         pub row_pipe: CablePlanar,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::PinnedPipe) -> Self {
+        pub fn new(model: &PinnedPipe) -> Self {
             Self {
                 model: model.clone(),
                 row_pipe: Default::default(),

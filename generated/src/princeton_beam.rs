@@ -1,26 +1,8 @@
 //! Expansion of `models/src/princeton_beam.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Princeton beam experiment: a cantilever strip under a dead load at its tip, at an angle to its principal axes.
-///
-/// # Chosen and left out
-///
-/// * Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1231 and 9765).
-/// * Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
-/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
-/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: forces between two states that conserve energy are derived.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct PrincetonBeam {
-    /// Load at the tip. (SI; declared in N)
-    pub load: f64,
-    /// Angle of the load from the strip's wide side. (SI; declared in deg)
-    pub angle: f64,
-    /// Number of elements. (count)
-    pub elements: usize,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use princeton_beam_equations::PrincetonBeam;
 #[allow(clippy::all)]
 impl Default for PrincetonBeam {
     fn default() -> Self {
@@ -175,6 +157,27 @@ impl ::rncf::Model for PrincetonBeam {
     clippy::all
 )]
 pub mod princeton_beam_equations {
+    /// Princeton beam experiment: a cantilever strip under a dead load at its tip, at an angle to its principal axes.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1231 and 9765).
+    /// * Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+    /// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+    /// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: forces between two states that conserve energy are derived.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct PrincetonBeam {
+        /// Load at the tip. (SI; declared in N)
+        pub load: f64,
+        /// Angle of the load from the strip's wide side. (SI; declared in deg)
+        pub angle: f64,
+        /// Number of elements. (count)
+        pub elements: usize,
+    }
     /// Constants of one element `beam_spatial`. Beam with a cross-section: axial strain, shear, bending, torsion.
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
@@ -2080,7 +2083,7 @@ pub mod princeton_beam_equations {
     /// Load `weight` in its frame's axes.
     ///
     /// Operations: 0 additions, 2 multiplications, 2 function calls.
-    pub fn load_weight(model: &super::PrincetonBeam, t: f64, value: &mut [f64; 3]) {
+    pub fn load_weight(model: &PrincetonBeam, t: f64, value: &mut [f64; 3]) {
         value[0] = 0.0;
         value[1] = model.load * model.angle.cos();
         value[2] = model.load * model.angle.sin();
@@ -2089,7 +2092,7 @@ pub mod princeton_beam_equations {
     ///
     /// Operations: 15 additions, 19 multiplications.
     pub fn joint_root_absolute_position(
-        model: &super::PrincetonBeam,
+        model: &PrincetonBeam,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -2113,7 +2116,7 @@ pub mod princeton_beam_equations {
     ///
     /// Operations: 3 additions, 12 multiplications.
     pub fn joint_root_absolute_jacobian(
-        model: &super::PrincetonBeam,
+        model: &PrincetonBeam,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -2141,7 +2144,7 @@ pub mod princeton_beam_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_absolute_prescribed(
-        model: &super::PrincetonBeam,
+        model: &PrincetonBeam,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -2159,12 +2162,7 @@ pub mod princeton_beam_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 1 additions, 0 multiplications.
-    pub fn outputs(
-        model: &super::PrincetonBeam,
-        t: f64,
-        observed: &[f64],
-        out: &mut [f64],
-    ) {
+    pub fn outputs(model: &PrincetonBeam, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0] - 0.508;
         out[1] = observed[1];
         out[2] = observed[2];
@@ -2172,19 +2170,19 @@ pub mod princeton_beam_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::PrincetonBeam, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &PrincetonBeam, run: &mut ::rncf::RunDefaults) {
         run.t_end = 1.0;
         run.every = 0.001;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::PrincetonBeam,
+        pub model: PrincetonBeam,
         pub row_beam: BeamSpatial,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::PrincetonBeam) -> Self {
+        pub fn new(model: &PrincetonBeam) -> Self {
             Self {
                 model: model.clone(),
                 row_beam: Default::default(),
@@ -2327,13 +2325,13 @@ pub mod princeton_beam_equations {
                 1.1340719248267313e-10,
                 "m^4",
             )?;
-            let shear_factor_y = ::rncf::mesh::positive(
+            let shear_factor_y = ::rncf::mesh::part(
                 "section `strip`",
                 "shear_factor_y",
                 0.8333333333333334,
                 "1",
             )?;
-            let shear_factor_z = ::rncf::mesh::positive(
+            let shear_factor_z = ::rncf::mesh::part(
                 "section `strip`",
                 "shear_factor_z",
                 0.8333333333333334,

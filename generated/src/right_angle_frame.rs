@@ -1,31 +1,8 @@
 //! Expansion of `models/src/right_angle_frame.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Right-angle frame under a dead load at its free end: it buckles out of its plane, with bending and torsion.
-///
-/// # Chosen and left out
-///
-/// * Body `first` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1231 and 9765).
-/// * Body `first` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
-/// * Body `first`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `first` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
-/// * Body `second` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1231 and 9765).
-/// * Body `second` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
-/// * Body `second`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `second` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
-/// * Joint `root`: its conditions are linear in the nodal vectors of `first` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Constraint `corner` (weld): 6 multipliers; gradient and second derivatives are derived.
-/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: forces between two states that conserve energy are derived.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct RightAngleFrame {
-    /// Load at the free end along the first leg; positive pulls. (SI; declared in N)
-    pub load: f64,
-    /// Load normal to the frame that starts the deflection. (SI; declared in N)
-    pub disturbance: f64,
-    /// Number of elements of a leg. (count)
-    pub elements: usize,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use right_angle_frame_equations::RightAngleFrame;
 #[allow(clippy::all)]
 impl Default for RightAngleFrame {
     fn default() -> Self {
@@ -191,6 +168,32 @@ impl ::rncf::Model for RightAngleFrame {
     clippy::all
 )]
 pub mod right_angle_frame_equations {
+    /// Right-angle frame under a dead load at its free end: it buckles out of its plane, with bending and torsion.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `first` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1231 and 9765).
+    /// * Body `first` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+    /// * Body `first`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `first` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+    /// * Body `second` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1231 and 9765).
+    /// * Body `second` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
+    /// * Body `second`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `second` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+    /// * Joint `root`: its conditions are linear in the nodal vectors of `first` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Constraint `corner` (weld): 6 multipliers; gradient and second derivatives are derived.
+    /// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: forces between two states that conserve energy are derived.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct RightAngleFrame {
+        /// Load at the free end along the first leg; positive pulls. (SI; declared in N)
+        pub load: f64,
+        /// Load normal to the frame that starts the deflection. (SI; declared in N)
+        pub disturbance: f64,
+        /// Number of elements of a leg. (count)
+        pub elements: usize,
+    }
     /// Constants of one element `beam_spatial`. Beam with a cross-section: axial strain, shear, bending, torsion.
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
@@ -2096,7 +2099,7 @@ pub mod right_angle_frame_equations {
     /// Load `push` in its frame's axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn load_push(model: &super::RightAngleFrame, t: f64, value: &mut [f64; 3]) {
+    pub fn load_push(model: &RightAngleFrame, t: f64, value: &mut [f64; 3]) {
         value[0] = model.load;
         value[1] = 0.0;
         value[2] = model.disturbance;
@@ -2105,7 +2108,7 @@ pub mod right_angle_frame_equations {
     ///
     /// Operations: 15 additions, 19 multiplications.
     pub fn joint_root_absolute_position(
-        model: &super::RightAngleFrame,
+        model: &RightAngleFrame,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -2129,7 +2132,7 @@ pub mod right_angle_frame_equations {
     ///
     /// Operations: 3 additions, 12 multiplications.
     pub fn joint_root_absolute_jacobian(
-        model: &super::RightAngleFrame,
+        model: &RightAngleFrame,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -2157,7 +2160,7 @@ pub mod right_angle_frame_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_absolute_prescribed(
-        model: &super::RightAngleFrame,
+        model: &RightAngleFrame,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -2185,7 +2188,7 @@ pub mod right_angle_frame_equations {
     ///
     /// Operations: 9 additions, 9 multiplications.
     pub fn constraint_position_corner(
-        model: &super::RightAngleFrame,
+        model: &RightAngleFrame,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2205,7 +2208,7 @@ pub mod right_angle_frame_equations {
     ///
     /// Operations: 18 additions, 18 multiplications.
     pub fn constraint_velocity_corner(
-        model: &super::RightAngleFrame,
+        model: &RightAngleFrame,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2231,7 +2234,7 @@ pub mod right_angle_frame_equations {
     ///
     /// Operations: 36 additions, 27 multiplications.
     pub fn constraint_acceleration_corner(
-        model: &super::RightAngleFrame,
+        model: &RightAngleFrame,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2266,7 +2269,7 @@ pub mod right_angle_frame_equations {
     ///
     /// Operations: 63 additions, 36 multiplications.
     pub fn constraint_jerk_corner(
-        model: &super::RightAngleFrame,
+        model: &RightAngleFrame,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2328,7 +2331,7 @@ pub mod right_angle_frame_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_gradient_corner(
-        model: &super::RightAngleFrame,
+        model: &RightAngleFrame,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -2363,7 +2366,7 @@ pub mod right_angle_frame_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_rate_gradient_corner(
-        model: &super::RightAngleFrame,
+        model: &RightAngleFrame,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -2394,7 +2397,7 @@ pub mod right_angle_frame_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_hessian_corner(
-        model: &super::RightAngleFrame,
+        model: &RightAngleFrame,
         t: f64,
         z: &[[f64; 3]],
         lambda: &[f64],
@@ -2424,12 +2427,7 @@ pub mod right_angle_frame_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 2 additions, 0 multiplications.
-    pub fn outputs(
-        model: &super::RightAngleFrame,
-        t: f64,
-        observed: &[f64],
-        out: &mut [f64],
-    ) {
+    pub fn outputs(model: &RightAngleFrame, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0] - 0.24;
         out[1] = observed[1] - 0.24;
         out[2] = observed[2];
@@ -2437,20 +2435,20 @@ pub mod right_angle_frame_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::RightAngleFrame, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &RightAngleFrame, run: &mut ::rncf::RunDefaults) {
         run.t_end = 1.0;
         run.every = 0.001;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::RightAngleFrame,
+        pub model: RightAngleFrame,
         pub row_first: BeamSpatial,
         pub row_second: BeamSpatial,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::RightAngleFrame) -> Self {
+        pub fn new(model: &RightAngleFrame) -> Self {
             Self {
                 model: model.clone(),
                 row_first: Default::default(),
@@ -2677,13 +2675,13 @@ pub mod right_angle_frame_equations {
                         2.132773248544536e-12,
                         "m^4",
                     )?;
-                    let shear_factor_y = ::rncf::mesh::positive(
+                    let shear_factor_y = ::rncf::mesh::part(
                         "section `strip`",
                         "shear_factor_y",
                         0.8333333333333334,
                         "1",
                     )?;
-                    let shear_factor_z = ::rncf::mesh::positive(
+                    let shear_factor_z = ::rncf::mesh::part(
                         "section `strip`",
                         "shear_factor_z",
                         0.8333333333333334,
@@ -2765,13 +2763,13 @@ pub mod right_angle_frame_equations {
                         2.132773248544536e-12,
                         "m^4",
                     )?;
-                    let shear_factor_y = ::rncf::mesh::positive(
+                    let shear_factor_y = ::rncf::mesh::part(
                         "section `strip`",
                         "shear_factor_y",
                         0.8333333333333334,
                         "1",
                     )?;
-                    let shear_factor_z = ::rncf::mesh::positive(
+                    let shear_factor_z = ::rncf::mesh::part(
                         "section `strip`",
                         "shear_factor_z",
                         0.8333333333333334,

@@ -1,27 +1,8 @@
 //! Expansion of `models/src/roll_up.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Roll-up: an end moment of 2 pi EI/L bends a straight cantilever to a full circle.
-///
-/// # Chosen and left out
-///
-/// * Body `beam` uses `beam_planar`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1954).
-/// * Body `beam` is planar: two components a vector, no motion along the normal.
-/// * Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.
-/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
-/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as load `bend` is a moment, which has no potential.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct RollUp {
-    /// End moment over 2 pi EI/L: the number of turns of a slender beam. (SI; declared in 1)
-    pub turns: f64,
-    /// Radius of the section over the length. (SI; declared in 1)
-    pub slenderness: f64,
-    /// Number of elements. (count)
-    pub elements: usize,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use roll_up_equations::RollUp;
 #[allow(clippy::all)]
 impl Default for RollUp {
     fn default() -> Self {
@@ -183,6 +164,28 @@ impl ::rncf::Model for RollUp {
     clippy::all
 )]
 pub mod roll_up_equations {
+    /// Roll-up: an end moment of 2 pi EI/L bends a straight cantilever to a full circle.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `beam` uses `beam_planar`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1954).
+    /// * Body `beam` is planar: two components a vector, no motion along the normal.
+    /// * Body `beam` has nodal vectors for the section's y axis (r0y, ry_half, r1y): sections shear and have rotary inertia; there is no torsion in a plane.
+    /// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `beam` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
+    /// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as load `bend` is a moment, which has no potential.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct RollUp {
+        /// End moment over 2 pi EI/L: the number of turns of a slender beam. (SI; declared in 1)
+        pub turns: f64,
+        /// Radius of the section over the length. (SI; declared in 1)
+        pub slenderness: f64,
+        /// Number of elements. (count)
+        pub elements: usize,
+    }
     /// Constants of one element `beam_planar`. Beam with a cross-section: axial strain, shear, bending, torsion.
     ///
     /// Nodal vectors: r0, r0x, r0y, ry_half, r1, r1x, r1y, 2 components each.
@@ -681,7 +684,7 @@ pub mod roll_up_equations {
     /// Load `bend` in its frame's axes.
     ///
     /// Operations: 0 additions, 7 multiplications, 1 divisions.
-    pub fn load_bend(model: &super::RollUp, t: f64, value: &mut [f64; 3]) {
+    pub fn load_bend(model: &RollUp, t: f64, value: &mut [f64; 3]) {
         value[0] = 0.0;
         value[1] = 0.0;
         value[2] = 3.141592653589793
@@ -692,7 +695,7 @@ pub mod roll_up_equations {
     ///
     /// Operations: 4 additions, 0 multiplications.
     pub fn joint_root_absolute_position(
-        model: &super::RollUp,
+        model: &RollUp,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -709,7 +712,7 @@ pub mod roll_up_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_absolute_jacobian(
-        model: &super::RollUp,
+        model: &RollUp,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -723,7 +726,7 @@ pub mod roll_up_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_absolute_prescribed(
-        model: &super::RollUp,
+        model: &RollUp,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -758,7 +761,7 @@ pub mod roll_up_equations {
     /// Output columns from what they observe.
     ///
     /// Operations: 3 additions, 2 multiplications, 1 function calls.
-    pub fn outputs(model: &super::RollUp, t: f64, observed: &[f64], out: &mut [f64]) {
+    pub fn outputs(model: &RollUp, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0];
         out[1] = observed[1];
         out[2] = ((observed[0] - observed[2]).powi(2)
@@ -768,19 +771,19 @@ pub mod roll_up_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::RollUp, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &RollUp, run: &mut ::rncf::RunDefaults) {
         run.t_end = 1.0;
         run.every = 0.01;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::RollUp,
+        pub model: RollUp,
         pub row_beam: BeamPlanar,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::RollUp) -> Self {
+        pub fn new(model: &RollUp) -> Self {
             Self {
                 model: model.clone(),
                 row_beam: Default::default(),
@@ -893,7 +896,7 @@ pub mod roll_up_equations {
                 0.7853981633974483 * model.slenderness.powi(4),
                 "m^4",
             )?;
-            let shear_factor_y = ::rncf::mesh::positive(
+            let shear_factor_y = ::rncf::mesh::part(
                 "section `round`",
                 "shear_factor_y",
                 0.8863636363636362,

@@ -1,28 +1,8 @@
 //! Expansion of `models/src/rotating_cantilever.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Uniform cantilever on a rotating hub (Wright et al. 1982). Length, mass and bending stiffness are 1 in SI, so that
-/// rad/s are multiples of sqrt(EI/(rhoA L^4)).
-///
-/// # Chosen and left out
-///
-/// * Body `beam` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
-/// * Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
-/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
-/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
-/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct RotatingCantilever {
-    /// Angular velocity over sqrt(EI/(rhoA L^4)). (SI; declared in 1)
-    pub eta: f64,
-    /// Radius of the hub over the length. (SI; declared in 1)
-    pub hub_ratio: f64,
-    /// Number of elements. (count)
-    pub elements: usize,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use rotating_cantilever_equations::RotatingCantilever;
 #[allow(clippy::all)]
 impl Default for RotatingCantilever {
     fn default() -> Self {
@@ -189,6 +169,29 @@ impl ::rncf::Model for RotatingCantilever {
     clippy::all
 )]
 pub mod rotating_cantilever_equations {
+    /// Uniform cantilever on a rotating hub (Wright et al. 1982). Length, mass and bending stiffness are 1 in SI, so that
+    /// rad/s are multiples of sqrt(EI/(rhoA L^4)).
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `beam` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
+    /// * Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+    /// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
+    /// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+    /// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct RotatingCantilever {
+        /// Angular velocity over sqrt(EI/(rhoA L^4)). (SI; declared in 1)
+        pub eta: f64,
+        /// Radius of the hub over the length. (SI; declared in 1)
+        pub hub_ratio: f64,
+        /// Number of elements. (count)
+        pub elements: usize,
+    }
     /// Constants of one element `cable_spatial`. Hermite centre-line element: axial strain and bending, no shear, no torsion.
     ///
     /// Nodal vectors: r0, s0, r1, s1, 3 components each.
@@ -914,7 +917,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 0 additions, 1 multiplications, 2 function calls.
     pub fn frame_hub(
-        model: &super::RotatingCantilever,
+        model: &RotatingCantilever,
         t: f64,
         motion: &mut ::rncf::mesh::FrameMotion,
     ) {
@@ -932,7 +935,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 7 additions, 6 multiplications.
     pub fn joint_root_referenced_position(
-        model: &super::RotatingCantilever,
+        model: &RotatingCantilever,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -952,7 +955,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_jacobian(
-        model: &super::RotatingCantilever,
+        model: &RotatingCantilever,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -971,7 +974,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
-        model: &super::RotatingCantilever,
+        model: &RotatingCantilever,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -987,7 +990,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 13 additions, 19 multiplications, 2 function calls.
     pub fn joint_root_absolute_position(
-        model: &super::RotatingCantilever,
+        model: &RotatingCantilever,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1012,7 +1015,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 8 additions, 19 multiplications, 2 function calls.
     pub fn joint_root_absolute_velocity(
-        model: &super::RotatingCantilever,
+        model: &RotatingCantilever,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1036,7 +1039,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 20 additions, 33 multiplications, 2 function calls.
     pub fn joint_root_absolute_acceleration(
-        model: &super::RotatingCantilever,
+        model: &RotatingCantilever,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1070,7 +1073,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 36 additions, 47 multiplications, 2 function calls.
     pub fn joint_root_absolute_jerk(
-        model: &super::RotatingCantilever,
+        model: &RotatingCantilever,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1122,7 +1125,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 4 additions, 9 multiplications, 2 function calls.
     pub fn joint_root_absolute_jacobian(
-        model: &super::RotatingCantilever,
+        model: &RotatingCantilever,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1144,7 +1147,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 12 additions, 29 multiplications, 2 function calls.
     pub fn joint_root_absolute_prescribed(
-        model: &super::RotatingCantilever,
+        model: &RotatingCantilever,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1175,7 +1178,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 2 additions, 0 multiplications.
     pub fn outputs(
-        model: &super::RotatingCantilever,
+        model: &RotatingCantilever,
         t: f64,
         observed: &[f64],
         out: &mut [f64],
@@ -1188,22 +1191,19 @@ pub mod rotating_cantilever_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(
-        model: &super::RotatingCantilever,
-        run: &mut ::rncf::RunDefaults,
-    ) {
+    pub fn run_defaults(model: &RotatingCantilever, run: &mut ::rncf::RunDefaults) {
         run.t_end = 1.0;
         run.every = 0.01;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::RotatingCantilever,
+        pub model: RotatingCantilever,
         pub row_beam: CableSpatial,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::RotatingCantilever) -> Self {
+        pub fn new(model: &RotatingCantilever) -> Self {
             Self {
                 model: model.clone(),
                 row_beam: Default::default(),

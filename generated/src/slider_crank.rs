@@ -1,40 +1,8 @@
 //! Expansion of `models/src/slider_crank.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Flexible slider-crank (Ren & Yang 2021, section 4.2): a soft connecting rod between a crank that is driven about x
-/// and a slider on the x axis.
-///
-/// # Chosen and left out
-///
-/// * Body `beam` uses `cable_spatial_exact_damped`. Form: loop over points (the cheapest; operations of force and tangent: points unrolled: 795 and 4638; loop over points: 843 and 5093; a loop counts 1.3 times).
-/// * Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
-/// * Body `beam`: its axis is straight: no stress-free curvature for each element.
-/// * Body `beam` moves in the free frame `rod`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
-/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Joint `chord_y`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Joint `chord_z`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Frame `rod` is free in three motions: a rotation vector that begins anew every step.
-/// * Constraint `root` (pin in absolute coordinates): 3 multipliers; linear in its vectors, no second derivatives.
-/// * Constraint `chord_y` (hold in absolute coordinates), `chord_z` (hold in absolute coordinates): 1 multiplier; gradient and second derivatives are derived.
-/// * Constraint `cross_axis` (constraint): 1 multiplier; linear in its vectors, no second derivatives.
-/// * Constraint `guide_y` (constraint): 1 multiplier; linear in its vectors, no second derivatives.
-/// * Constraint `guide_z` (constraint): 1 multiplier; linear in its vectors, no second derivatives.
-/// * Fixture `slider` adds constants to the inertia of `beam` and no unknowns.
-/// * Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as body `beam` is damped.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct SliderCrank {
-    /// Steady angular velocity of the crank. (SI; declared in rad/s)
-    pub omega_s: f64,
-    /// Time to reach it. (SI; declared in s)
-    pub T_s: f64,
-    /// Number of elements. (count)
-    pub elements: usize,
-    /// Damping time of the rod's axial strain. (SI; declared in s)
-    pub damping: f64,
-    /// Mass of the slider. (SI; declared in kg)
-    pub slider_mass: f64,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use slider_crank_equations::SliderCrank;
 #[allow(clippy::all)]
 impl Default for SliderCrank {
     fn default() -> Self {
@@ -249,6 +217,41 @@ impl ::rncf::Model for SliderCrank {
     clippy::all
 )]
 pub mod slider_crank_equations {
+    /// Flexible slider-crank (Ren & Yang 2021, section 4.2): a soft connecting rod between a crank that is driven about x
+    /// and a slider on the x axis.
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `beam` uses `cable_spatial_exact_damped`. Form: loop over points (the cheapest; operations of force and tangent: points unrolled: 795 and 4638; loop over points: 843 and 5093; a loop counts 1.3 times).
+    /// * Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+    /// * Body `beam`: its axis is straight: no stress-free curvature for each element.
+    /// * Body `beam` moves in the free frame `rod`: force and moment of its inertia on the frame, and their derivatives, are derived; conditions that depend on the frame's pose are constraints with multipliers.
+    /// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Joint `chord_y`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Joint `chord_z`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Frame `rod` is free in three motions: a rotation vector that begins anew every step.
+    /// * Constraint `root` (pin in absolute coordinates): 3 multipliers; linear in its vectors, no second derivatives.
+    /// * Constraint `chord_y` (hold in absolute coordinates), `chord_z` (hold in absolute coordinates): 1 multiplier; gradient and second derivatives are derived.
+    /// * Constraint `cross_axis` (constraint): 1 multiplier; linear in its vectors, no second derivatives.
+    /// * Constraint `guide_y` (constraint): 1 multiplier; linear in its vectors, no second derivatives.
+    /// * Constraint `guide_z` (constraint): 1 multiplier; linear in its vectors, no second derivatives.
+    /// * Fixture `slider` adds constants to the inertia of `beam` and no unknowns.
+    /// * Not declared, so that no function is written for it: springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as body `beam` is damped.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct SliderCrank {
+        /// Steady angular velocity of the crank. (SI; declared in rad/s)
+        pub omega_s: f64,
+        /// Time to reach it. (SI; declared in s)
+        pub T_s: f64,
+        /// Number of elements. (count)
+        pub elements: usize,
+        /// Damping time of the rod's axial strain. (SI; declared in s)
+        pub damping: f64,
+        /// Mass of the slider. (SI; declared in kg)
+        pub slider_mass: f64,
+    }
     /// Constants of one element `cable_spatial_exact_damped`. Hermite centre-line element: axial strain and bending, no shear, no torsion.
     ///
     /// Nodal vectors: r0, s0, r1, s1, 3 components each.
@@ -1566,7 +1569,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 18 additions, 37 multiplications, 6 divisions, 4 function calls.
     pub fn frame_pin_frame(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         motion: &mut ::rncf::mesh::FrameMotion,
     ) {
@@ -1611,14 +1614,14 @@ pub mod slider_crank_equations {
     /// Frame of the rod.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_rod(model: &super::SliderCrank, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_rod(model: &SliderCrank, spec: &mut ::rncf::mesh::FreeSpec) {
         spec.axis[2] = 1.0;
     }
     /// Joint `root`: conditions, position level.
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn joint_root_referenced_position(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1634,7 +1637,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_jacobian(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1647,7 +1650,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1663,7 +1666,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 1 additions, 0 multiplications.
     pub fn joint_chord_y_referenced_position(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1677,7 +1680,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_chord_y_referenced_jacobian(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1688,7 +1691,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_chord_y_referenced_prescribed(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1704,7 +1707,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 1 additions, 0 multiplications.
     pub fn joint_chord_z_referenced_position(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1718,7 +1721,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_chord_z_referenced_jacobian(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1729,7 +1732,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_chord_z_referenced_prescribed(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1751,7 +1754,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_position_root(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1765,7 +1768,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_velocity_root(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1779,7 +1782,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_acceleration_root(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1793,7 +1796,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_jerk_root(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1807,7 +1810,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_gradient_root(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -1828,7 +1831,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 5 additions, 3 multiplications.
     pub fn constraint_position_chord_y(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1842,7 +1845,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 11 additions, 6 multiplications.
     pub fn constraint_velocity_chord_y(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1860,7 +1863,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 20 additions, 9 multiplications.
     pub fn constraint_acceleration_chord_y(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1881,7 +1884,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 32 additions, 12 multiplications.
     pub fn constraint_jerk_chord_y(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1908,7 +1911,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_gradient_chord_y(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -1928,7 +1931,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 3 additions, 0 multiplications.
     pub fn constraint_rate_gradient_chord_y(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -1950,7 +1953,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_hessian_chord_y(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[f64; 3]],
         lambda: &[f64],
@@ -1979,7 +1982,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 5 additions, 8 multiplications, 5 divisions, 3 function calls.
     pub fn constraint_position_cross_axis(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -1999,7 +2002,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 9 additions, 15 multiplications, 6 divisions, 4 function calls.
     pub fn constraint_velocity_cross_axis(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2028,7 +2031,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 17 additions, 25 multiplications, 6 divisions, 4 function calls.
     pub fn constraint_acceleration_cross_axis(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2068,7 +2071,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 30 additions, 37 multiplications, 6 divisions, 4 function calls.
     pub fn constraint_jerk_cross_axis(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2116,7 +2119,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 4 additions, 6 multiplications, 5 divisions, 3 function calls.
     pub fn constraint_gradient_cross_axis(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -2137,7 +2140,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 6 additions, 11 multiplications, 6 divisions, 4 function calls.
     pub fn constraint_rate_gradient_cross_axis(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[f64; 3]],
         velocity: &[[f64; 3]],
@@ -2169,7 +2172,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_position_guide_y(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2181,7 +2184,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_velocity_guide_y(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2193,7 +2196,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_acceleration_guide_y(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2205,7 +2208,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_jerk_guide_y(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2217,7 +2220,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_gradient_guide_y(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -2233,7 +2236,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_position_guide_z(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2245,7 +2248,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_velocity_guide_z(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2257,7 +2260,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_acceleration_guide_z(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2269,7 +2272,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_jerk_guide_z(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[[f64; 3]; 4]],
         rows: &mut [f64],
@@ -2281,7 +2284,7 @@ pub mod slider_crank_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn constraint_gradient_guide_z(
-        model: &super::SliderCrank,
+        model: &SliderCrank,
         t: f64,
         z: &[[f64; 3]],
         gradient: &mut [f64],
@@ -2292,18 +2295,13 @@ pub mod slider_crank_equations {
     /// Times at which a derivative of a motion or load may jump (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn kinks(model: &super::SliderCrank, kinks: &mut [f64; 1]) {
+    pub fn kinks(model: &SliderCrank, kinks: &mut [f64; 1]) {
         kinks[0] = model.T_s;
     }
     /// Output columns from what they observe.
     ///
     /// Operations: 15 additions, 14 multiplications, 5 divisions, 4 function calls.
-    pub fn outputs(
-        model: &super::SliderCrank,
-        t: f64,
-        observed: &[f64],
-        out: &mut [f64],
-    ) {
+    pub fn outputs(model: &SliderCrank, t: f64, observed: &[f64], out: &mut [f64]) {
         let t25 = t * t / 2.0
             + (model.T_s / 6.283185307179586).powi(2)
                 * ((t * 6.283185307179586 / model.T_s).cos() - 1.0);
@@ -2323,19 +2321,19 @@ pub mod slider_crank_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::SliderCrank, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &SliderCrank, run: &mut ::rncf::RunDefaults) {
         run.t_end = 2.5;
         run.every = 0.01;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::SliderCrank,
+        pub model: SliderCrank,
         pub row_beam: CableSpatialExactDamped,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::SliderCrank) -> Self {
+        pub fn new(model: &SliderCrank) -> Self {
             Self {
                 model: model.clone(),
                 row_beam: Default::default(),

@@ -1,28 +1,8 @@
 //! Expansion of `models/src/spin_up.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Spin-up manoeuvre of a flexible beam (Ren & Yang 2021, section 4.1.1).
-///
-/// # Chosen and left out
-///
-/// * Body `beam` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).
-/// * Body `beam` is planar: two components a vector, no motion along the normal.
-/// * Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
-/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
-/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
-/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct SpinUp {
-    /// Steady angular velocity. (SI; declared in rad/s)
-    pub omega_s: f64,
-    /// Time to reach it. (SI; declared in s)
-    pub T_s: f64,
-    /// Number of elements. (count)
-    pub elements: usize,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use spin_up_equations::SpinUp;
 #[allow(clippy::all)]
 impl Default for SpinUp {
     fn default() -> Self {
@@ -174,6 +154,29 @@ impl ::rncf::Model for SpinUp {
     clippy::all
 )]
 pub mod spin_up_equations {
+    /// Spin-up manoeuvre of a flexible beam (Ren & Yang 2021, section 4.1.1).
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `beam` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).
+    /// * Body `beam` is planar: two components a vector, no motion along the normal.
+    /// * Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+    /// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
+    /// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+    /// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct SpinUp {
+        /// Steady angular velocity. (SI; declared in rad/s)
+        pub omega_s: f64,
+        /// Time to reach it. (SI; declared in s)
+        pub T_s: f64,
+        /// Number of elements. (count)
+        pub elements: usize,
+    }
     /// Constants of one element `cable_planar`. Hermite centre-line element: axial strain and bending, no shear, no torsion.
     ///
     /// Nodal vectors: r0, s0, r1, s1, 2 components each.
@@ -780,11 +783,7 @@ pub mod spin_up_equations {
     /// Motion of frame `hub` and its first two derivatives.
     ///
     /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
-    pub fn frame_hub(
-        model: &super::SpinUp,
-        t: f64,
-        motion: &mut ::rncf::mesh::FrameMotion,
-    ) {
+    pub fn frame_hub(model: &SpinUp, t: f64, motion: &mut ::rncf::mesh::FrameMotion) {
         *motion = ::rncf::mesh::FrameMotion::INERTIAL;
         let t15 = model.omega_s / model.T_s;
         let t16 = (model.T_s / 6.283185307179586).powi(2);
@@ -819,7 +818,7 @@ pub mod spin_up_equations {
     ///
     /// Operations: 3 additions, 2 multiplications.
     pub fn joint_root_referenced_position(
-        model: &super::SpinUp,
+        model: &SpinUp,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -835,7 +834,7 @@ pub mod spin_up_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_jacobian(
-        model: &super::SpinUp,
+        model: &SpinUp,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -849,7 +848,7 @@ pub mod spin_up_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
-        model: &super::SpinUp,
+        model: &SpinUp,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -863,7 +862,7 @@ pub mod spin_up_equations {
     ///
     /// Operations: 11 additions, 16 multiplications, 5 divisions, 3 function calls.
     pub fn joint_root_absolute_position(
-        model: &super::SpinUp,
+        model: &SpinUp,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -891,7 +890,7 @@ pub mod spin_up_equations {
     ///
     /// Operations: 11 additions, 21 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_velocity(
-        model: &super::SpinUp,
+        model: &SpinUp,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -924,7 +923,7 @@ pub mod spin_up_equations {
     ///
     /// Operations: 21 additions, 35 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_acceleration(
-        model: &super::SpinUp,
+        model: &SpinUp,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -972,7 +971,7 @@ pub mod spin_up_equations {
     ///
     /// Operations: 36 additions, 51 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_jerk(
-        model: &super::SpinUp,
+        model: &SpinUp,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1030,7 +1029,7 @@ pub mod spin_up_equations {
     ///
     /// Operations: 6 additions, 10 multiplications, 5 divisions, 3 function calls.
     pub fn joint_root_absolute_jacobian(
-        model: &super::SpinUp,
+        model: &SpinUp,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1054,7 +1053,7 @@ pub mod spin_up_equations {
     ///
     /// Operations: 22 additions, 43 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_prescribed(
-        model: &super::SpinUp,
+        model: &SpinUp,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1101,32 +1100,32 @@ pub mod spin_up_equations {
     /// Times at which a derivative of a motion or load may jump (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn kinks(model: &super::SpinUp, kinks: &mut [f64; 1]) {
+    pub fn kinks(model: &SpinUp, kinks: &mut [f64; 1]) {
         kinks[0] = model.T_s;
     }
     /// Output columns from what they observe.
     ///
     /// Operations: 1 additions, 0 multiplications.
-    pub fn outputs(model: &super::SpinUp, t: f64, observed: &[f64], out: &mut [f64]) {
+    pub fn outputs(model: &SpinUp, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0] - 8.0;
         out[1] = observed[1];
     }
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::SpinUp, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &SpinUp, run: &mut ::rncf::RunDefaults) {
         run.t_end = 20.0;
         run.every = 0.05;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::SpinUp,
+        pub model: SpinUp,
         pub row_beam: CablePlanar,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::SpinUp) -> Self {
+        pub fn new(model: &SpinUp) -> Self {
             Self {
                 model: model.clone(),
                 row_beam: Default::default(),

@@ -1,27 +1,8 @@
 //! Expansion of `models/src/spin_up_spatial.rs`; refreshed by `cargo run -p rncf-codegen --bin rncf-generate`.
 
-/// Spin-up manoeuvre of a flexible beam in space (Ren & Yang 2021, section 4.1.1).
-///
-/// # Chosen and left out
-///
-/// * Body `beam` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
-/// * Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
-/// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
-/// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
-/// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
-/// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
-/// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
-/// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(non_snake_case)]
-pub struct SpinUpSpatial {
-    /// Steady angular velocity. (SI; declared in rad/s)
-    pub omega_s: f64,
-    /// Time to reach it. (SI; declared in s)
-    pub T_s: f64,
-    /// Number of elements. (count)
-    pub elements: usize,
-}
+#[doc(inline)]
+#[allow(unused_imports)]
+pub use spin_up_spatial_equations::SpinUpSpatial;
 #[allow(clippy::all)]
 impl Default for SpinUpSpatial {
     fn default() -> Self {
@@ -180,6 +161,28 @@ impl ::rncf::Model for SpinUpSpatial {
     clippy::all
 )]
 pub mod spin_up_spatial_equations {
+    /// Spin-up manoeuvre of a flexible beam in space (Ren & Yang 2021, section 4.1.1).
+    ///
+    /// # Chosen and left out
+    ///
+    /// * Body `beam` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).
+    /// * Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.
+    /// * Body `beam`: its material has no damping: no rates of strain and no damping matrix; its axis is straight: no stress-free curvature for each element.
+    /// * Body `beam` moves in the prescribed frame `hub`: no unknowns for the frame, its reactions are evaluated.
+    /// * Joint `root`: its conditions are linear in the nodal vectors of `beam` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
+    /// * Prescribed motions have two derivatives: the third is read by constraints with multipliers and by mean axes alone, and there are none.
+    /// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(non_snake_case)]
+    pub struct SpinUpSpatial {
+        /// Steady angular velocity. (SI; declared in rad/s)
+        pub omega_s: f64,
+        /// Time to reach it. (SI; declared in s)
+        pub T_s: f64,
+        /// Number of elements. (count)
+        pub elements: usize,
+    }
     /// Constants of one element `cable_spatial`. Hermite centre-line element: axial strain and bending, no shear, no torsion.
     ///
     /// Nodal vectors: r0, s0, r1, s1, 3 components each.
@@ -905,7 +908,7 @@ pub mod spin_up_spatial_equations {
     ///
     /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
     pub fn frame_hub(
-        model: &super::SpinUpSpatial,
+        model: &SpinUpSpatial,
         t: f64,
         motion: &mut ::rncf::mesh::FrameMotion,
     ) {
@@ -943,7 +946,7 @@ pub mod spin_up_spatial_equations {
     ///
     /// Operations: 7 additions, 6 multiplications.
     pub fn joint_root_referenced_position(
-        model: &super::SpinUpSpatial,
+        model: &SpinUpSpatial,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -963,7 +966,7 @@ pub mod spin_up_spatial_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_jacobian(
-        model: &super::SpinUpSpatial,
+        model: &SpinUpSpatial,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -982,7 +985,7 @@ pub mod spin_up_spatial_equations {
     ///
     /// Operations: 0 additions, 0 multiplications.
     pub fn joint_root_referenced_prescribed(
-        model: &super::SpinUpSpatial,
+        model: &SpinUpSpatial,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -998,7 +1001,7 @@ pub mod spin_up_spatial_equations {
     ///
     /// Operations: 17 additions, 24 multiplications, 5 divisions, 3 function calls.
     pub fn joint_root_absolute_position(
-        model: &super::SpinUpSpatial,
+        model: &SpinUpSpatial,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1030,7 +1033,7 @@ pub mod spin_up_spatial_equations {
     ///
     /// Operations: 14 additions, 27 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_velocity(
-        model: &super::SpinUpSpatial,
+        model: &SpinUpSpatial,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1066,7 +1069,7 @@ pub mod spin_up_spatial_equations {
     ///
     /// Operations: 30 additions, 47 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_acceleration(
-        model: &super::SpinUpSpatial,
+        model: &SpinUpSpatial,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1121,7 +1124,7 @@ pub mod spin_up_spatial_equations {
     ///
     /// Operations: 53 additions, 69 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_jerk(
-        model: &super::SpinUpSpatial,
+        model: &SpinUpSpatial,
         t: f64,
         data: &::rncf::mesh::JointData,
         q: &[f64],
@@ -1194,7 +1197,7 @@ pub mod spin_up_spatial_equations {
     ///
     /// Operations: 8 additions, 14 multiplications, 5 divisions, 3 function calls.
     pub fn joint_root_absolute_jacobian(
-        model: &super::SpinUpSpatial,
+        model: &SpinUpSpatial,
         t: f64,
         data: &::rncf::mesh::JointData,
         jacobian: &mut [f64],
@@ -1223,7 +1226,7 @@ pub mod spin_up_spatial_equations {
     ///
     /// Operations: 22 additions, 43 multiplications, 6 divisions, 4 function calls.
     pub fn joint_root_absolute_prescribed(
-        model: &super::SpinUpSpatial,
+        model: &SpinUpSpatial,
         t: f64,
         data: &::rncf::mesh::JointData,
         prescribed: &mut ::rncf::mesh::Prescribed,
@@ -1272,18 +1275,13 @@ pub mod spin_up_spatial_equations {
     /// Times at which a derivative of a motion or load may jump (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn kinks(model: &super::SpinUpSpatial, kinks: &mut [f64; 1]) {
+    pub fn kinks(model: &SpinUpSpatial, kinks: &mut [f64; 1]) {
         kinks[0] = model.T_s;
     }
     /// Output columns from what they observe.
     ///
     /// Operations: 1 additions, 0 multiplications.
-    pub fn outputs(
-        model: &super::SpinUpSpatial,
-        t: f64,
-        observed: &[f64],
-        out: &mut [f64],
-    ) {
+    pub fn outputs(model: &SpinUpSpatial, t: f64, observed: &[f64], out: &mut [f64]) {
         out[0] = observed[0] - 8.0;
         out[1] = observed[1];
         out[2] = observed[2];
@@ -1291,19 +1289,19 @@ pub mod spin_up_spatial_equations {
     /// Defaults of a run (s).
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn run_defaults(model: &super::SpinUpSpatial, run: &mut ::rncf::RunDefaults) {
+    pub fn run_defaults(model: &SpinUpSpatial, run: &mut ::rncf::RunDefaults) {
         run.t_end = 20.0;
         run.every = 0.05;
     }
     /// Constants of all bodies.
     #[derive(Clone, Debug)]
     pub struct Equations {
-        pub model: super::SpinUpSpatial,
+        pub model: SpinUpSpatial,
         pub row_beam: CableSpatial,
     }
     impl Equations {
         /// Constants for the given parameters; filled in when the bodies are meshed.
-        pub fn new(model: &super::SpinUpSpatial) -> Self {
+        pub fn new(model: &SpinUpSpatial) -> Self {
             Self {
                 model: model.clone(),
                 row_beam: Default::default(),

@@ -73,6 +73,10 @@ pub enum SolveErrorKind {
     SingularConfiguration(String),
     /// A value became infinite or not a number.
     NotFinite,
+    /// A prescribed position or angle jumps; the text says which and by how much.
+    Discontinuous(String),
+    /// The run will not come to its end; the text says what grows or how many steps are left.
+    Endless(String),
     /// A force, constraint, load or motion has no finite value; the text names it.
     Undefined(String),
     /// The initial state violates its constraints by more than is corrected; the violation of the
@@ -130,9 +134,14 @@ impl fmt::Display for SolveError {
                 "the initial state violates its constraints by {} at t = {t} s: correct the initial positions or velocities; only small errors are corrected by themselves",
                 Short(*size)
             )?,
-            SolveErrorKind::Redundant(text) | SolveErrorKind::Undefined(text) | SolveErrorKind::Untied(text) => {
-                write!(f, "at t = {t} s {text}")?
-            }
+            SolveErrorKind::Redundant(text)
+            | SolveErrorKind::Undefined(text)
+            | SolveErrorKind::Untied(text)
+            | SolveErrorKind::Endless(text) => write!(f, "at t = {t} s {text}")?,
+            SolveErrorKind::Discontinuous(text) => write!(
+                f,
+                "at t = {t} s {text}, which no body can follow: let each case of its motion begin with the value at which the one before ends"
+            )?,
             SolveErrorKind::NoModes(text) => write!(f, "no modes at t = {t} s: {text}")?,
             SolveErrorKind::NoEquilibrium(text) => write!(f, "no relative equilibrium at t = {t} s: {text}")?,
         }

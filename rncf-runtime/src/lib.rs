@@ -22,6 +22,7 @@ pub use error::{ModelError, SolveError};
 pub use integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
 pub use model::{
     Ancf, Caution, Formulated, Formulation, Joints, Model, Output, Param, ParamKind, Rncf, RunDefaults, Scene, Start,
+    Warning,
 };
 pub use rotation::Rotation;
 pub use system::{State, System};

@@ -1,5 +1,6 @@
 //! What a generated model says of itself: parameters, outputs, and how it becomes a scene.
 
+use crate::archive::{Archive, Keep};
 use crate::equilibrium::Uniform;
 use crate::error::ModelError;
 use crate::mesh::{Configuration, Curve, DescribedBody, Fidelity, SectionBody, SectionState};
@@ -309,8 +310,25 @@ pub trait Scene: System + Send {
 
     /// Where the model does not describe its bodies well at a state, one sentence each, naming the body
     /// and what to do (THEORY 10, T10, T15).
-    fn warnings(&mut self, _state: &State) -> Vec<String> {
+    fn warnings(&mut self, _state: &State) -> Vec<Warning> {
         Vec::new()
+    }
+}
+
+/// Where a model does not describe its bodies well.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Warning {
+    /// One sentence.
+    pub text: String,
+    /// How bad it is: of several sentences that differ in their numbers only, the one with the greatest weight holds.
+    pub weight: f64,
+}
+
+impl Keep for Warning {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self { text, weight } = self;
+        text.keep(archive);
+        weight.keep(archive);
     }
 }
 

@@ -146,6 +146,15 @@ pub enum ConstraintLevel {
     Jerk,
 }
 
+/// A prescribed motion that is not continuous.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Jump {
+    /// What jumps, and by how much, in the user's words.
+    pub text: String,
+    /// Whether a position or angle jumps, which no body can follow; else a velocity, which acts as an impact.
+    pub of_position: bool,
+}
+
 /// A second-order differential-algebraic system. Functions write into the caller's memory and
 /// take `&mut self` for scratch only: the result depends on the arguments alone.
 pub trait System {
@@ -253,6 +262,18 @@ pub trait System {
     /// load may jump, and their time derivatives: always the same number of them, in the same order. An integrator finds
     /// their roots as it goes on, and treats them as [`System::kinks`].
     fn gaps(&self, _t: f64, _out: &mut Vec<[f64; 2]>) {}
+
+    /// Prescribed motions that are not continuous between a state and the time `behind` (s) just after its own, on the two
+    /// sides of a kink.
+    fn jumps(&mut self, _state: &State, _behind: f64) -> Vec<Jump> {
+        Vec::new()
+    }
+
+    /// What moves faster than light at the state, and how fast, in the user's words: a motion that has grown beyond all
+    /// meaning.
+    fn too_fast(&mut self, _state: &State) -> Option<String> {
+        None
+    }
 
     /// Total energy (J) where the model conserves it, else `None`.
     fn energy(&mut self, state: &State) -> Option<f64>;

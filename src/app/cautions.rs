@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::report::escape;
-use crate::{Caution, Model};
+use crate::{Caution, Model, Warning};
 
 /// Each caution in one sentence, with the outputs that it is about before it.
 pub(super) fn sentences<M: Model>(cautions: &[Caution]) -> Vec<String> {
@@ -19,10 +19,32 @@ pub(super) fn sentences<M: Model>(cautions: &[Caution]) -> Vec<String> {
 }
 
 /// What a model says of equilibria and modes, before what the scene warns of.
-pub(super) fn cautioned<M: Model>(model: &M, warnings: Vec<String>) -> Vec<String> {
+pub(super) fn cautioned<M: Model>(model: &M, warnings: Vec<Warning>) -> Vec<String> {
     let mut all = sentences::<M>(&model.cautions(0.0));
-    all.extend(warnings);
+    all.extend(texts(warnings));
     all
+}
+
+/// The sentences of warnings.
+pub(super) fn texts(warnings: Vec<Warning>) -> Vec<String> {
+    warnings.into_iter().map(|warning| warning.text).collect()
+}
+
+/// Adds a warning, or puts it in the place of one that differs in its numbers only and weighs less.
+pub(super) fn meet(warnings: &mut Vec<Warning>, warning: Warning) {
+    let words = without_numbers(&warning.text);
+    match warnings.iter_mut().find(|given| without_numbers(&given.text) == words) {
+        Some(given) if warning.weight > given.weight => *given = warning,
+        Some(_) => {}
+        None => warnings.push(warning),
+    }
+}
+
+/// What stays of a warning from row to row.
+fn without_numbers(text: &str) -> String {
+    text.chars()
+        .filter(|c| !(c.is_ascii_digit() || "-.".contains(*c)))
+        .collect()
 }
 
 /// What stands below the chart of an output, as paragraphs of the page.

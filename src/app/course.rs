@@ -2,6 +2,7 @@
 //! time, with what the integrator knew at its last renewal, and taken up later: the steps since then are repeated, which
 //! gives the same bits, and are not gathered twice.
 
+use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::history::SKETCHED;
 use super::pictures::Pictures;
@@ -10,7 +11,7 @@ use super::run::{RunResult, StepTaken, times};
 use super::run_error::Incomplete;
 use super::sketch::Sketch;
 use crate::archive::{Archive, Keep};
-use crate::{Integrator, Scene, State};
+use crate::{Integrator, Scene, State, Warning};
 
 type Running<'s> = Integrator<'s, dyn Scene + 's>;
 
@@ -51,7 +52,7 @@ struct Rows {
     count: u64,
     state: State,
     values: Vec<f64>,
-    warnings: Vec<String>,
+    warnings: Vec<Warning>,
 }
 
 impl Course {
@@ -193,7 +194,8 @@ impl Course {
         result.steps = self.steps.taken();
         result.energy_error = self.energy.relative();
         let yielding = result.envelopes.warning();
-        result.warnings = moved.into_iter().chain(self.rows.warnings).chain(yielding).collect();
+        let told = cautions::texts(self.rows.warnings);
+        result.warnings = moved.into_iter().chain(told).chain(yielding).collect();
         result.seconds = self.before.and(self.clock.seconds());
     }
 }
@@ -223,11 +225,8 @@ impl Rows {
             integrator.interpolate(t, &mut self.state);
         }
         integrator.system().outputs(&self.state, &mut self.values);
-        for text in integrator.system().warnings(&self.state) {
-            let words = without_numbers(&text);
-            if self.warnings.iter().all(|given| without_numbers(given) != words) {
-                self.warnings.push(text);
-            }
+        for warning in integrator.system().warnings(&self.state) {
+            cautions::meet(&mut self.warnings, warning);
         }
         result.history.push(time, &self.values).map_err(Incomplete::Output)?;
         recorder.row(time, &self.values);
@@ -282,13 +281,6 @@ impl Steps {
         let steps = self.ends.into_iter().zip(self.sizes);
         steps.map(|(t, h)| StepTaken { t, h }).collect()
     }
-}
-
-/// What stays of a warning from row to row.
-fn without_numbers(text: &str) -> String {
-    text.chars()
-        .filter(|c| !(c.is_ascii_digit() || "-.".contains(*c)))
-        .collect()
 }
 
 /// Deviation of the energy from its first value.

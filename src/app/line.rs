@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::arguments::{Program, Refusal, parse};
 use super::command::Command;
+use super::doubts::doubts;
 use super::execute::{Failure, INTERRUPTION, MISTAKE, execute};
 use super::nearest::nearest;
 use crate::Model;
@@ -139,6 +140,9 @@ pub fn enter<M: Model>(line: Line) -> ExitCode {
         Err(Refusal::Mistake(text)) => return fail(Failure::new(MISTAKE, text)),
     };
     watch_for_interruption();
+    for doubt in doubts(&arguments.model, arguments.settings.options.rtol) {
+        let _ = writeln!(std::io::stderr(), "warning: {doubt}");
+    }
     let interrupted = || {
         let is_interrupted = INTERRUPTED.load(Ordering::SeqCst);
         // What is interrupted goes on to its files.

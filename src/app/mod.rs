@@ -20,6 +20,7 @@ mod command;
 mod course;
 mod date;
 mod diagrams;
+mod doubts;
 mod envelopes;
 mod execute;
 mod figure;

@@ -3,12 +3,22 @@
 /// The candidate with the smallest edit distance to `text`, if it is near enough to be meant.
 pub(super) fn nearest<'n>(text: &str, candidates: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
     let limit = (text.chars().count() / 2).clamp(1, 3);
+    // One letter more, less or other makes another word of one that has no more than two.
+    let is_alike = |name: &str| text.len().min(name.len()) > 2 || letters(text) == letters(name);
     candidates
         .into_iter()
+        .filter(|name| is_alike(name))
         .map(|name| (distance(text, name), name))
         .filter(|&(distance, name)| distance <= limit && distance < name.chars().count())
         .min_by_key(|&(distance, _)| distance)
         .map(|(_, name)| name)
+}
+
+/// The letters of a word without underscores in the order of the alphabet.
+fn letters(word: &str) -> Vec<char> {
+    let mut letters: Vec<char> = word.to_lowercase().chars().filter(|c| c.is_alphanumeric()).collect();
+    letters.sort_unstable();
+    letters
 }
 
 /// Insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b`; letters

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::course::Course;
+use super::doubts::doubts;
 use super::envelopes::Envelopes;
 use super::history::{Column, History};
 use super::pictures::Pictures;
@@ -102,7 +103,7 @@ pub struct RunResult {
     /// What the model says a reader must know.
     pub cautions: Vec<Caution>,
     /// The same in sentences, what the start corrected of the declared positions and velocities, and what the
-    /// scene warns of, each with the numbers of the first row where it does.
+    /// scene warns of, each with the numbers of the row where it is worst.
     pub warnings: Vec<String>,
     /// Last good state.
     pub state: State,
@@ -172,7 +173,9 @@ pub(super) fn run_recorded<M: Model>(
         incomplete: None,
     };
     integrate(scene.as_mut(), start, &mut result, clock, recorder, watch)?;
-    result.warnings.splice(0..0, cautions::sentences::<M>(&result.cautions));
+    let told = cautions::sentences::<M>(&result.cautions);
+    let told = told.into_iter().chain(doubts(model, result.settings.options.rtol));
+    result.warnings.splice(0..0, told);
     match result.incomplete {
         None => Ok(result),
         Some(_) => Err(RunError::Incomplete(Box::new(result))),
@@ -245,7 +248,7 @@ fn integrate(
         _ => Integrator::new(scene, start, t_end, method, options),
     }
     .map_err(RunError::Start)?;
-    let moved = corrections(integrator.statistics());
+    let mut moved = corrections(integrator.statistics());
     let mut course = Course::new(&mut integrator, columns, recorder.is_on_disk(), result, clock);
     match &taken_up {
         Some(earlier) => course.take_up(&earlier.course, result).map_err(RunError::Files)?,
@@ -277,6 +280,7 @@ fn integrate(
     if let Err(error) = ended {
         incomplete = incomplete.or(Some(Incomplete::Files(error)));
     }
+    moved.extend_from_slice(&integrator.statistics().jumps);
     course.fill(result, moved);
     result.state.clone_from(integrator.state());
     result.statistics = integrator.statistics().clone();

@@ -102,7 +102,7 @@ pub fn equilibria<M: Model>(
     let station = line.station();
     let cautions = super::sweep::at_the_end(model, settings).cautions(0.0);
     let mut warnings = cautions::sentences::<M>(&cautions);
-    warnings.extend(station.scene.warnings(station.state));
+    warnings.extend(cautions::texts(station.scene.warnings(station.state)));
     warnings.extend(envelopes.warning());
     warnings.extend(leaps);
     let result = Equilibria {

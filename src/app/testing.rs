@@ -8,7 +8,7 @@ use crate::linalg::Pattern;
 use crate::mesh::Fidelity;
 use crate::model::{FrameState, Output, Param, ParamKind, RunDefaults};
 use crate::system::{ConstraintLevel, Tangent};
-use crate::{Caution, Formulation, Joints, Model, ModelError, Scene, State, System};
+use crate::{Caution, Formulation, Joints, Model, ModelError, Scene, State, System, Warning};
 
 /// A folder of this process alone, not yet there.
 pub(super) fn temporary_folder(name: &str) -> PathBuf {
@@ -388,10 +388,13 @@ impl Scene for RotorScene {
         (spin != 0.0 && size > 0.0).then(|| 2.0 * (im1 * re2 - re1 * im2) / size * spin.signum())
     }
 
-    fn warnings(&mut self, _: &State) -> Vec<String> {
+    fn warnings(&mut self, _: &State) -> Vec<Warning> {
         let soft = 2.0 * self.omega * self.omega > self.stiffness;
-        let text = || format!("the spring is soft at {} rad/s", self.omega);
-        soft.then(text).into_iter().collect()
+        let warning = || Warning {
+            text: format!("the spring is soft at {} rad/s", self.omega),
+            weight: 1.0,
+        };
+        soft.then(warning).into_iter().collect()
     }
 
     fn spin(&self, _: f64) -> f64 {

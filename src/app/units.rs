@@ -1,7 +1,7 @@
 //! Quantities as text, e.g. `40 rad/s`: a number and a unit made of symbols, products,
 //! quotients, integer powers and brackets.
 
-use table::{SPELLINGS, UNITS};
+use table::UNITS;
 
 /// The units of the language: one file of data for the macro and the command line, so that what a
 /// declaration understands, `name=value` does too.
@@ -163,7 +163,7 @@ impl Parser<'_> {
             self.rest = self.rest.strip_prefix(')').ok_or("a `)` is missing in the unit")?;
             unit
         } else {
-            symbol(self.take(|c| c.is_alphabetic() || c == '1'))?
+            symbol(self.take(char::is_alphanumeric))?
         };
         let Some(rest) = self.rest.strip_prefix('^') else {
             return Ok(unit);
@@ -219,9 +219,11 @@ fn symbol(text: &str) -> Result<Unit, String> {
             dimension: unit.dimension,
         });
     }
-    let spelling = SPELLINGS.iter().find(|(spelling, _)| *spelling == text);
+    // Of three letters one other one is another unit.
+    let is_alike = |near: &&str| text.len() > 3 || near.eq_ignore_ascii_case(text);
     let near = || super::nearest::nearest(text, UNITS.iter().map(|unit| unit.symbol));
-    Err(match spelling.map(|(_, symbol)| *symbol).or_else(near) {
+    let near = || near().filter(is_alike).map(ToString::to_string);
+    Err(match table::meant(text).or_else(near) {
         Some(name) => format!("`{text}` is not a unit; did you mean `{name}`?"),
         None => format!("`{text}` is not a unit"),
     })
@@ -274,7 +276,16 @@ mod tests {
         assert_eq!(error("m/"), "a unit symbol is missing");
         assert_eq!(error("m^99"), "the power 99 in the unit is too large");
         assert_eq!(error("sec"), "`sec` is not a unit; did you mean `s`?");
-        assert_eq!(error("kmin"), "`kmin` is not a unit; did you mean `min`?");
+        assert_eq!(error("kmin"), "`kmin` is not a unit; did you mean `1e3 min`?");
+        for (word, meant) in [
+            ("m2", "m^2"),
+            ("kgm", "kg*m"),
+            ("in", "inch"),
+            ("TPa", "1e12 Pa"),
+            ("Nms", "N*m*s"),
+        ] {
+            assert_eq!(error(word), format!("`{word}` is not a unit; did you mean `{meant}`?"));
+        }
         assert_eq!(error("µm"), "`µm` is not ASCII; write `um`");
         assert_eq!(error("N·m²"), "`N·m²` is not ASCII; write `N*m^2`");
     }

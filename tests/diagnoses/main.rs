@@ -28,6 +28,8 @@ fn contains(text: &str, parts: &[&str]) {
     assert!(!unreadable.iter().any(|part| text.contains(part)), "{text}");
 }
 
+mod senseless;
+
 mod redundant {
     rncf::model! {
         /// Bricard's mechanism with six revolute joints.

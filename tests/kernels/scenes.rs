@@ -13,6 +13,14 @@ fn small<M: Model>() -> M {
     model
 }
 
+/// A few tethers of two elements each.
+fn few<M: Model>() -> M {
+    let mut model = small::<M>();
+    let place = M::params().iter().position(|param| param.name == "tethers");
+    model.set(place.expect("a number of tethers"), 3.0);
+    model
+}
+
 macro_rules! scenes {
     ($model_of:path; $($test:ident: $model:ident;)*) => {$(
         #[test]
@@ -27,6 +35,7 @@ macro_rules! scenes {
 scenes! {
     Default::default;
     spin_up: SpinUp;
+    spin_up_spatial: SpinUpSpatial;
     heavy_top: HeavyTop;
     four_bar: FourBar;
     bricard: Bricard;
@@ -39,6 +48,7 @@ scenes! {
 scenes! {
     small;
     motor: Motor;
+    pinned_pipe: PinnedPipe;
     curved_upwind: CurvedUpwind;
     curved_downwind: CurvedDownwind;
     curved_out_of_plane: CurvedOutOfPlane;
@@ -49,4 +59,12 @@ scenes! {
     roll_up: RollUp;
     right_angle_frame: RightAngleFrame;
     lateral_buckling: LateralBuckling;
+}
+
+/// Their loads per length have no form in absolute coordinates.
+#[test]
+fn sails() {
+    compare_tangents(&few::<Esail>(), Formulation::Rncf, Joints::Eliminated);
+    compare_tangents(&few::<EsailSlack>(), Formulation::Rncf, Joints::Eliminated);
+    compare_tangents(&few::<EsailTilted>(), Formulation::Rncf, Joints::Eliminated);
 }

@@ -102,7 +102,7 @@ fn linear_elastic_forces_diverge_where_the_rotor_stiffens() {
             ..Small::default()
         });
         let (state, modes) = equilibrium(small.as_mut(), 0.0, 1);
-        let warnings = small.warnings(&state);
+        let warnings: Vec<String> = small.warnings(&state).into_iter().map(|warning| warning.text).collect();
         println!(
             "eta {eta}: linear frame {} {:.4}, small(4) {:.4}, ours {found:.5}, table {expected}; {warnings:?}",
             if square < 0.0 { "grows with" } else { "oscillates with" },

@@ -24,7 +24,13 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
             let _ = errors.finish();
             let library = Library::standard();
             let warnings = influence(&tree, &model, &library);
-            match emit::model(&model, &library).parse::<TokenStream>() {
+            let text = emit::model(&model, &library);
+            if emit::is_ambiguous(&model, &text) {
+                let mut errors = Errors::new();
+                errors.at(tree.name.span, name_taken(&model.name));
+                return errors.into_tokens();
+            }
+            match text.parse::<TokenStream>() {
                 Ok(tokens) => {
                     let mut tokens = respan(tokens, &names(&tree));
                     tokens.extend(warnings.iter().map(Mistake::to_warning));
@@ -47,6 +53,10 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
         }
         (None, _) => errors.into_tokens(),
     }
+}
+
+fn name_taken(name: &str) -> String {
+    format!("`{name}` is the name of something that is written for this model: choose another name")
 }
 
 /// The expansion as formatted Rust text, with the given elements.

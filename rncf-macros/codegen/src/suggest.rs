@@ -28,12 +28,23 @@ pub fn list(words: &[&str]) -> String {
 /// The valid word that is the fewest edits away, if those are few.
 pub fn nearest<'a>(word: &str, valid: &[&'a str]) -> Option<&'a str> {
     let most = (word.chars().count() / 3).max(1);
+    // One letter more, less or other makes another word of one that has no more than two.
+    let is_alike = |candidate: &str| word.len().min(candidate.len()) > 2 || letters(word) == letters(candidate);
     valid
         .iter()
+        .filter(|candidate| is_alike(candidate))
         .map(|candidate| (edits(word, candidate), *candidate))
         .filter(|(edits, candidate)| *edits <= most && *edits < candidate.chars().count())
         .min_by_key(|(edits, _)| *edits)
         .map(|(_, candidate)| candidate)
+}
+
+/// The letters of a word without underscores in the order of the alphabet.
+fn letters(word: &str) -> Vec<char> {
+    let word = word.to_ascii_lowercase();
+    let mut letters: Vec<char> = word.chars().filter(char::is_ascii_alphanumeric).collect();
+    letters.sort_unstable();
+    letters
 }
 
 /// Edit distance with swaps of neighbours; only the case being different counts as one edit.
@@ -76,5 +87,9 @@ mod tests {
             unknown("unit", "pa", ["Pa", "kPa"]),
             "unknown unit `pa`: did you mean `Pa`?"
         );
+        for (word, valid) in [("phi", ["pi", "t"]), ("in", ["min", "m"]), ("i", ["pi", "t"])] {
+            assert_eq!(nearest(word, &valid), None, "{word}");
+        }
+        assert_eq!(nearest("xz", &["xy", "yz", "zx"]), Some("zx"));
     }
 }

@@ -7,6 +7,8 @@ pub enum Range {
     Positive,
     /// Zero or greater.
     NonNegative,
+    /// A part of a whole: greater than zero, at most one.
+    Part,
     /// Between -1 and 1/2, both excluded.
     Poisson,
 }
@@ -116,14 +118,14 @@ pub const SECTION: &[Property] = &[
         name: "shear_factor_y",
         dimension: [0, 0, 0, 0, 0, 0],
         unit: "1",
-        range: Range::Positive,
+        range: Range::Part,
         default: None,
     },
     Property {
         name: "shear_factor_z",
         dimension: [0, 0, 0, 0, 0, 0],
         unit: "1",
-        range: Range::Positive,
+        range: Range::Part,
         default: None,
     },
     Property {

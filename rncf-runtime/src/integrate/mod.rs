@@ -26,6 +26,7 @@ mod stabiliser;
 mod start;
 mod statistics;
 mod switches;
+mod watch;
 
 #[cfg(test)]
 mod tests;
@@ -46,11 +47,17 @@ use renewal::Renewal;
 use scheme::{Cause, Outcome, Scheme};
 use segments::Segments;
 use switches::Switches;
+use watch::{Trouble, Watch};
 
 /// Switches are looked for so many steps ahead: the last two before one share what is left.
 const AHEAD: f64 = 2.0;
 /// A step within this part of the ceiling is at the ceiling.
 const AT_CEILING: f64 = 0.99;
+
+/// Steps after which it is looked whether something moves faster than light.
+const LIGHT: u64 = 16;
+/// Where to look when a motion grows without end.
+const CAUSES: &str = "look for a damper or load with the wrong sign, or a load that is far too large";
 
 /// Why [`Integrator::step`] came back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,6 +85,7 @@ pub struct Integrator<'s, S: System + ?Sized> {
     at_kink: bool,
     previous_time: f64,
     statistics: Statistics,
+    watch: Watch,
     /// Memory for constraint values.
     violations: Vec<f64>,
     renewal: Renewal,
@@ -131,6 +139,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         let mut state = sized(system, start, segments.start()).map_err(|kind| fail(kind, None))?;
         let mut statistics = Statistics::default();
         prepare(system, &mut state, t_end - t0, &mut statistics).map_err(|(kind, worst)| fail(kind, worst))?;
+        refuse_jumps(system, &state, &segments)?;
         let mut integrator = Self {
             bordered: Bordered::new(system),
             scheme: Running::new(system, method, &options, t_end - t0),
@@ -144,6 +153,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
             at_kink: false,
             previous_time: state.t,
             statistics,
+            watch: Watch::default(),
             violations: vec![0.0; m],
         };
         integrator.begin(state)?;
@@ -176,6 +186,9 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
                     // A step cut short by a kink or the end says little about the next one.
                     self.wanted = if next >= h { next.max(limited) } else { next };
                     let stop = self.accepted(t, h);
+                    if let Some(error) = self.trouble(stop, h, fixed) {
+                        return Err(error);
+                    }
                     if stop != Stop::End && self.renewal.is_due(&self.statistics) {
                         self.renew();
                     }
@@ -264,7 +277,14 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
     /// impact without friction.
     fn restart(&mut self) -> Result<(), SolveError> {
         let mut state = self.state().clone();
-        state.t = self.segments.behind_kink();
+        let behind = self.segments.behind_kink();
+        for jump in self.system.jumps(&state, behind) {
+            if jump.of_position {
+                return Err(self.error(SolveErrorKind::Discontinuous(jump.text), state.t, 0.0, None));
+            }
+            self.statistics.note_jump(state.t, &jump.text);
+        }
+        state.t = behind;
         self.bordered.move_to(self.system, &state);
         let mut change = vec![0.0; state.v.len()];
         self.bordered
@@ -327,6 +347,38 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
         } else {
             Stop::Step
         }
+    }
+
+    /// Why the run will not come to its end, or means nothing.
+    fn trouble(&mut self, stop: Stop, h: f64, fixed: bool) -> Option<SolveError> {
+        let t = self.state().t;
+        if self.statistics.steps % LIGHT == 0 || stop == Stop::End {
+            let state = self.scheme.state();
+            if let Some(text) = self.system.too_fast(state) {
+                let text = format!("{text}: {CAUSES}");
+                return Some(self.error(SolveErrorKind::Endless(text), t, h, None));
+            }
+        }
+        if fixed || stop == Stop::End || h >= AT_CEILING * self.options.max_step {
+            return None;
+        }
+        let (state, sizes) = (self.scheme.state(), self.system.sizes());
+        let fastest = || {
+            let speeds = state.v.iter().zip(sizes).map(|(v, size)| v.abs() / size);
+            let fastest = speeds.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+            fastest.unwrap_or_default()
+        };
+        let trouble = self.watch.accepted(t, self.segments.end() - t, || fastest().1)?;
+        let fastest = describe(self.system, fastest().0);
+        let text = match trouble {
+            Trouble::Grows { factor, steps } => format!(
+                "the motion grows without end: {fastest} moves {factor:.3} times as fast as {steps} steps before, and the step has fallen to {h:.1e} s: {CAUSES}"
+            ),
+            Trouble::Endless { left } => format!(
+                "the step stays at {h:.1e} s, and with it {left:.0e} steps are left to the end; the fastest is {fastest}: look for a load, stiffness or start that is far too large, or for a tolerance that is too fine"
+            ),
+        };
+        Some(self.error(SolveErrorKind::Endless(text), t, h, None))
     }
 
     fn count_rejection(&mut self, cause: &Cause) {
@@ -405,6 +457,23 @@ fn describe<S: System + ?Sized>(system: &S, row: usize) -> String {
     } else {
         system.describe_constraint(row - n)
     }
+}
+
+/// Refuses prescribed positions that jump at a known kink, before the first step.
+fn refuse_jumps<S: System + ?Sized>(system: &mut S, state: &State, segments: &Segments) -> Result<(), SolveError> {
+    let mut at = state.clone();
+    for (before, behind) in segments.around_kinks() {
+        at.t = before;
+        if let Some(jump) = system.jumps(&at, behind).into_iter().find(|jump| jump.of_position) {
+            return Err(SolveError {
+                kind: SolveErrorKind::Discontinuous(jump.text),
+                t: before,
+                h: 0.0,
+                worst: None,
+            });
+        }
+    }
+    Ok(())
 }
 
 /// The initial state at time `t`, its lengths checked, accelerations and multipliers zero.

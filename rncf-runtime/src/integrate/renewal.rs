@@ -6,7 +6,7 @@
 //! remembers. When a renewal is due is counted, not timed.
 
 use super::scheme::Scheme;
-use super::{Bordered, Integrator, Method, Options, Running, Segments, Statistics, Switches};
+use super::{Bordered, Integrator, Method, Options, Running, Segments, Statistics, Switches, Watch};
 use crate::archive::{Archive, Keep};
 use crate::error::{SolveError, SolveErrorKind};
 use crate::system::System;
@@ -69,6 +69,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
             at_kink: false,
             previous_time: 0.0,
             statistics: Statistics::default(),
+            watch: Watch::default(),
         };
         integrator.renewal.known = renewed.to_vec();
         integrator.take_up().map_err(|kind| SolveError {
@@ -118,6 +119,7 @@ impl<S: System + ?Sized> Keep for Integrator<'_, S> {
             at_kink,
             previous_time,
             statistics,
+            watch,
             violations: _,
             renewal: _,
         } = self;
@@ -126,6 +128,7 @@ impl<S: System + ?Sized> Keep for Integrator<'_, S> {
         at_kink.keep(archive);
         previous_time.keep(archive);
         statistics.keep(archive);
+        watch.keep(archive);
         if archive.is_reading() {
             *bordered = Bordered::new(*system);
             *scheme = Running::new(*system, *method, options, segments.span());

@@ -100,6 +100,13 @@ impl Segments {
         self.span
     }
 
+    /// The last time before every known kink and the first one behind it, s.
+    pub(super) fn around_kinks(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.kinks
+            .iter()
+            .map(|&(first, last)| (first.next_down(), last.next_up()))
+    }
+
     /// Where the first segment begins, s.
     pub(super) fn start(&self) -> f64 {
         self.start
@@ -113,6 +120,11 @@ impl Segments {
     /// Length of what is left of the present segment at `t`, s.
     pub(super) fn left(&self, t: f64) -> f64 {
         self.target() - t
+    }
+
+    /// End time, s.
+    pub(super) fn end(&self) -> f64 {
+        self.end
     }
 
     /// Smallest step at `t` that makes sense, s.

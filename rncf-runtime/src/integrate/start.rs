@@ -10,6 +10,9 @@ use crate::system::{State, System};
 /// First trial step, as a part of the time in which an unknown covers its size, or of the span.
 const CAUTIOUS: f64 = 1e-2;
 
+/// Least tolerance: a few units of the last place of numbers.
+const LEAST: f64 = 1e-15;
+
 /// Checks the settings of a run.
 pub(super) fn check_settings(t: f64, t_end: f64, method: Method, options: &Options) -> Result<(), SolveErrorKind> {
     let check = |valid: bool, name: &str, value: f64, range: &str| {
@@ -30,6 +33,12 @@ pub(super) fn check_settings(t: f64, t_end: f64, method: Method, options: &Optio
         Method::Radau | Method::EnergyMomentum => {}
     }
     check(positive(options.rtol), "rtol", options.rtol, "positive and finite")?;
+    check(
+        options.rtol >= LEAST,
+        "rtol",
+        options.rtol,
+        "at least 1e-15: below is the round-off of numbers",
+    )?;
     if let StepSize::Fixed(h) = options.step {
         check(positive(h), "the fixed step (s)", h, "positive and finite")?;
     }

@@ -38,7 +38,12 @@ pub struct Statistics {
     pub position_correction: f64,
     /// The same of an initial velocity, relative to the size over the time of the run.
     pub velocity_correction: f64,
+    /// Prescribed velocities that jumped, one sentence each, the first time of each.
+    pub jumps: Vec<String>,
 }
+
+/// Most jumps that are told.
+const MOST_JUMPS: usize = 4;
 
 impl Keep for Statistics {
     fn keep(&mut self, archive: &mut Archive<'_>) {
@@ -59,6 +64,7 @@ impl Keep for Statistics {
             max_constraint_residual,
             position_correction,
             velocity_correction,
+            jumps,
         } = self;
         for count in [
             steps,
@@ -84,10 +90,21 @@ impl Keep for Statistics {
         ] {
             value.keep(archive);
         }
+        jumps.keep(archive);
     }
 }
 
 impl Statistics {
+    /// Notes that a prescribed velocity jumped at a time, s: the first time of each, by its words.
+    pub(super) fn note_jump(&mut self, t: f64, text: &str) {
+        let words = |text: &str| text.split(" jumps by ").next().unwrap_or_default().to_string();
+        let is_new = self.jumps.iter().all(|jump| words(jump) != words(text));
+        if is_new && self.jumps.len() < MOST_JUMPS {
+            self.jumps
+                .push(format!("{text} at t = {t:.6} s, and acts as an impact"));
+        }
+    }
+
     /// Accepted steps for each factorization: how often one is used again; `None` without any. Radau makes two at a time, a
     /// real and a complex one.
     pub fn steps_per_factorization(&self) -> Option<f64> {

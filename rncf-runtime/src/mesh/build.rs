@@ -1,5 +1,6 @@
 //! Building a scene: checks, numbering, patterns, constant matrices.
 
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use super::assembly::{Connectivity, Scatter};
@@ -13,6 +14,7 @@ use super::frames::{Frames, FreeFrame, declared_free};
 use super::inertia::NodalMass;
 use super::layout::{Layout, VectorKind};
 use super::lean::References;
+use super::line::Line;
 use super::linked::{Linked, MarkedLoad, Marker, markers};
 use super::markers::{ConstraintSpec, When};
 use super::moments::turned_by_moments;
@@ -25,6 +27,9 @@ use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints};
 use crate::vector::{Vector, add, apply};
+
+/// Elements of one body that are surely not meant: their vectors alone would fill the memory.
+const MOST_ELEMENTS: usize = 10_000_000;
 
 impl MeshScene {
     /// Builds the scene: geometry, numbering, patterns.
@@ -126,6 +131,7 @@ impl MeshScene {
             constraint_rows: Vec::new(),
             sizes: Vec::new(),
             mass: Vec::new(),
+            remarks: Vec::new(),
             in_modes: false,
             buffers: Buffers::new(layout.components(), motions),
             bodies,
@@ -154,7 +160,8 @@ impl MeshScene {
             conditions,
             layout,
         };
-        scene.check_initial()?;
+        scene.remarks = scene.check_initial()?;
+        scene.remarks.extend(scene.thick_sections());
         scene.check_shared(&shared)?;
         scene.place()?;
         scene.tabulate(&chords)?;
@@ -552,6 +559,30 @@ fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
             "body `{}` has no elements: its mesh needs at least one",
             spec.label()
         )));
+    }
+    if spec.count > MOST_ELEMENTS {
+        return Err(ModelError::new(format!(
+            "body `{}` has {} elements, and at most {MOST_ELEMENTS} are meshed",
+            spec.label(),
+            spec.count
+        )));
+    }
+    let angle = match spec.line {
+        Line::Arc { angle, .. } => angle,
+        Line::Straight { .. } => 0.0,
+    };
+    for (angle, what) in [(angle, "bent"), (spec.twist, "twisted")] {
+        let each = angle.abs() / spec.count as f64;
+        // The macro has the same limit for the defaults.
+        if each > FRAC_PI_2 * (1.0 + 1e-6) {
+            return Err(ModelError::new(format!(
+                "body `{}`: each of its {} element(s) is {what} by {:.0} deg, and none follows more than 90 deg: take at least {} elements",
+                spec.label(),
+                spec.count,
+                each.to_degrees(),
+                (angle.abs() / FRAC_PI_2 * (1.0 - 1e-6)).ceil()
+            )));
+        }
     }
     spec.check_directions()
 }

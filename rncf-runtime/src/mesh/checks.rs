@@ -6,6 +6,9 @@ use crate::model::{Model, ParamKind};
 /// Relative size of what counts as round-off in moments of inertia.
 const ROUND_OFF: f64 = 1e-10;
 
+/// Relative size of what counts as round-off of declared properties of a section.
+const DECLARED: f64 = 1e-6;
+
 /// Checks that every quantity is a number and every count at least one.
 ///
 /// # Errors
@@ -81,6 +84,42 @@ pub fn poisson(owner: &str, name: &str, value: f64, unit: &str) -> Result<f64, M
         unit,
         "between -1 and 0.5",
     )
+}
+
+/// `value`, if it is a part of a whole.
+///
+/// # Errors
+/// The property by name.
+pub fn part(owner: &str, name: &str, value: f64, unit: &str) -> Result<f64, ModelError> {
+    check(
+        value > 0.0 && value <= 1.0,
+        owner,
+        name,
+        value,
+        unit,
+        "greater than zero and at most 1",
+    )
+}
+
+/// Checks that some section has an area (m^2), second moments about y and z, a torsion constant (m^4), and distances of
+/// the outermost fibre along y and z (m); what is not known is NaN.
+///
+/// # Errors
+/// The property that is too large for the others.
+pub fn section(owner: &str, [area, y, z, torsion, extent_y, extent_z]: [f64; 6]) -> Result<(), ModelError> {
+    let bounds = [
+        ("torsion_constant", torsion, y + z, "the sum of the second moments"),
+        ("second_moment_z", z, area * extent_y * extent_y, "area * extent_y^2"),
+        ("second_moment_y", y, area * extent_z * extent_z, "area * extent_z^2"),
+    ];
+    for (name, value, most, what) in bounds {
+        if value > most * (1.0 + DECLARED) {
+            return Err(ModelError::new(format!(
+                "{owner}: no section has a {name} of {value:e} m^4, it is at most {what}, {most:e} m^4"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Checks an inertia about the centre of mass (kg m^2: xx, yy, zz, xy, xz, yz) in space.

@@ -7,6 +7,7 @@ use std::fmt;
 use super::evaluate::{MAX_SIZE, weighted};
 use super::parts::{Fidelity, Interpolant};
 use super::scene::MeshScene;
+use crate::model::Warning;
 use crate::vector::norm;
 
 /// Points of integration in [0, 1], at which strains are most accurate.
@@ -48,11 +49,15 @@ fn weights(scene: &MeshScene, body: usize, of: &[(Interpolant, usize)], xi: f64)
 impl MeshScene {
     /// Bodies whose axes give way at the loaded state. Strains of small deformations are not those of the elements,
     /// and rigid bodies have none.
-    pub(super) fn giving_way(&self) -> Vec<String> {
+    pub(super) fn giving_way(&self) -> Vec<Warning> {
         let told = |&body: &usize| matches!(self.bodies[body].spec.fidelity, Fidelity::Full | Fidelity::Modal(_));
         let bodies = (0..self.bodies.len()).filter(told);
         let found = bodies.filter_map(|body| self.most_compressed(body));
-        found.map(|found| found.to_string()).collect()
+        let warning = |found: GivesWay| Warning {
+            text: found.to_string(),
+            weight: 1.0 - found.stretch,
+        };
+        found.map(warning).collect()
     }
 
     /// The least stretch of a body at points of integration where it softens.

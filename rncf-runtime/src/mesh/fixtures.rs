@@ -7,6 +7,7 @@ use super::inertia_tangent::Combination;
 use super::markers::FixtureSpec;
 use super::parts::BodySpec;
 use super::scene::{MeshPoint, MeshScene, PlaceVector};
+use crate::model::Warning;
 use crate::vector::Vector;
 
 /// A fixture at its place.
@@ -119,7 +120,7 @@ impl MeshScene {
     }
 
     /// Fixtures whose section is not rigid at the loaded state, in words: their inertia pulls at its axes, which are elastic.
-    pub(super) fn strained_fixtures(&self) -> Vec<String> {
+    pub(super) fn strained_fixtures(&self) -> Vec<Warning> {
         let told = |fixture: &Fixture| {
             let body = &self.bodies[fixture.point.body];
             let dimension = body.spec.dimension();
@@ -142,13 +143,14 @@ impl MeshScene {
             let strain = stretches
                 .chain([shear])
                 .fold(0.0, |most: f64, strain| most.max(strain.abs()));
-            (strain > RIGID_ENOUGH).then(|| {
-                format!(
+            (strain > RIGID_ENOUGH).then(|| Warning {
+                weight: strain,
+                text: format!(
                     "fixture `{}` is rigid, and the section of body `{}` that carries it strains by {:.2} %: its inertia is off by twice as much; take a `rigid` body and a `weld` instead",
                     fixture.spec.name,
                     body.spec.label(),
                     100.0 * strain
-                )
+                ),
             })
         };
         self.fixtures.iter().filter_map(told).collect()

@@ -6,10 +6,13 @@ use super::parts::{BodySpec, Interpolant, JointData, JointKind};
 use super::scene::MeshScene;
 use super::ties::add_rigid;
 use crate::error::ModelError;
+use crate::model::Warning;
 use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
 
 /// Relative size of a contradiction between an initial shape and a joint that counts as round-off.
 const ROUND_OFF: f64 = 1e-10;
+/// Distance of a joint's point from the undeformed end, as a part of the body's length, that is not worth telling.
+const AWAY: f64 = 1e-6;
 /// One plus the cosine of directions that count as opposite.
 const OPPOSITE: f64 = 1e-12;
 
@@ -75,8 +78,9 @@ impl MeshScene {
     }
 
     /// Refuses initial shapes that are not finite, without direction, or elsewhere than where a joint
-    /// holds the body.
-    pub(super) fn check_initial(&self) -> Result<(), ModelError> {
+    /// holds the body, and joints that hold an end far from where it is undeformed. Comes back with what is to be told of
+    /// those that hold it nearby.
+    pub(super) fn check_initial(&self) -> Result<Vec<Warning>, ModelError> {
         for (index, body) in self.bodies.iter().enumerate() {
             for within in 0..body.spec.vectors() {
                 let (node, local) = body.spec.locate(within);
@@ -85,10 +89,12 @@ impl MeshScene {
             }
         }
         let frames = self.motions(0.0);
-        (0..self.joints.len()).try_for_each(|joint| self.check_held(joint, &frames))
+        let found = (0..self.joints.len()).map(|joint| self.check_held(joint, &frames));
+        let found: Result<Vec<Option<Warning>>, ModelError> = found.collect();
+        Ok(found?.into_iter().flatten().collect())
     }
 
-    fn check_held(&self, index: usize, frames: &[FrameMotion]) -> Result<(), ModelError> {
+    fn check_held(&self, index: usize, frames: &[FrameMotion]) -> Result<Option<Warning>, ModelError> {
         let joint = &self.joints[index];
         let spec = &self.bodies[joint.body].spec;
         let u = if joint.at_end { 1.0 } else { 0.0 };
@@ -105,12 +111,15 @@ impl MeshScene {
         } else {
             seen_in(&frames[spec.frame], &frames[joint.frame], q, v)
         };
+        if position.is_none() && joint.point.is_some() {
+            return self.check_point(index, norm(in_plane(spec, subtract(q[0], held.data.point))));
+        }
         let (point, tangent) = spec.line.at(u);
         let [y, z] = spec.section(u);
         let place = position.and_then(|_| held.misplaced(&q, [point, tangent, y, z]));
         let rate = velocity.and_then(|_| held.moving(&q, &v));
         let Some(what) = place.or(rate) else {
-            return Ok(());
+            return Ok(None);
         };
         let end = if joint.at_end { "end" } else { "start" };
         Err(ModelError::new(format!(
@@ -119,6 +128,40 @@ impl MeshScene {
             self.joint_label(index)
         )))
     }
+
+    /// What is said of a joint that holds an end at a distance (m) from where it is undeformed: the element there
+    /// starts with this strain.
+    fn check_point(&self, index: usize, distance: f64) -> Result<Option<Warning>, ModelError> {
+        let joint = &self.joints[index];
+        let spec = &self.bodies[joint.body].spec;
+        let (length, element) = (spec.line.length(), spec.line.length() / spec.count as f64);
+        let end = if joint.at_end { "end" } else { "start" };
+        let text = format!(
+            "joint `{}` holds the {end} of body `{}` {distance:.3e} m from where it is undeformed",
+            self.joint_label(index),
+            spec.label()
+        );
+        if distance > element {
+            return Err(ModelError::new(format!(
+                "{text}, farther than the element there is long ({element:.3e} m): let `at` be where the end is, move the `line`, or give the body an `initial position` that begins there"
+            )));
+        }
+        let strain = distance / element;
+        Ok((distance > AWAY * length).then(|| Warning {
+            text: format!(
+                "{text}: the element there starts with a strain of {strain:.1e}, and the body with a blow; an `initial position` would spread it"
+            ),
+            weight: strain,
+        }))
+    }
+}
+
+/// A vector (frame axes) without the part out of the plane of a planar body, which nothing holds.
+fn in_plane(spec: &BodySpec, vector: Vector) -> Vector {
+    if spec.dimension() == 3 {
+        return vector;
+    }
+    std::array::from_fn(|axis| if spec.axes.contains(&axis) { vector[axis] } else { 0.0 })
 }
 
 /// A vector turned by the smallest rotation that takes the direction of the unit vector `from` to that of

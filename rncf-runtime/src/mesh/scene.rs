@@ -23,7 +23,7 @@ use super::repeated::{LANES, label};
 use super::ties::Tie;
 use crate::error::ModelError;
 use crate::linalg::Pattern;
-use crate::model::Formulation;
+use crate::model::{Formulation, Warning};
 use crate::vector::Vector;
 
 /// A body with its numbering.
@@ -238,6 +238,8 @@ pub struct MeshScene {
     pub(super) sizes: Vec<f64>,
     /// Mass matrix of the nodal vectors.
     pub(super) mass: Vec<f64>,
+    /// What is to be told of how the scene starts.
+    pub(super) remarks: Vec<Warning>,
     /// Whether inertia and elasticity of bodies with modes are left to the modes.
     pub(super) in_modes: bool,
     pub(super) buffers: Buffers,

@@ -3,6 +3,7 @@
 use super::frames::FreeFrame;
 use super::linked::Marker;
 use super::scene::MeshScene;
+use crate::system::{State, System};
 use crate::vector::{Vector, norm, scale, subtract};
 
 /// Round-off of a difference of two places, as a part of their coordinates: of a few operations on each.
@@ -13,6 +14,8 @@ const NOTHING: f64 = 1e-9;
 /// Smallest size of a frame's position as a part of the scene's length: below it tolerances meet the round-off of
 /// what the frame is joined to.
 const LEAST: f64 = 1e-6;
+/// Speed of light, m/s.
+const LIGHT: f64 = 299_792_458.0;
 
 impl MeshScene {
     /// Sizes of all unknowns, at the state of t = 0.
@@ -44,6 +47,31 @@ impl MeshScene {
             sizes.extend(std::iter::repeat_n(1.0, turns));
         }
         sizes
+    }
+
+    /// The fastest unknown position, where it is faster than light.
+    pub(super) fn faster_than_light(&self, state: &State) -> Option<String> {
+        let (unknown, speed) = (0..state.v.len())
+            .filter(|&unknown| self.is_length(unknown))
+            .map(|unknown| (unknown, state.v[unknown].abs()))
+            .max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (speed > LIGHT).then(|| {
+            format!(
+                "{} moves at {speed:.1e} m/s, faster than light",
+                self.describe_unknown(unknown)
+            )
+        })
+    }
+
+    /// Whether an unknown is the position of a node or frame.
+    fn is_length(&self, unknown: usize) -> bool {
+        let Some(&(vector, _)) = self.layout.origins().get(unknown) else {
+            let place = unknown - (self.layout.unknowns() - self.layout.border());
+            let frame = &self.free[self.free.partition_point(|frame| frame.first <= place) - 1];
+            return place - frame.first < frame.shifts();
+        };
+        let (body, _, local) = self.locate(vector);
+        body.spec.nodal[local].is_position()
     }
 
     /// Lets the positions of frames that start far away count from moving points.

@@ -7,7 +7,7 @@ use super::layout::VectorKind;
 use super::parts::{Interpolant, JointKind};
 use super::scene::{MeshScene, Regime, Row};
 use crate::linalg::Pattern;
-use crate::system::{Conserving, ConstraintLevel, State, System, Tangent};
+use crate::system::{Conserving, ConstraintLevel, Jump, State, System, Tangent};
 
 /// Letters of the components.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -229,6 +229,14 @@ impl System for MeshScene {
 
     fn gaps(&self, t: f64, out: &mut Vec<[f64; 2]>) {
         self.parts.gaps(t, out);
+    }
+
+    fn too_fast(&mut self, state: &State) -> Option<String> {
+        self.faster_than_light(state)
+    }
+
+    fn jumps(&mut self, state: &State, behind: f64) -> Vec<Jump> {
+        self.jumps_between(state, behind)
     }
 
     fn energy(&mut self, state: &State) -> Option<f64> {

@@ -7,7 +7,7 @@ use super::sampling::SectionBody;
 use super::scene::MeshScene;
 use super::section::SectionState;
 use crate::equilibrium::Uniform;
-use crate::model::{FrameState, Scene};
+use crate::model::{FrameState, Scene, Warning};
 use crate::modes::Composition;
 use crate::system::{State, Tangent};
 use crate::vector::norm;
@@ -152,10 +152,12 @@ impl Scene for MeshScene {
             .fold(0.0, f64::max)
     }
 
-    fn warnings(&mut self, state: &State) -> Vec<String> {
+    fn warnings(&mut self, state: &State) -> Vec<Warning> {
         self.load_state(state);
-        let mut told = self.giving_way();
-        told.extend(self.strained_fixtures());
-        told
+        let mut warnings = self.remarks.clone();
+        warnings.extend(self.giving_way());
+        warnings.extend(self.overstretched());
+        warnings.extend(self.strained_fixtures());
+        warnings
     }
 }

@@ -126,7 +126,8 @@ fn few_modes_lose_stiffness_and_it_is_reported() {
         );
         let warned = [modal(eta, 4), small(eta, 4), modal(eta, ALL), whole(eta)].map(|mut scene| {
             let rest = scene.rest(0.0);
-            scene.warnings(&rest)
+            let warnings = scene.warnings(&rest).into_iter().map(|warning| warning.text);
+            warnings.collect::<Vec<String>>()
         });
         println!(
             "eta = {eta}: lag {:?} (table {}), small {:.3}; {:?}",

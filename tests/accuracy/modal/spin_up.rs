@@ -70,7 +70,7 @@ fn watched(model: &impl Model) -> ([f64; 2], Vec<(f64, String)>) {
     for state in &states {
         scene.outputs(state, &mut row);
         deflections.push(row[1].abs());
-        for text in scene.warnings(state) {
+        for text in scene.warnings(state).into_iter().map(|warning| warning.text) {
             if warned.iter().all(|(_, other)| kind(other) != kind(&text)) {
                 warned.push((state.t, text));
             }

@@ -17,7 +17,7 @@ pub struct Known {
     pub frame: Option<FrameId>,
     /// Length of the axis where it is constant, m.
     pub length: Option<f64>,
-    /// Direction of the axis where it is straight and constant.
+    /// Direction of the axis where it is straight and the same for all params.
     pub tangent: Option<[f64; 3]>,
 }
 
@@ -58,6 +58,10 @@ impl<'a> Check<'a> {
         let line = self.line(item, statements, *complete, &mut known);
         let mesh = self.mesh(item, statements, *complete, known.space);
         let axes = self.section_axes(statements, known.space, line.as_ref());
+        if let (Some(line), Some(mesh)) = (&line, &mesh) {
+            let twist = axes.as_ref().map(|axes| &axes.twist);
+            self.is_fine_enough(statements, line, twist, &mesh.count);
+        }
         let (fidelity, tie) = if item.repeat.is_some() {
             self.may_be_repeated(statements);
             (Some(Fidelity::Full), FrameTie::Joints)

@@ -58,7 +58,7 @@ impl<'a> Check<'a> {
         let vector = self.density_vector(expr, body);
         self.particle.clear();
         let vector = vector?;
-        self.in_plane(&vector, space, "the load", true);
+        self.in_plane(&vector, space, "the load");
         for (value, area) in vector.values.iter().zip(vector.areas) {
             match degree(value) {
                 Ok(degree) if degree <= HIGHEST_DEGREE => {}
@@ -137,7 +137,7 @@ impl<'a> Check<'a> {
             vector.values = self.in_inertial_axes(&vector.values, axes, normal);
         }
         if let Some(normal) = normal {
-            self.in_plane(&vector, Space::Planar { normal }, "gravity", false);
+            self.in_plane(&vector, Space::Planar { normal }, "gravity");
         }
         let mut markers = Vec::new();
         vector

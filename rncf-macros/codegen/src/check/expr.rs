@@ -1,6 +1,6 @@
 //! Expressions: names, dimensions, functions.
 
-use super::quantity::{Nature, Typed, bare_literal, behind_number};
+use super::quantity::{Nature, Typed, bare_literal, behind_number, hertz};
 use super::vector::{Quantity, is_function};
 use super::{Check, fold, say};
 use crate::model::{self, Binary, Function, ParamId};
@@ -66,6 +66,18 @@ const TIME: super::quantity::Wanted = super::quantity::Wanted {
     unit: "s",
 };
 
+/// Names that functions have elsewhere.
+const OTHER_NAMES: [(&str, &str); 8] = [
+    ("log", "ln"),
+    ("log10", "ln(x) / ln(10)"),
+    ("arcsin", "asin"),
+    ("arccos", "acos"),
+    ("arctan", "atan"),
+    ("arctan2", "atan2"),
+    ("fabs", "abs"),
+    ("pow", "x^n"),
+];
+
 impl<'a> Check<'a> {
     /// Resolves an expression; `None` where something in it has been reported.
     pub(super) fn expr(&mut self, expr: &'a Expr, scope: Scope) -> Option<Typed> {
@@ -89,14 +101,10 @@ impl<'a> Check<'a> {
             ExprKind::Number { text, unit } => {
                 let compound = unit.as_ref().map_or(Some(Compound::ONE), |unit| self.unit(unit))?;
                 let value = self.number(text, compound, expr.area)?;
-                let hertz = unit
-                    .iter()
-                    .flat_map(|unit| &unit.factors)
-                    .any(|(name, _)| name.text.ends_with("Hz"));
                 let nature = Nature {
                     angle: compound.dimension[5] != 0,
-                    hertz,
-                    pi: false,
+                    hertz: unit.as_ref().map_or(0, hertz),
+                    pi: 0,
                 };
                 let dimension = Dimension::of(compound.dimension);
                 Some(Typed {
@@ -155,9 +163,8 @@ impl<'a> Check<'a> {
         }
         if text == "pi" {
             let nature = Nature {
-                angle: true,
-                hertz: false,
-                pi: true,
+                pi: 1,
+                ..Nature::angular()
             };
             let value = model::Expr::Number(std::f64::consts::PI);
             return Some(Typed {
@@ -220,6 +227,9 @@ impl<'a> Check<'a> {
         if units::find(text).is_some() {
             return say::stray_unit(text);
         }
+        if self.items(Keyword::Output).iter().any(|item| item.name.text == *text) {
+            return say::output_read(text);
+        }
         let mut known = self.known(&[Keyword::Param, Keyword::Const, Keyword::Motion]);
         known.extend(["pi", "t"]);
         suggest::unknown("name", text, known)
@@ -266,11 +276,10 @@ impl<'a> Check<'a> {
     }
 
     /// A reference to a parameter.
-    pub(super) fn reference(id: ParamId, dimension: [i8; 6], hertz: bool) -> Typed {
+    pub(super) fn reference(id: ParamId, dimension: [i8; 6], nature: Nature) -> Typed {
         let nature = Nature {
             angle: dimension[5] != 0,
-            hertz,
-            pi: false,
+            ..nature
         };
         Typed {
             value: model::Expr::Param(id),
@@ -306,7 +315,10 @@ impl<'a> Check<'a> {
                     .iter()
                     .map(|(word, ..)| *word)
                     .chain(self.known(&[Keyword::Motion]));
-                let message = suggest::unknown("function", name, known.collect::<Vec<_>>());
+                let message = match OTHER_NAMES.iter().find(|(other, _)| *other == name) {
+                    Some((other, own)) => say::function_near(other, own),
+                    None => suggest::unknown("function", name, known.collect::<Vec<_>>()),
+                };
                 self.errors.at(call.name.span, message);
             }
             return None;
@@ -362,11 +374,14 @@ impl<'a> Check<'a> {
             self.errors.at(call.arguments[1].value.area, message);
             return None;
         }
+        if let Some(second) = arguments.get(1) {
+            self.same_turns(
+                (&call.arguments[0].value, first.nature),
+                (&call.arguments[1].value, second.nature),
+            )?;
+        }
         let half = Fraction { over: 1, under: 2 };
-        let angle = Nature {
-            angle: true,
-            ..Nature::default()
-        };
+        let angle = Nature::angular();
         let (dimension, nature) = match function {
             Function::Abs | Function::Min | Function::Max => (
                 first.dimension,
@@ -383,7 +398,7 @@ impl<'a> Check<'a> {
                     return None;
                 }
                 let is_trigonometric = matches!(function, Function::Sin | Function::Cos | Function::Tan);
-                if is_trigonometric && first.nature.hertz {
+                if is_trigonometric && first.nature.counts_cycles() {
                     self.errors.at(argument.area, say::HERTZ);
                     return None;
                 }
@@ -393,10 +408,7 @@ impl<'a> Check<'a> {
         };
         let values = arguments.into_iter().map(|argument| argument.value).collect();
         let value = model::Expr::Call(function, values);
-        if fold::constant(&value).is_some_and(|value| !value.is_finite()) {
-            self.errors.at(call.area, say::NOT_FINITE);
-            return None;
-        }
+        self.is_finite(&value, call.area)?;
         Some(Typed {
             value,
             dimension,
@@ -411,7 +423,9 @@ impl<'a> Check<'a> {
         (left, a): (&Expr, Typed),
         (right, b): (&Expr, Typed),
     ) -> Option<Typed> {
-        if operator == Binary::Divide && fold::constant(&b.value) == Some(0.0) {
+        // Also where params cancel: whatever they are.
+        let vanishes = |value| (0..fold::SAMPLES).all(|sample| fold::sampled(value, sample) == Some(0.0));
+        if operator == Binary::Divide && vanishes(&b.value) {
             self.errors.at(right.area, say::DIVISION_BY_ZERO);
             return None;
         }
@@ -428,17 +442,40 @@ impl<'a> Check<'a> {
             self.errors.at(left.area.to(right.area), say::EXPONENT_RANGE);
             return None;
         };
-        let is_sum = matches!(operator, Binary::Add | Binary::Subtract);
-        let nature = if is_sum {
-            a.nature.plus(b.nature)
-        } else {
-            a.nature.with(b.nature)
+        let nature = match operator {
+            Binary::Add | Binary::Subtract => {
+                self.same_turns((left, a.nature), (right, b.nature))?;
+                a.nature.plus(b.nature)
+            }
+            Binary::Multiply => a.nature.times(b.nature),
+            Binary::Divide => a.nature.over(b.nature),
         };
+        let value = model::Expr::Binary(operator, Box::new(a.value), Box::new(b.value));
+        self.is_finite(&value, left.area.to(right.area))?;
         Some(Typed {
-            value: model::Expr::Binary(operator, Box::new(a.value), Box::new(b.value)),
+            value,
             dimension,
             nature,
         })
+    }
+
+    /// Refuses a sum or comparison of cycles with angles, at the one that counts cycles.
+    pub(super) fn same_turns(&mut self, (left, a): (&Expr, Nature), (right, b): (&Expr, Nature)) -> Option<()> {
+        if !a.clashes(b) {
+            return Some(());
+        }
+        let cycles = if a.counts_cycles() { left } else { right };
+        self.errors.at(cycles.area, say::HERTZ);
+        None
+    }
+
+    /// Refuses a constant beyond the range of numbers.
+    pub(super) fn is_finite(&mut self, value: &model::Expr, area: crate::errors::Area) -> Option<()> {
+        if fold::constant(value).is_some_and(|value| !value.is_finite()) {
+            self.errors.at(area, say::NOT_FINITE);
+            return None;
+        }
+        Some(())
     }
 
     /// Reports two terms of different dimensions, at the one that lacks a unit, else at the second.
@@ -484,6 +521,7 @@ impl<'a> Check<'a> {
             self.raised(a.dimension, fraction, base.area.to(exponent.area))?
         };
         let value = model::Expr::Power(Box::new(a.value), Box::new(b.value));
+        self.is_finite(&value, base.area.to(exponent.area))?;
         Some(Typed {
             value,
             dimension,
@@ -504,6 +542,7 @@ impl<'a> Check<'a> {
             self.errors.at(inner.otherwise.area, message);
             return None;
         }
+        self.same_turns((&inner.then, then.nature), (&inner.otherwise, otherwise.nature))?;
         let (left, right) = condition?;
         let nature = then.nature.plus(otherwise.nature);
         let [left, right, a, b] = [left.value, right.value, then.value, otherwise.value].map(Box::new);
@@ -520,6 +559,7 @@ impl<'a> Check<'a> {
             self.unlike_terms(&inner.left, &left, &inner.right, &right);
             return None;
         }
+        self.same_turns((&inner.left, left.nature), (&inner.right, right.nature))?;
         if fold::has_arclength(&left.value) || fold::has_arclength(&right.value) {
             let area = inner.left.area.to(inner.right.area);
             self.errors.at(area, say::CONDITION_ALONG);

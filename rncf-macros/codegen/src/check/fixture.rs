@@ -165,7 +165,8 @@ impl<'a> Check<'a> {
         } else {
             self.on_line(item, fields)
         };
-        if let Some(constants) = constants {
+        let is_finite = |check: &mut Self, value: &Value| check.is_finite(value, item.name.span.into()).is_some();
+        if let Some(constants) = constants.filter(|constants| constants.iter().all(|value| is_finite(self, value))) {
             self.model.fixtures.push(Fixture {
                 repeat: item.repeat.map(RepeatId),
                 name: item.name.text.clone(),

@@ -31,6 +31,23 @@ pub fn of_repetition(model: &Model, expr: &Expr, t: f64, index: f64) -> Option<f
     })
 }
 
+/// How many times [`sampled`] is asked.
+pub const SAMPLES: usize = 3;
+
+/// Value where every param, motion, index and the time have some number of their own, another one for each sample: what
+/// holds for all samples holds whatever the params are. Nothing is observed.
+pub fn sampled(expr: &Expr, sample: usize) -> Option<f64> {
+    // Multiples of the golden ratio: between 1/2 and 3/2, no two alike.
+    let some = |name: usize| 0.5 + ((1 + name * SAMPLES + sample) as f64 * 0.618_033_988_749_894_9).fract();
+    value(expr, &|leaf| match leaf {
+        Expr::Time => Some(some(0)),
+        Expr::Index => Some(some(1)),
+        Expr::Param(id) => Some(some(2 + 2 * id.0)),
+        Expr::Motion(id, _) => Some(some(3 + 2 * id.0)),
+        _ => None,
+    })
+}
+
 /// Value of an expression, what is no number being asked for.
 fn value(expr: &Expr, leaf: &dyn Fn(&Expr) -> Option<f64>) -> Option<f64> {
     let constant = |expr| value(expr, leaf);

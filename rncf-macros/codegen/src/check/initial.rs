@@ -83,7 +83,7 @@ impl<'a> Check<'a> {
         self.locals.clear();
         let vector = vector?;
         if let Some(space) = space {
-            self.in_plane(&vector, space, wanted.what, true);
+            self.in_plane(&vector, space, wanted.what);
         }
         for (component, area) in vector.values.iter().zip(vector.areas) {
             if fold::has_motion(component) {

@@ -214,7 +214,7 @@ impl<'a> Check<'a> {
                 (_, _, Some(point)) => {
                     let point = point?;
                     if let Some(space) = known.body.and_then(|body| body.space) {
-                        self.in_plane(&point, space, "the point of the joint", true);
+                        self.in_plane(&point, space, "the point of the joint");
                     }
                     Some(point.values)
                 }
@@ -292,6 +292,8 @@ impl<'a> Check<'a> {
         }
         if orients {
             self.have_orientation(word, is_clamp, &holds)?;
+        } else if word == "revolute" {
+            self.can_turn(word, &holds)?;
         }
         let given = match kind {
             Some(kind) => self.joint_arguments(kind, arguments, plane, area)?,
@@ -367,6 +369,18 @@ impl<'a> Check<'a> {
                     return None;
                 }
                 _ => {}
+            }
+        }
+        Some(())
+    }
+
+    /// Refuses point masses where something is to turn.
+    fn can_turn(&mut self, word: &str, holds: &[Hold; 2]) -> Option<()> {
+        for hold in holds {
+            if let Some(frame) = hold.frame().filter(|frame| self.is_point_mass(*frame)) {
+                let name = self.model.frames[frame.0].name.clone();
+                self.errors.at(hold.area, say::point_mass_joint(&name, word));
+                return None;
             }
         }
         Some(())

@@ -46,6 +46,9 @@ const DIRECTION: Wanted = Wanted {
 /// Sine of the angle below which two directions count as parallel.
 const PARALLEL: f64 = 1e-6;
 
+/// Angle by which one element may be bent or twisted, rad; the run time has the same limit.
+const MOST_TURN: f64 = std::f64::consts::FRAC_PI_2;
+
 /// How the section of a body lies along its axis.
 pub struct SectionAxes {
     /// Direction of its y axis at the start, where given.
@@ -96,8 +99,8 @@ impl<'a> Check<'a> {
                 return None;
             }
             known.length = Some(length);
-            known.tangent = Some(d.map(|x| x / length));
         }
+        known.tangent = direction(&from_vector, &to_vector);
         Some(Line::Straight {
             from: from_vector.values,
             to: to_vector.values,
@@ -106,7 +109,7 @@ impl<'a> Check<'a> {
 
     fn in_space(&mut self, vector: &Vector, space: Option<Space>, what: &str) {
         if let Some(space) = space {
-            self.in_plane(vector, space, what, true);
+            self.in_plane(vector, space, what);
         }
     }
 
@@ -254,6 +257,35 @@ impl<'a> Check<'a> {
         None
     }
 
+    /// Reports elements that would have to be bent or twisted by more than they can follow, with the defaults of the params.
+    pub(super) fn is_fine_enough(
+        &mut self,
+        statements: &[Statement],
+        line: &Line,
+        twist: Option<&Value>,
+        count: &Value,
+    ) {
+        let count = self.default(count);
+        for statement in statements {
+            let (value, area, what) = match (statement, line) {
+                (Statement::Arc { angle: written, .. }, Line::Arc { angle, .. }) => (Some(angle), written.area, "bent"),
+                (Statement::Twist { value, .. }, _) => (twist, value.area, "twisted"),
+                _ => continue,
+            };
+            let Some(angle) = value.map(|value| self.default(value).abs()) else {
+                continue;
+            };
+            if angle > count * MOST_TURN * (1.0 + PARALLEL) {
+                let (each, needed) = (
+                    (angle / count).to_degrees(),
+                    (angle / MOST_TURN * (1.0 - PARALLEL)).ceil(),
+                );
+                let message = say::turned_too_far(what, &format!("{each:.0}"), &format!("{needed:.0}"));
+                self.errors.at(area, message);
+            }
+        }
+    }
+
     /// Only sections in space can be turned about the axis.
     fn may_lie(&mut self, statements: &[Statement], word: &str, area: Area, space: Option<Space>) -> bool {
         let element = statements.iter().find_map(|statement| match statement {
@@ -269,6 +301,19 @@ impl<'a> Check<'a> {
         self.errors.at(area, message);
         false
     }
+}
+
+/// Unit vector from one point to another, where it is the same for all params.
+fn direction(from: &Vector, to: &Vector) -> Option<[f64; 3]> {
+    let unit = |sample| {
+        let (a, b) = (from.sampled(sample)?, to.sampled(sample)?);
+        let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+        let length = norm(d);
+        (length > 0.0).then(|| d.map(|x| x / length))
+    };
+    let first = unit(0)?;
+    let is_same = |sample| unit(sample).is_some_and(|other| norm(cross(first, other)) <= PARALLEL);
+    (1..fold::SAMPLES).all(is_same).then_some(first)
 }
 
 /// Whether two constant vectors are parallel.

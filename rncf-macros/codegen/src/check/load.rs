@@ -82,7 +82,7 @@ impl<'a> Check<'a> {
         let vector = self.vector(arguments.positional[0], Scope::Prescribed, GRAVITY)?;
         // One message for each plane that it leaves, however many bodies and frames move in it.
         for normal in self.plane_normals() {
-            self.in_plane(&vector, Space::Planar { normal }, "gravity", false);
+            self.in_plane(&vector, Space::Planar { normal }, "gravity");
         }
         Some(LoadKind::Gravity(vector.values))
     }
@@ -117,7 +117,7 @@ impl<'a> Check<'a> {
             let keeps = normal(space).is_none_or(|normal| self.keeps_plane(frame, normal, area));
             match (keeps, is_moment) {
                 (false, _) => {}
-                (true, false) => self.in_plane(&vector, space, "the force", false),
+                (true, false) => self.in_plane(&vector, space, "the force"),
                 (true, true) => {
                     let tangent = body.tangent.filter(|_| is_line);
                     self.moment_direction(&vector, space, tangent, body.frame, frame);
@@ -142,9 +142,9 @@ impl<'a> Check<'a> {
         })
     }
 
-    /// In the plane a moment is along the normal; in space a constant one is not along the axis of a
-    /// straight centre line with this tangent.
-    fn moment_direction(
+    /// In the plane a moment is along the normal; in space it is not along the axis of a straight centre line with this
+    /// tangent, whatever the params are.
+    pub(super) fn moment_direction(
         &mut self,
         vector: &Vector,
         space: Space,
@@ -154,17 +154,22 @@ impl<'a> Check<'a> {
     ) {
         if let Some(normal) = normal(space) {
             for axis in (0..3).filter(|axis| *axis != normal) {
-                if fold::constant(&vector.values[axis]).is_some_and(|value| value != 0.0) {
+                if fold::constant(&vector.values[axis]) != Some(0.0) {
                     let message = say::moment_out_of_plane(plane(normal), AXES[normal]);
                     self.errors.at(vector.areas[axis], message);
                 }
             }
             return;
         }
-        let (Some(moment), Some(tangent), Some(body_frame)) = (vector.constant(), tangent, body_frame) else {
+        let (Some(tangent), Some(body_frame)) = (tangent, body_frame) else {
             return;
         };
-        if self.have_same_axes(body_frame, frame) && is_parallel(moment, tangent) {
+        let is_along = |sample| {
+            vector
+                .sampled(sample)
+                .is_some_and(|moment| is_parallel(moment, tangent))
+        };
+        if self.have_same_axes(body_frame, frame) && (0..fold::SAMPLES).all(is_along) {
             self.errors.at(vector.area, say::TORSION);
         }
     }

@@ -60,6 +60,9 @@ const ENERGY: Wanted = Wanted {
     unit: "J/m^3",
 };
 
+/// Damping from which on a material answers more slowly than any solid, s.
+const SLOWEST_DAMPING: f64 = 3600.0;
+
 /// Properties of linear elasticity, which an energy replaces.
 const ELASTIC: [&str; 2] = ["young", "poisson"];
 
@@ -78,6 +81,12 @@ impl<'a> Check<'a> {
         let words = MATERIAL.iter().map(|property| property.name).chain(["energy"]);
         let property = |word: &str| MATERIAL.iter().find(|property| property.name == word);
         let (values, mut is_whole) = self.property_fields(item, fields, words.collect(), property);
+        if let Some((damping, area)) = values.get("damping")
+            && self.default(damping) >= SLOWEST_DAMPING
+        {
+            self.errors.at(*area, say::DAMPING_TIME);
+            is_whole = false;
+        }
         let mut properties: BTreeMap<_, _> = values.into_iter().map(|(name, (value, _))| (name, value)).collect();
         let defaults = MATERIAL
             .iter()
@@ -156,7 +165,9 @@ impl<'a> Check<'a> {
             Range::Positive if value > 0.0 => return true,
             Range::NonNegative if value >= 0.0 => return true,
             Range::Poisson if value > -1.0 && value < 0.5 => return true,
+            Range::Part if value > 0.0 && value <= 1.0 => return true,
             Range::Positive => say::positive(what),
+            Range::Part => say::part(what),
             Range::NonNegative => say::not_negative(what),
             Range::Poisson => say::POISSON.into(),
         };

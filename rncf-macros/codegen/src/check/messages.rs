@@ -8,6 +8,7 @@ pub const LONE_T: &str = "`t` is time: a product is written `2*t`; tonnes stand 
 pub const DIVISION_BY_ZERO: &str = "this is zero, and nothing can be divided by it";
 pub const TOO_DEEP: &str = "this is nested too deeply together with the names that it uses: shorten it";
 pub const NOT_FINITE: &str = "this has no finite value";
+pub const VANISHES: &str = "this is too small a number: something of it is rounded to zero";
 pub const EXPONENT_RANGE: &str = "the exponent of this unit is too large to make sense";
 pub const WHOLE_EXPONENTS: &str = "a parameter needs a unit with whole exponents";
 pub const VECTOR_IN_EXPRESSION: &str = "a vector has no place in an expression: write one expression per component";
@@ -15,6 +16,11 @@ pub const UNIT_OF_EXPRESSION: &str =
     "the unit behind the brackets is for literals only: give each component its own dimension, e.g. `[x(t), 0 m, 0 m]`";
 pub const HERTZ: &str =
     "hertz counts cycles and is no angular velocity: write `rad/s`, `rpm` or `deg/s`, or `2*pi` times the frequency";
+pub const ANGLE_IN_HERTZ: &str = "hertz counts cycles, and this is an angle or angular velocity: tell it in `rad/s`, `rpm` or `deg/s`, or divide it by `2*pi`";
+pub const CYCLES_AS_ANGLE: &str =
+    "this counts cycles, and a cycle is no unit of angle: tell it in `Hz`, or multiply it by `2*pi`";
+pub const DAMPING_TIME: &str = "no solid answers so slowly: `damping` is the time c of the stress `E (strain + c rate)`, for metals about 1e-6 s to 1e-3 s";
+pub const POWER_METHOD: &str = "a power is written with `^`: `a^2`";
 pub const NOT_A_COUNT: &str =
     "a number of elements is a whole number of at least 1: write e.g. `6`, or a `param n: count = 6;`";
 pub const CONDITION: &str =
@@ -167,6 +173,13 @@ messages! {
     number_range(text) = "`{text}` with this unit is outside the range of numbers";
     missing_star(name) = "`{name}` is no unit: a product is written with `*`";
     unit_or_name(name, unit) = "`{name}` could be a unit or the name that is declared: write `[{unit}]` for the unit, or parentheses around the number with its own unit";
+    part(what) = "{what} is a part of a whole: it must be greater than zero and at most 1";
+    torsion_beyond(polar) = "no section has this torsion constant: it is at most the sum of the second moments, {polar} m^4 (of a round section just that)";
+    moment_beyond(extent, most) = "no section has this second moment: with its `area` and `{extent}` it is at most `area * {extent}^2`, {most} m^4";
+    turned_too_far(what, each, needed) = "each element is {what} by {each} deg here, and none follows more than 90 deg: take at least {needed} elements";
+    output_read(name) = "`{name}` is an output, which nothing can read: write its expression here";
+    function_near(other, own) = "unknown function `{other}`: did you mean `{own}`?";
+    method(name) = "a function stands in front of its arguments: `{name}(..)`";
     unknown_unit(word) = "unknown unit `{word}`: units are e.g. `m`, `mm`, `kg`, `s`, `N`, `Pa`, `GPa`, `rad`, `deg`, `rpm`, `K`";
     unknown_unit_near(word, near) = "unknown unit `{word}`: did you mean `{near}`?";
     no_unit(what, kind, text, unit) = "{what} is {kind}: give the number a unit, e.g. `{text} {unit}`";

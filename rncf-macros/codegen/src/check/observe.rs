@@ -1,12 +1,12 @@
 //! What outputs observe: points of bodies and reactions of joints in their own frames; all else in `thing`.
 
 use super::balance::{TOTAL, is_balance};
-use super::expr::Scope;
+use super::expr::{Scope, function};
 use super::place::Place;
 use super::plane::{AXES, normal, plane};
 use super::quantity::{Nature, Typed};
 use super::resultant::{is_carried, known_words};
-use super::vector::{Quantity, Vectorial};
+use super::vector::{Quantity, Vectorial, is_function};
 use super::{Check, say};
 use crate::joints::algebra;
 use crate::model::{self, FrameId, JointKind, Observable, PointQuantity, Space};
@@ -43,6 +43,7 @@ fn chain(expr: &Expr) -> (&Expr, Vec<&Name>) {
 impl<'a> Check<'a> {
     /// A member expression as a scalar.
     pub(super) fn member(&mut self, expr: &'a Expr, scope: Scope) -> Option<Typed> {
+        self.is_no_method(expr)?;
         if scope < Scope::Constraint {
             self.errors.at(expr.area, say::OBSERVED_OUTSIDE_OUTPUT);
             return None;
@@ -53,11 +54,32 @@ impl<'a> Check<'a> {
 
     /// What a member expression, or the name of a frame, is.
     pub(super) fn observe(&mut self, expr: &'a Expr, scope: Scope) -> Option<Quantity> {
+        self.is_no_method(expr)?;
         if scope == Scope::Output && self.is_plain(expr) {
             return self.observe_plain(expr);
         }
         let thing = self.thing(expr, scope)?;
         self.seen(thing, expr)
+    }
+
+    /// Refuses functions that are called like methods: `x.sqrt()`.
+    fn is_no_method(&mut self, expr: &Expr) -> Option<()> {
+        let ExprKind::Member {
+            field,
+            arguments: Some(_),
+            ..
+        } = &expr.kind
+        else {
+            return Some(());
+        };
+        let name = field.text.as_str();
+        let message = match name {
+            "pow" | "powi" | "powf" | "squared" => say::POWER_METHOD.to_string(),
+            _ if function(name).is_some() || is_function(name) => say::method(name),
+            _ => return Some(()),
+        };
+        self.errors.at(field.span, message);
+        None
     }
 
     /// Whether something is observed that the body or eliminated joint has in its own frame.
@@ -221,17 +243,23 @@ impl<'a> Check<'a> {
             self.errors.at(name.span, say::reaction_of_share(&name.text));
             return None;
         }
+        // Of a joint with mistakes nothing is known.
+        let kind = known.kind?;
         let (first, rest) = fields.split_first()?;
         let is_moment = match first.text.as_str() {
             "force" => false,
             "moment" => true,
+            "angle" | "slide" => {
+                self.errors.at(name.span, say::no_coordinates(&name.text));
+                return None;
+            }
             other => {
                 self.errors
                     .at(first.span, suggest::unknown("reaction", other, ["force", "moment"]));
                 return None;
             }
         };
-        let (kind, space) = (known.kind?, known.body?.space?);
+        let space = known.body?.space?;
         if is_moment && kind == JointKind::Pin {
             self.errors.at(first.span, say::pin_moment(&name.text));
             return None;

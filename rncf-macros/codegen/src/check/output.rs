@@ -2,6 +2,7 @@
 
 use super::expr::Scope;
 use super::plane::AXES;
+use super::quantity::hertz;
 use super::vector::Quantity;
 use super::{Check, say};
 use crate::model::{Binary, Expr as Value, Output};
@@ -51,6 +52,15 @@ impl<'a> Check<'a> {
                 Dimension::of(unit.dimension).describe(false),
             );
             self.errors.at(told.area, say::output_unit(&own, &other));
+            return None;
+        }
+        let message = match (hertz(told) != 0, unit.dimension[5] != 0) {
+            (true, _) if nature.is_no_cycle() => Some(say::ANGLE_IN_HERTZ),
+            (_, true) if nature.is_no_angle() => Some(say::CYCLES_AS_ANGLE),
+            _ => None,
+        };
+        if let Some(message) = message {
+            self.errors.at(told.area, message);
             return None;
         }
         let si = Box::new(Value::Number(unit.si()));

@@ -1,7 +1,7 @@
 //! Parameters, constants, and the defaults of a run.
 
 use super::expr::Scope;
-use super::quantity::{Typed, Wanted};
+use super::quantity::{Nature, Typed, Wanted};
 use super::{Check, fold, say};
 use crate::model::{Expr as Value, Param, ParamId};
 use crate::parse::tree::{Expr, ExprKind, Item, ItemKind, Keyword, UnitText};
@@ -23,9 +23,9 @@ impl<'a> Check<'a> {
                     self.quantity_param(item, value)
                 }
             });
-            let typed = param.map(|(param, hertz)| {
+            let typed = param.map(|(param, nature)| {
                 let id = ParamId(self.model.params.len());
-                let typed = Self::reference(id, param.dimension, hertz);
+                let typed = Self::reference(id, param.dimension, nature);
                 self.model.params.push(param);
                 typed
             });
@@ -34,7 +34,7 @@ impl<'a> Check<'a> {
         self.constants();
     }
 
-    fn quantity_param(&mut self, item: &Item, value: &'a Expr) -> Option<(Param, bool)> {
+    fn quantity_param(&mut self, item: &Item, value: &'a Expr) -> Option<(Param, Nature)> {
         let typed = self.folded(value)?;
         let Some(dimension) = typed.dimension.exponents(typed.nature.angle) else {
             self.errors.at(value.area, say::WHOLE_EXPONENTS);
@@ -57,11 +57,11 @@ impl<'a> Check<'a> {
                 default,
                 is_count: false,
             },
-            typed.nature.hertz,
+            typed.nature,
         ))
     }
 
-    fn count_param(&mut self, item: &Item, value: &'a Expr) -> Option<(Param, bool)> {
+    fn count_param(&mut self, item: &Item, value: &'a Expr) -> Option<(Param, Nature)> {
         let typed = self.folded(value)?;
         let default = fold::constant(&typed.value)?;
         if !is_count(&typed, default) {
@@ -80,7 +80,7 @@ impl<'a> Check<'a> {
                 default,
                 is_count: true,
             },
-            false,
+            Nature::default(),
         ))
     }
 

@@ -156,9 +156,14 @@ impl<'a> Check<'a> {
             return None;
         };
         let vector = self.vector(value, Scope::Parameter, POINT)?;
+        if self.is_point_mass(frame) && vector.constant() != Some([0.0; 3]) {
+            let message = say::point_mass(&self.model.frames[frame.0].name, "at(..)");
+            self.errors.at(vector.area, message);
+            return None;
+        }
         if let Some(Motions::Planar { normal } | Motions::ShiftingPlanar { normal }) = self.motions_of(frame) {
             let space = Space::Planar { normal: *normal };
-            self.in_plane(&vector, space, "the point", true);
+            self.in_plane(&vector, space, "the point");
         }
         Some(vector.values)
     }

@@ -90,16 +90,12 @@ impl Check<'_> {
         normals
     }
 
-    /// Reports a component along the normal that is not zero (`strict`), or known not to be.
-    pub(super) fn in_plane(&mut self, vector: &Vector, space: Space, what: &str, strict: bool) {
+    /// Reports a component along the normal that is not literally zero: one of a param would be lost in silence.
+    pub(super) fn in_plane(&mut self, vector: &Vector, space: Space, what: &str) {
         let Some(normal) = normal(space) else {
             return;
         };
-        let is_out = match fold::constant(&vector.values[normal]) {
-            Some(value) => value != 0.0,
-            None => strict,
-        };
-        if is_out {
+        if fold::constant(&vector.values[normal]) != Some(0.0) {
             self.errors.at(
                 vector.areas[normal],
                 say::out_of_plane(what, plane(normal), AXES[normal]),

@@ -70,13 +70,26 @@ impl<'a> Check<'a> {
                 area: expr.area,
             };
             if let Some(hold) = &place {
-                self.lies_in_plane(hold, &components, is_moment, true)?;
+                self.lies_in_plane(hold, &components, is_moment)?;
             }
             (vector.values, vector.frame)
         } else {
             let vector = self.vector(expr, Scope::Prescribed, wanted)?;
             if let Some(hold) = &place {
-                self.lies_in_plane(hold, &vector, is_moment, false)?;
+                self.lies_in_plane(hold, &vector, is_moment)?;
+                if let Spot::Flexible(place) = &hold.spot
+                    && is_moment
+                    && place.body.space == Some(Space::Spatial)
+                {
+                    let tangent = place.body.tangent.filter(|_| place.is_line);
+                    self.moment_direction(
+                        &vector,
+                        Space::Spatial,
+                        tangent,
+                        place.body.frame,
+                        given.unwrap_or(INERTIAL),
+                    );
+                }
             }
             (vector.values, None)
         };
@@ -116,19 +129,18 @@ impl<'a> Check<'a> {
         self.is_wanted_vector(expr, &vector, wanted).then_some(vector)
     }
 
-    /// A load on something planar stays in its plane, and turns about its normal: other components
-    /// are zero (`strict`), or not known to be something else.
-    fn lies_in_plane(&mut self, hold: &Hold, vector: &Vector, is_moment: bool, strict: bool) -> Option<()> {
+    /// A load on something planar stays in its plane, or turns about its normal: other components are literally zero.
+    fn lies_in_plane(&mut self, hold: &Hold, vector: &Vector, is_moment: bool) -> Option<()> {
         let Some(normal) = self.spot_normal(&hold.spot) else {
             return Some(());
         };
         let before = self.errors.len();
         if !is_moment {
-            self.in_plane(vector, Space::Planar { normal }, "the force", strict);
+            self.in_plane(vector, Space::Planar { normal }, "the force");
             return (self.errors.len() == before).then_some(());
         }
         for axis in (0..3).filter(|axis| *axis != normal) {
-            if fold::constant(&vector.values[axis]).map_or(strict, |value| value != 0.0) {
+            if fold::constant(&vector.values[axis]) != Some(0.0) {
                 let message = say::moment_out_of_plane(plane(normal), AXES[normal]);
                 self.errors.at(vector.areas[axis], message);
             }

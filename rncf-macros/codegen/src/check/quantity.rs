@@ -24,33 +24,71 @@ pub struct Typed {
 pub struct Nature {
     /// A unit of angle, pi or an inverse trigonometric function is a factor.
     pub angle: bool,
-    /// Hertz is a factor, and pi is not.
-    pub hertz: bool,
-    /// Pi is a factor.
-    pub pi: bool,
+    /// Exponent of hertz.
+    pub hertz: i8,
+    /// Exponent of pi.
+    pub pi: i8,
 }
 
 impl Nature {
-    /// Of a sum, or of one of two cases.
-    #[must_use]
-    pub fn plus(self, other: Nature) -> Nature {
-        let (angle, hertz) = (self.angle || other.angle, self.hertz || other.hertz);
+    /// That of an angle.
+    pub fn angular() -> Nature {
         Nature {
-            angle,
-            hertz,
-            pi: self.pi && other.pi,
+            angle: true,
+            ..Nature::default()
         }
     }
 
-    /// Of a product or quotient.
+    /// Of a sum, or of one of two cases.
     #[must_use]
-    pub fn with(self, other: Nature) -> Nature {
-        let pi = self.pi || other.pi;
+    pub fn plus(self, other: Nature) -> Nature {
         Nature {
             angle: self.angle || other.angle,
-            hertz: (self.hertz || other.hertz) && !pi,
-            pi,
+            hertz: if self.hertz == 0 { other.hertz } else { self.hertz },
+            pi: if self.pi == other.pi { self.pi } else { 0 },
         }
+    }
+
+    /// Of a product.
+    #[must_use]
+    pub fn times(self, other: Nature) -> Nature {
+        Nature {
+            angle: self.angle || other.angle,
+            hertz: self.hertz.saturating_add(other.hertz),
+            pi: self.pi.saturating_add(other.pi),
+        }
+    }
+
+    /// Of a quotient.
+    #[must_use]
+    pub fn over(self, other: Nature) -> Nature {
+        let below = Nature {
+            hertz: other.hertz.saturating_neg(),
+            pi: other.pi.saturating_neg(),
+            ..other
+        };
+        self.times(below)
+    }
+
+    /// Whether it counts cycles: hertz is a factor, and no `2*pi` makes angles of them.
+    pub fn counts_cycles(self) -> bool {
+        self.hertz > 0 && self.pi <= 0
+    }
+
+    /// Whether it is told as an angle where a `2*pi` below the line has made cycles of it, or counts cycles by itself.
+    pub fn is_no_angle(self) -> bool {
+        self.counts_cycles() || self.angle && self.pi < 0
+    }
+
+    /// Whether it is an angle, or an angular velocity, which hertz does not measure.
+    pub fn is_no_cycle(self) -> bool {
+        self.angle && self.pi >= 0 && !self.counts_cycles()
+    }
+
+    /// Whether one of two terms counts cycles and the other one angles.
+    pub fn clashes(self, other: Nature) -> bool {
+        let clash = |cycles: Nature, angle: Nature| cycles.counts_cycles() && angle.is_no_cycle();
+        clash(self, other) || clash(other, self)
     }
 }
 
@@ -91,6 +129,12 @@ pub struct Vector {
 }
 
 impl Vector {
+    /// Value with some numbers for the params, see [`fold::sampled`].
+    pub fn sampled(&self, sample: usize) -> Option<[f64; 3]> {
+        let [x, y, z] = self.values.each_ref().map(|value| fold::sampled(value, sample));
+        Some([x?, y?, z?])
+    }
+
     /// Constant value, where it is one.
     pub fn constant(&self) -> Option<[f64; 3]> {
         let [x, y, z] = self.values.each_ref().map(fold::constant);
@@ -113,9 +157,11 @@ pub fn behind_number(unit: &str) -> String {
     if is_single { unit.into() } else { format!("[{unit}]") }
 }
 
-/// Whether a unit counts cycles.
-fn is_hertz(unit: &crate::parse::tree::UnitText) -> bool {
-    unit.factors.iter().any(|(name, _)| name.text.ends_with("Hz"))
+/// Exponent of hertz in a unit.
+pub fn hertz(unit: &crate::parse::tree::UnitText) -> i8 {
+    let of = |exponent: i32| i8::try_from(exponent).unwrap_or_default();
+    let factors = unit.factors.iter().filter(|(name, _)| name.text.ends_with("Hz"));
+    factors.fold(0, |sum, (_, exponent)| sum.saturating_add(of(*exponent)))
 }
 
 /// Whether it is a zero without unit, which fits any dimension.
@@ -166,7 +212,7 @@ impl<'a> Check<'a> {
         if !self.is_wanted(expr, &typed, wanted) {
             return None;
         }
-        if typed.nature.hertz {
+        if typed.nature.counts_cycles() {
             self.errors.at(expr.area, say::HERTZ);
             return None;
         }
@@ -234,7 +280,7 @@ impl<'a> Check<'a> {
         let ExprKind::Vector { components, unit } = &expr.kind else {
             return None;
         };
-        if let Some(unit) = unit.as_ref().filter(|unit| is_hertz(unit)) {
+        if let Some(unit) = unit.as_ref().filter(|unit| hertz(unit) > 0) {
             self.errors.at(unit.area, say::HERTZ);
             return None;
         }
@@ -249,7 +295,7 @@ impl<'a> Check<'a> {
 
     /// Whether hertz is no factor of an expression that has been resolved before.
     fn is_no_frequency(&mut self, expr: &'a Expr, scope: Scope) -> bool {
-        let is_hertz = self.expr(expr, scope).is_some_and(|typed| typed.nature.hertz);
+        let is_hertz = self.expr(expr, scope).is_some_and(|typed| typed.nature.counts_cycles());
         if is_hertz {
             self.errors.at(expr.area, say::HERTZ);
         }

@@ -139,7 +139,8 @@ impl<'a> Check<'a> {
     /// The mass of a rigid body or fixture, greater than zero.
     pub(super) fn mass(&mut self, item: &Item, fields: &Fields, given: &Given<'a>, example: &str) -> Option<Value> {
         let Some((_, mass)) = given.get("mass") else {
-            if fields.complete {
+            // A misspelt field may be the mass.
+            if fields.complete && given.len() == fields.fields.len() {
                 let (kind, name) = (item.keyword.noun(), &item.name.text);
                 self.errors
                     .at(item.name.span, say::lacks_field(kind, name, "mass", example));

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use super::expr::Scope;
+use super::material::Values;
 use super::quantity::Wanted;
 use super::{Arguments, Check, Shape, fold, say};
 use crate::errors::Area;
@@ -12,6 +13,9 @@ use crate::model::{Binary, Comparison, Expr as Value, Function, SectionShape};
 use crate::parse::tree::{Call, Fields, Item, ItemKind, Keyword};
 use crate::suggest;
 use crate::vocabulary::{BOTH_AXES, Property, SECTION, SIZES};
+
+/// Relative size of what counts as round-off of declared properties.
+const ROUND_OFF: f64 = 1e-6;
 
 /// What is known of a section.
 #[derive(Clone, Debug, Default)]
@@ -116,11 +120,49 @@ impl<'a> Check<'a> {
                 None => drop(section.properties.insert(name, value.clone())),
             }
         }
+        section.is_whole &= self.is_possible(&section, &values, item);
         let extent = |name| section.properties.get(name).cloned();
         section.shape = SectionShape::General {
             extent: ["extent_y", "extent_z"].map(extent),
         };
         section
+    }
+
+    /// Whether some section has these properties, with the defaults of the params; reports where none has.
+    fn is_possible(&mut self, section: &Section, values: &Values, item: &Item) -> bool {
+        let number = |name: &str| {
+            Some(self.default(section.properties.get(name)?)).filter(|value| value.is_finite() && *value > 0.0)
+        };
+        let area_of = |name: &str| {
+            let both = BOTH_AXES
+                .iter()
+                .find(|(_, axes)| axes.contains(&name))
+                .map(|(word, _)| *word);
+            let given = values.get(name).or_else(|| values.get(both?));
+            given.map_or(item.name.span.into(), |(_, area)| *area)
+        };
+        let moments = ["second_moment_y", "second_moment_z"].map(number);
+        let mut mistakes = Vec::new();
+        if let (Some(torsion), [Some(y), Some(z)]) = (number("torsion_constant"), moments)
+            && torsion > (y + z) * (1.0 + ROUND_OFF)
+        {
+            let polar = format!("{:.4e}", y + z);
+            mistakes.push((area_of("torsion_constant"), say::torsion_beyond(&polar)));
+        }
+        // The fibres of `int Y^2 dA`, the moment about z, are at most as far away as the extent along y.
+        for (moment, extent, name) in [(1, "extent_y", "second_moment_z"), (0, "extent_z", "second_moment_y")] {
+            if let (Some(moment), Some(area), Some(extent_value)) = (moments[moment], number("area"), number(extent))
+                && moment > area * extent_value * extent_value * (1.0 + ROUND_OFF)
+            {
+                let most = format!("{:.4e}", area * extent_value * extent_value);
+                mistakes.push((area_of(name), say::moment_beyond(extent, &most)));
+            }
+        }
+        let is_possible = mistakes.is_empty();
+        for (area, message) in mistakes {
+            self.errors.at(area, message);
+        }
+        is_possible
     }
 
     /// `section shaft = circle(radius = 50 mm);`
@@ -171,6 +213,13 @@ impl<'a> Check<'a> {
             values.insert("inner_radius", inner);
         }
         values.extend(of_shape(&shape).into_iter().map(|(name, value)| (name, folded(value))));
+        for value in values.values() {
+            self.is_finite(value, call.area)?;
+            if fold::constant(value) == Some(0.0) {
+                self.errors.at(call.area, say::VANISHES);
+                return None;
+            }
+        }
         Some(Section {
             shape,
             properties: values,

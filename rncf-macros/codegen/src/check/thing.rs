@@ -564,10 +564,7 @@ impl<'a> Check<'a> {
 
 /// That of an angle.
 pub fn angular() -> Nature {
-    Nature {
-        angle: true,
-        ..Nature::default()
-    }
+    Nature::angular()
 }
 
 pub fn origin(frame: FrameId) -> Spot {

@@ -3,7 +3,7 @@
 use super::{Check, say};
 use crate::errors::Area;
 use crate::parse::ascii;
-use crate::parse::tree::{Name, UnitText};
+use crate::parse::tree::{Keyword, Name, UnitText};
 use crate::suggest;
 use crate::units::{self, Compound, ScaleError};
 
@@ -23,12 +23,17 @@ impl Check<'_> {
                 }
             }
         }
+        if compound.is_some_and(|compound| !(compound.si().is_finite() && compound.si() > 0.0)) {
+            self.errors.at(text.area, say::EXPONENT_RANGE);
+            return None;
+        }
         compound
     }
 
     fn symbol(&mut self, name: &Name, at: usize, text: &UnitText) -> Option<&'static units::Unit> {
         let word = name.text.as_str();
-        let is_declared = self.names.contains_key(word);
+        // A name that never is a number cannot be meant behind one.
+        let is_declared = self.names.get(word).is_some_and(|item| is_number(item.keyword));
         let found = units::find(word);
         let message = match found {
             // Behind the first symbol a declared name could be meant as a value.
@@ -62,15 +67,23 @@ impl Check<'_> {
     }
 }
 
+/// Whether the name of an item stands for a number.
+fn is_number(keyword: Keyword) -> bool {
+    matches!(keyword, Keyword::Param | Keyword::Const | Keyword::Motion)
+}
+
 /// The unit that was meant, or some that there are.
 fn unknown(word: &str) -> String {
     let symbols: Vec<&str> = units::UNITS.iter().map(|unit| unit.symbol).collect();
-    let meant = units::SPELLINGS
-        .iter()
-        .find(|(spelling, _)| *spelling == word)
-        .map(|(_, symbol)| *symbol);
-    match meant.or_else(|| suggest::nearest(word, &symbols)) {
-        Some(near) => say::unknown_unit_near(word, near),
+    // Of three letters one other one is another unit.
+    let is_alike = |near: &&str| word.len() > 3 || near.eq_ignore_ascii_case(word);
+    let near = || {
+        suggest::nearest(word, &symbols)
+            .filter(is_alike)
+            .map(ToString::to_string)
+    };
+    match units::meant(word).or_else(near) {
+        Some(near) => say::unknown_unit_near(word, &near),
         None => say::unknown_unit(word),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::expr::Scope;
 use super::plane::AXES;
-use super::quantity::{Nature, Typed, bare_literal, is_bare_zero};
+use super::quantity::{Nature, Typed, bare_literal, hertz, is_bare_zero};
 use super::{Check, fold, say};
 use crate::joints::algebra;
 use crate::model::{self, Binary, FrameId};
@@ -166,7 +166,9 @@ impl<'a> Check<'a> {
             self.errors.at(right.area, say::unlike(&b.describe(), &a.describe()));
             return None;
         }
+        self.same_turns((left, a.nature), (right, b.nature))?;
         let frame = self.same_axes(&a, &b, left, right)?;
+        let nature = a.nature.plus(b.nature);
         let of = if operator == Binary::Add {
             algebra::add
         } else {
@@ -177,7 +179,7 @@ impl<'a> Check<'a> {
             axes: moving(&values, a.axes, &b.axes),
             values,
             dimension: a.dimension,
-            nature: a.nature.plus(b.nature),
+            nature,
             frame,
         })
     }
@@ -228,7 +230,9 @@ impl<'a> Check<'a> {
         let typed: Vec<Option<Typed>> = match unit {
             Some(unit) => {
                 let compound = self.unit(unit)?;
-                components.iter().map(|part| self.with_unit(part, compound)).collect()
+                let cycles = hertz(unit);
+                let parts = components.iter().map(|part| self.with_unit(part, compound, cycles));
+                parts.collect()
             }
             None => components.iter().map(|part| self.expr(part, scope)).collect(),
         };
@@ -261,11 +265,12 @@ impl<'a> Check<'a> {
         })
     }
 
-    fn with_unit(&mut self, part: &Expr, unit: Compound) -> Option<Typed> {
+    fn with_unit(&mut self, part: &Expr, unit: Compound, hertz: i8) -> Option<Typed> {
         let value = self.scaled_literal(part, unit)?;
         let nature = Nature {
             angle: unit.dimension[5] != 0,
-            ..Nature::default()
+            hertz,
+            pi: 0,
         };
         Some(Typed {
             value,
@@ -309,7 +314,7 @@ impl<'a> Check<'a> {
             self.errors.at(call.area, say::EXPONENT_RANGE);
             return None;
         };
-        let nature = a.nature.with(b.nature);
+        let nature = a.nature.times(b.nature);
         if name == "dot" {
             return Some(Quantity::Scalar(Typed {
                 value: algebra::dot(&a.values, &b.values),

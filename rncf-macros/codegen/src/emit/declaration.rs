@@ -7,13 +7,13 @@ use super::expression::{inline, operator};
 use super::kernel::documentation;
 use super::notes::notes;
 use super::number::number;
-use super::{module_name, visibility};
+use super::{module_name, visibility, visibility_inside};
 use crate::elements::Library;
 use crate::lower::motions::Time;
 use crate::model::Model;
 
-/// The struct, its defaults and what it says of itself.
-pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> String {
+/// The struct, visible one module farther out than it stands.
+pub fn structure(model: &Model, library: &Library, equations: &Equations) -> String {
     let name = &model.name;
     let notes = notes(model, library, equations);
     let list: Vec<String> = notes.iter().map(|note| format!("* {note}")).collect();
@@ -21,8 +21,8 @@ pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> S
     let mut text = documentation([doc.as_str(), "# Chosen and left out", &list.join("\n")].into_iter());
     let _ = writeln!(
         text,
-        "#[derive(Clone, Debug, PartialEq)]\n#[allow(non_snake_case)]\n{}struct {name} {{",
-        visibility(model)
+        "#[derive(Clone, Debug, PartialEq)]\n#[allow(non_snake_case)]\n{} struct {name} {{",
+        visibility_inside(model)
     );
     for param in &model.params {
         let kind = if param.is_count { "usize" } else { "f64" };
@@ -43,7 +43,18 @@ pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> S
             param.name
         );
     }
-    text += "}\n";
+    text + "}\n"
+}
+
+/// The defaults of the struct and what it says of itself. The struct stands in the module of the equations, which sees it
+/// there also where the declaration stands in a function.
+pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> String {
+    let (name, module) = (&model.name, module_name(model));
+    let notes = notes(model, library, equations);
+    let mut text = format!(
+        "#[doc(inline)]\n#[allow(unused_imports)]\n{}use {module}::{name};\n",
+        visibility(model)
+    );
     let _ = writeln!(
         text,
         "#[allow(clippy::all)]\nimpl Default for {name} {{\nfn default() -> Self {{\nSelf {{"

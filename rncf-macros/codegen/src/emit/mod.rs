@@ -33,6 +33,7 @@ pub fn model(model: &Model, library: &Library) -> String {
         visibility(model),
         module_name(model),
     );
+    text += &declaration::structure(model, library, &equations);
     text += &equations.functions();
     text += &parts::parts(model, library, &equations);
     text + "}\n"
@@ -43,6 +44,28 @@ fn visibility(model: &Model) -> String {
         String::new()
     } else {
         format!("{} ", model.visibility)
+    }
+}
+
+/// Whether something that is written for the model has its name.
+pub fn is_ambiguous(model: &Model, text: &str) -> bool {
+    let declared = format!("struct {}", model.name);
+    let ends = |at: usize| !text[at..].starts_with(|c: char| c.is_alphanumeric() || c == '_');
+    let places = text
+        .match_indices(&declared)
+        .filter(|(at, found)| ends(at + found.len()));
+    places.count() > 1
+}
+
+/// The visibility of the model, written in the module of its equations.
+fn visibility_inside(model: &Model) -> String {
+    let outside = model.visibility.replace(' ', "");
+    let path = outside.strip_prefix("pub(").and_then(|rest| rest.strip_suffix(')'));
+    match (outside.as_str(), path) {
+        ("" | "pub(self)", _) => "pub(super)".to_string(),
+        (_, Some("super")) => "pub(in super::super)".to_string(),
+        (_, Some(path)) if path.starts_with("insuper") => format!("pub(in super::{})", &path[2..]),
+        _ => model.visibility.clone(),
     }
 }
 

@@ -52,6 +52,7 @@ impl Parts<'_> {
     /// Checks of rigid parts that depend on parameters; constants are checked already.
     pub fn check(&self) -> String {
         let mut checks = self.loop_checks();
+        checks += &self.section_checks();
         for frame in &self.model.frames {
             let Some(free) = &frame.free else { continue };
             for (place, part) in free.parts.iter().enumerate() {

@@ -21,7 +21,7 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
         equations,
     };
     let mut text = "/// Constants of all bodies.\n#[derive(Clone, Debug)]\npub struct Equations {\n".to_string();
-    let _ = writeln!(text, "pub model: super::{},", model.name);
+    let _ = writeln!(text, "pub model: {},", model.name);
     text += &writer.numbering_fields();
     // Of a repeated body one for each repetition.
     let each = |body: &Body, kind: String| match body.repeat {
@@ -44,7 +44,7 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     let [statements, values] = writer.numbering_values();
     let _ = writeln!(
         text,
-        "}}\nimpl Equations {{\n/// Constants for the given parameters; filled in when the bodies are meshed.\npub fn new(model: &super::{}) -> Self {{\n{statements}Self {{ model: model.clone(),\n{values}",
+        "}}\nimpl Equations {{\n/// Constants for the given parameters; filled in when the bodies are meshed.\npub fn new(model: &{}) -> Self {{\n{statements}Self {{ model: model.clone(),\n{values}",
         model.name
     );
     for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {

@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use super::parts::Parts;
+use crate::check::fold;
 use crate::elements::Coefficient;
-use crate::model::{Body, Expr, SectionShape};
+use crate::model::{Body, Expr, SectionShape, Space};
 use crate::vocabulary::{DERIVED, Derived, MATERIAL, Property, Range, SECTION};
 
 /// Variable with a property's value.
@@ -69,6 +70,52 @@ impl Parts<'_> {
                 .any(|coefficient| coefficient.factors.contains(&derived.name));
             if used && has(body, derived.name) {
                 let _ = writeln!(text, "let {} = {};", derived.name, derived.value);
+            }
+        }
+        text
+    }
+
+    /// Checks that some section has the declared properties, where they depend on params; constants are checked already.
+    pub fn section_checks(&self) -> String {
+        const NAMES: [&str; 6] = [
+            "area",
+            "second_moment_y",
+            "second_moment_z",
+            "torsion_constant",
+            "extent_y",
+            "extent_z",
+        ];
+        let mut text = String::new();
+        for body in &self.model.bodies {
+            let SectionShape::General { extent } = &body.shape else {
+                continue;
+            };
+            let given = NAMES.map(|name| match name {
+                "extent_y" => extent[0].as_ref(),
+                "extent_z" => extent[1].as_ref(),
+                // Of a centre line in space both moments are equal; that of a planar body is about the normal of its plane.
+                "second_moment_y" if body.space == Space::Spatial => body
+                    .properties
+                    .get(name)
+                    .or_else(|| body.properties.get("second_moment")),
+                "second_moment_z" => body
+                    .properties
+                    .get(name)
+                    .or_else(|| body.properties.get("second_moment")),
+                _ => body.properties.get(name),
+            });
+            if given.iter().flatten().all(|value| fold::constant(value).is_some()) {
+                continue;
+            }
+            let values = given.map(|value| value.map_or("f64::NAN".to_string(), |value| self.expr(value)));
+            let check = format!(
+                "::rncf::mesh::section(\"section `{}`\", [{}])?;\n",
+                body.section_name,
+                values.join(", ")
+            );
+            // Several bodies have one section.
+            if !text.contains(&check) {
+                text += &check;
             }
         }
         text
@@ -157,6 +204,7 @@ fn check(property: &Property, kind: &str, owner: &str, value: &str) -> String {
     let function = match property.range {
         Range::Positive => "positive",
         Range::NonNegative => "non_negative",
+        Range::Part => "part",
         Range::Poisson => "poisson",
     };
     format!(

@@ -315,7 +315,7 @@ impl Time<'_> {
         Kernel {
             name,
             doc: vec![title],
-            arguments: vec![format!("model: &super::{}", self.model.name), "t: f64".to_string()],
+            arguments: vec![format!("model: &{}", self.model.name), "t: f64".to_string()],
             bindings: Vec::new(),
             graph: self.graph,
             points: None,

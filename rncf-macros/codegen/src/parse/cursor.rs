@@ -119,6 +119,11 @@ impl Cursor {
         matches!(self.peek_second(), Some(TokenTree::Punct(_)) | None)
     }
 
+    /// Whether no value can begin here: punctuation other than a sign.
+    pub fn is_value_excluded(&self) -> bool {
+        matches!(self.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() != '-')
+    }
+
     pub fn eat_punct(&mut self, c: char) -> bool {
         let is = self.is_punct(c);
         self.at += usize::from(is);
@@ -152,8 +157,24 @@ impl Cursor {
         }
     }
 
+    /// What an operator of other languages is here, if one stands here.
+    fn foreign(&self) -> Option<&'static str> {
+        let doubled = |c| self.is_punct(c) && self.is_second_punct(c);
+        match () {
+            () if self.is_punct('?') => Some(say::TERNARY),
+            () if doubled('&') || doubled('|') => Some(say::NO_LOGIC),
+            () if doubled('=') || self.is_punct('!') && self.is_second_punct('=') => Some(say::NO_EQUALITY),
+            () if self.is_punct('!') => Some(say::NO_LOGIC),
+            () if self.is_punct('<') || self.is_punct('>') => Some(say::LONE_COMPARISON),
+            () => None,
+        }
+    }
+
     /// The mistake that something else was expected here.
     pub fn expected(&self, what: &str) -> Mistake {
+        if let Some(foreign) = self.foreign() {
+            return Mistake::new(self.here(), foreign);
+        }
         Mistake::new(self.here(), say::expected(what, &self.found()))
     }
 

@@ -152,6 +152,9 @@ fn product(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
             () if cursor.eat_punct('*') => Binary::Multiply,
             () if cursor.eat_punct('/') => Binary::Divide,
             () if cursor.eat_punct('%') => {
+                if cursor.is_empty() || cursor.is_value_excluded() {
+                    return Err(Mistake::new(cursor.before(), say::PERCENT));
+                }
                 let right = signed(cursor, depth)?;
                 let (area, height) = (left.area.to(right.area), 1 + left.height.max(right.height));
                 left = node(ExprKind::Remainder(Box::new(left), Box::new(right)), area, height)?;

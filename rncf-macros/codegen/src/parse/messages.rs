@@ -9,6 +9,11 @@ pub const PLUS_SIGN: &str = "a leading `+` has no meaning here: leave it out";
 pub const MISSING_ELSE: &str = "an `if` is a value and needs both cases: `if t < T { .. } else { .. }`";
 pub const NO_EQUALITY: &str =
     "values are compared with `<`, `<=`, `>` or `>=`: two real numbers are never safely equal";
+pub const TERNARY: &str = "a choice is written `if a < b { x } else { y }`";
+pub const NO_LOGIC: &str =
+    "conditions are not combined: put one `if` into the other, `if a < b { if c < d { x } else { y } } else { y }`";
+pub const LONE_COMPARISON: &str = "a comparison stands behind `if`: write `if a < b { x } else { y }`";
+pub const PERCENT: &str = "a percentage is written as a plain number: `0.3` for 30 %";
 pub const MOTION_ARGUMENT: &str = "a motion is a function of time: write `(t)`";
 pub const INNER_DOC: &str = "documentation stands before what it describes: write `///`";
 pub const ATTRIBUTE: &str = "attributes have no meaning here; only documentation comments `///` do";

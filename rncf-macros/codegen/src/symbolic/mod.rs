@@ -116,12 +116,13 @@ impl Graph {
         }
     }
 
-    /// A finite number.
-    ///
-    /// # Panics
-    /// If `value` is not finite: the checks come before this stage.
+    /// A number. What is beyond the range of numbers stays a quotient by zero, which the checks of a scene find by name.
     pub fn number(&mut self, value: f64) -> Id {
-        assert!(value.is_finite(), "the number {value} cannot be emitted");
+        if !value.is_finite() {
+            let zero = self.zero();
+            let above = self.number(if value.is_nan() { 0.0 } else { value.signum() });
+            return self.intern(Node::Divide(above, zero));
+        }
         // -0.0 and 0.0 are one number here: no formula of this field tells them apart.
         self.intern(Node::Number(if value == 0.0 { 0 } else { value.to_bits() }))
     }

@@ -11,7 +11,7 @@ mod tests;
 
 pub use dimension::{Dimension, Fraction};
 pub use number::{ScaleError, scale};
-pub use table::{SPELLINGS, UNITS, Unit};
+pub use table::{UNITS, Unit, meant};
 
 /// The unit with this symbol.
 pub fn find(symbol: &str) -> Option<&'static Unit> {

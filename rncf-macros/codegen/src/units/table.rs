@@ -65,6 +65,7 @@ pub const UNITS: &[Unit] = &[
     unit("N", FORCE, 0), unit("kN", FORCE, 3), unit("MN", FORCE, 6), unit("mN", FORCE, -3), unit("uN", FORCE, -6),
     unit("Pa", PRESSURE, 0), unit("kPa", PRESSURE, 3), unit("MPa", PRESSURE, 6), unit("GPa", PRESSURE, 9),
     unit("bar", PRESSURE, 5),
+    times("lb", MASS, 0.453_592_37), times("lbf", FORCE, 4.448_221_615_260_5), times("psi", PRESSURE, 6_894.757_293_168_361),
     unit("J", ENERGY, 0), unit("kJ", ENERGY, 3), unit("MJ", ENERGY, 6), unit("mJ", ENERGY, -3),
     unit("W", POWER, 0), unit("kW", POWER, 3), unit("MW", POWER, 6), unit("mW", POWER, -3),
     unit("V", VOLTAGE, 0), unit("kV", VOLTAGE, 3), unit("mV", VOLTAGE, -3),
@@ -72,11 +73,76 @@ pub const UNITS: &[Unit] = &[
 
 /// Other spellings of units, and what to write.
 #[rustfmt::skip]
-pub const SPELLINGS: &[(&str, &str)] = &[
+const SPELLINGS: &[(&str, &str)] = &[
     ("sec", "s"), ("second", "s"), ("seconds", "s"), ("minute", "min"), ("minutes", "min"), ("hour", "h"),
     ("hours", "h"), ("days", "day"), ("d", "day"), ("meter", "m"), ("metre", "m"), ("meters", "m"), ("metres", "m"),
     ("gram", "g"), ("ton", "t"), ("tonne", "t"), ("degree", "deg"), ("degrees", "deg"), ("radian", "rad"),
     ("radians", "rad"), ("hertz", "Hz"), ("newton", "N"), ("newtons", "N"), ("pascal", "Pa"), ("Nm", "N*m"),
-    ("kNm", "kN*m"), ("feet", "ft"), ("foot", "ft"), ("inches", "inch"), ("turn", "rev"), ("RPM", "rpm"),
-    ("volt", "V"), ("watt", "W"), ("joule", "J"), ("kelvin", "K"), ("ampere", "A"), ("au", "AU"),
+    ("kNm", "kN*m"), ("in", "inch"), ("lbs", "lb"), ("kgs", "kg"), ("hr", "h"), ("hrs", "h"), ("feet", "ft"), ("foot", "ft"), ("inches", "inch"), ("turn", "rev"), ("RPM", "rpm"),
+    ("volt", "V"), ("watt", "W"), ("joule", "J"), ("kelvin", "K"), ("degC", "K"), ("kmh", "km/h"), ("kph", "km/h"), ("ampere", "A"), ("au", "AU"),
 ];
+
+/// Prefixes of the SI, and their powers of ten.
+#[rustfmt::skip]
+const PREFIXES: &[(&str, i32)] = &[
+    ("f", -15), ("p", -12), ("n", -9), ("u", -6), ("m", -3), ("c", -2), ("d", -1),
+    ("h", 2), ("k", 3), ("M", 6), ("G", 9), ("T", 12),
+];
+
+/// What to write for a word that is no unit but can only mean one: `sec` is `s`, `m2` is `m^2`, `TPa` is `1e12 Pa`,
+/// `kgm` is `kg*m`.
+pub fn meant(word: &str) -> Option<String> {
+    let is_known = |text: &str| UNITS.iter().any(|unit| unit.symbol == text);
+    if let Some((_, symbol)) = SPELLINGS.iter().find(|(spelling, _)| *spelling == word) {
+        return Some((*symbol).to_string());
+    }
+    if let Some(symbol) = word
+        .strip_suffix('s')
+        .filter(|symbol| symbol.len() > 2 && is_known(symbol))
+    {
+        return Some(symbol.to_string());
+    }
+    let symbol = word.trim_end_matches(|c: char| c.is_ascii_digit());
+    if symbol.len() < word.len() {
+        let symbol = if is_known(symbol) {
+            symbol.to_string()
+        } else {
+            meant(symbol)?
+        };
+        return Some(format!("{symbol}^{}", &word[symbol_length(word)..]));
+    }
+    let scaled = PREFIXES.iter().find_map(|(prefix, power)| {
+        let rest = word.strip_prefix(prefix)?;
+        (is_known(rest) && !rest.is_empty()).then(|| format!("1e{power} {rest}"))
+    });
+    // Another case of a known symbol is no product.
+    let is_cased = UNITS.iter().any(|unit| unit.symbol.eq_ignore_ascii_case(word));
+    scaled.or_else(|| if is_cased { None } else { product(word, &is_known) })
+}
+
+/// Length of a word without the digits at its end.
+fn symbol_length(word: &str) -> usize {
+    word.trim_end_matches(|c: char| c.is_ascii_digit()).len()
+}
+
+/// A word as a product of two or three symbols, the longest first: `kNm`, `Nms`.
+fn product(word: &str, is_known: &impl Fn(&str) -> bool) -> Option<String> {
+    (1..word.len())
+        .rev()
+        .filter(|&at| word.is_char_boundary(at))
+        .find_map(|at| {
+            let (first, rest) = word.split_at(at);
+            if !is_known(first) {
+                return None;
+            }
+            // Behind another symbol nobody means milliseconds: `Nms` is an angular momentum.
+            let rest = if rest == "ms" {
+                Some("m*s".to_string())
+            } else if is_known(rest) {
+                Some(rest.to_string())
+            } else {
+                product(rest, is_known)
+            };
+            rest.map(|rest| format!("{first}*{rest}"))
+        })
+}

@@ -103,3 +103,27 @@ fn dimensions_have_names() {
         Dimension::of([1, 0, 0, 0, 0, 0])
     );
 }
+
+#[test]
+fn what_is_no_unit_is_never_taken_for_another_one() {
+    let expected = [
+        ("in", "inch"),
+        ("m2", "m^2"),
+        ("mm4", "mm^4"),
+        ("kgm", "kg*m"),
+        ("Nms", "N*m*s"),
+        ("TPa", "1e12 Pa"),
+        ("mPa", "1e-3 Pa"),
+        ("mbar", "1e-3 bar"),
+        ("rads", "rad"),
+        ("sec", "s"),
+        ("lbs", "lb"),
+    ];
+    for (word, wanted) in expected {
+        assert_eq!(meant(word).as_deref(), Some(wanted), "{word}");
+    }
+    // Of these the case is wrong, or nothing is known.
+    for word in ["KPa", "Gpa", "mil", "foo", "1", ""] {
+        assert_eq!(meant(word), None, "{word}");
+    }
+}

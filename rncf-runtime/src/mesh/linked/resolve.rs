@@ -1,6 +1,7 @@
 //! From declared markers to those of the run: places on bodies, and constants at t = 0.
 
-use super::super::frames::normal_of;
+use super::super::frames::{FreeFrame, normal_of};
+use super::super::free::Motions;
 use super::super::markers::MarkerSpec;
 use super::super::parts::{BodySpec, Parts};
 use super::super::scene::{MeshPoint, MeshScene, PlaceVector, mesh_point};
@@ -10,6 +11,8 @@ use crate::vector::{Vector, cross, norm, perpendicular, scale};
 
 /// Deepest chain of markers that refer to each other.
 const DEEPEST: usize = 8;
+/// Distance of a joint from a point mass, relative to the size of the model, that counts as round-off.
+const ROUND_OFF: f64 = 1e-9;
 /// Who uses markers, for messages.
 const USER: &str = "a joint, force or output";
 
@@ -83,6 +86,9 @@ impl MeshScene {
                 } else {
                     motion.direction_to_frame(value)
                 };
+                if is_point {
+                    self.check_point_mass(index, frame, at)?;
+                }
                 self.markers[index] = Marker::Fixed { frame, at, is_point };
             } else if let MarkerSpec::InSection { body, at, .. } = specs[index] {
                 let direction = self.initial(&specs, index, 0)?;
@@ -92,6 +98,34 @@ impl MeshScene {
             }
         }
         Ok(())
+    }
+
+    /// A joint whose other place is elsewhere at t = 0 would hold a point mass in the air.
+    fn check_point_mass(&self, index: usize, frame: usize, at: Vector) -> Result<(), ModelError> {
+        let free = self.free_of[frame].map(|free| &self.free[free]);
+        let is_mass =
+            |free: &&FreeFrame| matches!(free.spec.motions, Motions::Shifting | Motions::ShiftingPlanar { .. });
+        let distance = norm(at);
+        let position = norm(self.buffers.frames[frame].position);
+        let size = self.sizes_of_bodies().max(position);
+        if free.filter(is_mass).is_none() || distance <= ROUND_OFF * size {
+            return Ok(());
+        }
+        let user = self
+            .constraints
+            .iter()
+            .find(|linked| linked.spec.markers.contains(&index));
+        Err(ModelError::new(format!(
+            "joint `{}` holds the point mass `{}` {distance:.3e} m away from where it is, and a point mass does not turn about it: give it an `inertia`, or use `distance`",
+            user.map_or(USER, |linked| linked.spec.name),
+            self.parts.frame_name(frame)
+        )))
+    }
+
+    /// Length of the longest body, m.
+    fn sizes_of_bodies(&self) -> f64 {
+        let lengths = self.bodies.iter().map(|body| body.spec.line.length());
+        lengths.fold(0.0, f64::max)
     }
 
     /// Value of a declared marker at the loaded state, inertial axes.

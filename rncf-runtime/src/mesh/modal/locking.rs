@@ -5,11 +5,19 @@
 use std::fmt;
 
 use super::{Elements, ModalBody};
+use crate::linalg::{Dense, Lu, Pattern};
 
 /// Part of a deflection that may be missing without a report.
 const MISSING: f64 = 0.05;
 /// Part of the modes' sizes below which round-off decides.
 const LEAST: f64 = 1e-6;
+/// Part of the work of the elastic forces that may be left when the whole body is said to be in balance.
+const RELAXED: f64 = 1e-4;
+/// Most steps of Newton's method towards this balance.
+const MOST_ITERATIONS: usize = 40;
+/// Steps in which the whole body is displaced further, relative to the displacement, and most of them: a thousand times.
+const STEP: f64 = 0.15;
+const MOST_STEPS: usize = 50;
 
 /// Modes that hinder a deflection.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +26,7 @@ pub struct Locking {
     pub body: String,
     /// Number of its modes.
     pub modes: usize,
-    /// Part of the deflection that is missing, roughly.
+    /// Part of the deflection that is missing.
     pub missing: f64,
 }
 
@@ -33,50 +41,269 @@ impl fmt::Display for Locking {
     }
 }
 
+/// The potential along a deflection of size 1, `linear s^2 + cubic s^4`, J.
+#[derive(Clone, Copy, Debug)]
+struct Spring {
+    linear: f64,
+    cubic: f64,
+}
+
+impl Spring {
+    /// From half the work of a linear force, and the work of the whole force at size 1. Softer than linear counts as linear.
+    fn new(linear: f64, work: f64) -> Self {
+        Self {
+            linear,
+            cubic: (0.25 * (work - 2.0 * linear)).max(0.0),
+        }
+    }
+
+    fn energy(self, s: f64) -> f64 {
+        let square = s * s;
+        square * (self.linear + self.cubic * square)
+    }
+
+    /// Where it balances a load that does the work `load` at size 1.
+    fn balance(self, load: f64) -> f64 {
+        let force = |s: f64| s * (2.0 * self.linear + 4.0 * self.cubic * s * s);
+        last_below(0.0, |s| force(s) < load)
+    }
+
+    /// How far it swings with an energy above that of its balance, J.
+    fn swing(self, load: f64, above: f64) -> f64 {
+        let balance = self.balance(load);
+        let potential = |s: f64| self.energy(s) - load * s;
+        let level = potential(balance) + above;
+        last_below(balance, |s| potential(s) < level)
+    }
+}
+
+/// The end of where a condition holds from `s` on.
+fn last_below(s: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let mut wide = s.max(1.0);
+    while holds(s + wide) && wide < 1e12 {
+        wide *= 2.0;
+    }
+    let (mut low, mut high) = (s, s + wide);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if holds(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
 impl ModalBody {
-    /// Modes that hinder the deflection p, if they do: the strain energy that a static displacement
-    /// by all motions left out would release, with the stiffness at rest, is compared with half the
-    /// work of the modal forces on p.
-    pub fn locking(&self, elements: &dyn Elements, p: &[f64]) -> Option<Locking> {
+    /// How much modes hinder the deflection p, if they do: the part of the elastic work that a static displacement by all
+    /// motions left out would release, with the stiffness at rest. Grows with the deflection.
+    pub fn hindrance(&self, elements: &dyn Elements, p: &[f64]) -> Option<f64> {
         let moved = p.iter().zip(&self.sizes).any(|(p, size)| p.abs() > LEAST * size);
         if !moved || !self.moves() {
             return None;
         }
-        let [q, rest] = self.full(p, &vec![0.0; p.len()]);
-        let nodal = &self.nodal;
-        let connectivity = &nodal.connectivity;
-        let mut force = vec![0.0; q.len()];
+        let [q, _] = self.full(p, &vec![0.0; p.len()]);
+        let force = self.elastic_forces(elements, &q);
+        let modal = self.on_modes(&force);
+        let left = self.nodal.reduced(&self.without_modes(force, &modal));
+        let mut displacement = left.clone();
+        self.stiffness.as_ref()?.solve(&mut displacement);
+        let (released, work) = (0.5 * dot(&left, &displacement), dot(&modal, p));
+        (work > 0.0 && 4.0 * released > MISSING * work).then_some(released / self.linear_energy(p))
+    }
+
+    /// Modes that hinder the deflection p, if they do. The whole body with the same modal coordinates and all other motions
+    /// in balance resists less. Under the load that the motion (p, p', p'') shows, and with its energy above the balance,
+    /// the body in modes swings less far along p than the whole body would.
+    pub fn locking(&self, elements: &dyn Elements, [p, v, a]: [&[f64]; 3]) -> Option<Locking> {
+        let [q, _] = self.full(p, &vec![0.0; p.len()]);
+        let work = dot(&self.on_modes(&self.elastic_forces(elements, &q)), p);
+        let hindered = Spring::new(self.linear_energy(p), work);
+        let load = work + dot(a, p);
+        let speed = dot(v, p);
+        let energy = 0.5 * speed * speed / dot(p, p) + hindered.energy(1.0) - load;
+        let load = load.abs();
+        let balance = hindered.balance(load);
+        let above = (energy - (hindered.energy(balance) - load * balance)).max(0.0);
+        let whole = self.whole_swing(elements, p, (load, above), work)?;
+        let missing = 1.0 - hindered.swing(load, above) / whole;
+        (missing > MISSING).then(|| Locking {
+            body: self.nodal.name.clone(),
+            modes: self.modes(),
+            missing,
+        })
+    }
+
+    /// Energy of deflection where it is linear, J.
+    fn linear_energy(&self, p: &[f64]) -> f64 {
+        0.5 * p
+            .iter()
+            .zip(&self.frequencies)
+            .map(|(p, w)| (w * p).powi(2))
+            .sum::<f64>()
+    }
+
+    /// How far the whole body swings along p under a load that does the work `load` at p, with an energy above that of its
+    /// balance (J): found by displacing it step by step.
+    fn whole_swing(&self, elements: &dyn Elements, p: &[f64], (load, above): (f64, f64), work: f64) -> Option<f64> {
+        let mut further = vec![0.0; self.nodal.shape.len()];
+        self.expand_rate(p, &mut further);
+        let [q, _] = self.full(p, &vec![0.0; p.len()]);
+        let (mut q, modal) = self.relaxed(elements, q, RELAXED * work)?;
+        let mut force = dot(&modal, p);
+        let near = Spring::new(self.linear_energy(p), force);
+        // Up to p.
+        let swing = near.swing(load, above);
+        if swing <= 1.0 {
+            return Some(swing);
+        }
+        let (mut s, mut potential) = (1.0, near.energy(1.0) - load);
+        let mut level = (force >= load).then(|| {
+            let balance = near.balance(load);
+            near.energy(balance) - load * balance + above
+        });
+        for _ in 0..MOST_STEPS {
+            let step = STEP * s;
+            let tried: Vec<f64> = q.iter().zip(&further).map(|(q, d)| q + step * d).collect();
+            let (next, modal) = self.relaxed(elements, tried, RELAXED * work)?;
+            let reached = dot(&modal, p);
+            let rise = step * (0.5 * (force + reached) - load);
+            if level.is_none() && reached >= load {
+                let stiffness = (reached - force) / step;
+                let balance = (load - force) / stiffness;
+                let swing = balance + (2.0 * above / stiffness).sqrt();
+                if swing <= step {
+                    return Some(s + swing);
+                }
+                level = Some(potential - 0.5 * stiffness * balance * balance + above);
+            } else if let Some(level) = level.filter(|level| potential + rise >= *level) {
+                return Some(s + step * ((level - potential) / rise).clamp(0.0, 1.0));
+            }
+            (q, force, s, potential) = (next, reached, s + step, potential + rise);
+        }
+        Some(s)
+    }
+
+    /// Elastic forces of all elements at rest.
+    fn elastic_forces(&self, elements: &dyn Elements, q: &[f64]) -> Vec<f64> {
+        let connectivity = &self.nodal.connectivity;
+        let (mut local, rest) = (vec![0.0; connectivity.size], vec![0.0; connectivity.size]);
+        let (mut sum, mut force) = (vec![0.0; q.len()], local.clone());
         for element in 0..connectivity.count() {
-            let (q, v) = (self.gathered(element, &q), self.gathered(element, &rest));
-            let mut local = vec![0.0; connectivity.size];
-            elements.force(element, &q, &v, &mut local);
-            for (value, &component) in local.iter().zip(connectivity.element(element)) {
-                force[component] += value;
+            connectivity.gather(element, q, &mut local);
+            force.fill(0.0);
+            elements.force(element, &local, &rest, &mut force);
+            for (value, &component) in force.iter().zip(connectivity.element(element)) {
+                sum[component] += value;
             }
         }
-        // Without what the modes balance, M phi_i (phi_i . F).
-        let k = self.modes();
-        let mut modal = vec![0.0; k];
+        sum
+    }
+
+    /// `phi_i . F`
+    fn on_modes(&self, force: &[f64]) -> Vec<f64> {
+        let mut modal = vec![0.0; self.modes()];
         for (component, value) in force.iter().enumerate() {
             for (sum, mode) in modal.iter_mut().zip(self.mode_row(component)) {
                 *sum += mode * value;
             }
         }
-        for (value, momentum) in force.iter_mut().zip(self.momenta.chunks_exact(k)) {
-            *value -= momentum.iter().zip(&modal).map(|(m, f)| m * f).sum::<f64>();
+        modal
+    }
+
+    /// Forces without what the modes balance, M phi_i (phi_i . F).
+    fn without_modes(&self, mut force: Vec<f64>, modal: &[f64]) -> Vec<f64> {
+        for (value, momentum) in force.iter_mut().zip(self.momenta.chunks_exact(self.modes())) {
+            *value -= dot(momentum, modal);
         }
-        let left = nodal.reduced(&force);
-        let mut displacement = left.clone();
-        self.stiffness.as_ref()?.solve(&mut displacement);
-        let work = |a: &[f64], b: &[f64]| 0.5 * a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let (released, all) = (work(&left, &displacement), work(&modal, p));
-        // The energy U that hinders grows with the fourth power of the deflection d, its force is 4 U/d:
-        // the part 4 U/d / F of the deflection is missing, and `all` is F d/2.
-        let missing = (2.0 * released / all).min(1.0);
-        (all > 0.0 && missing > MISSING).then(|| Locking {
-            body: nodal.name.clone(),
-            modes: k,
-            missing,
-        })
+        force
+    }
+
+    /// The whole body with the modal coordinates of q and all other motions in balance, by Newton's method from q, up to
+    /// an energy (J) that may be left; and its elastic forces on the modes.
+    fn relaxed(&self, elements: &dyn Elements, mut q: Vec<f64>, enough: f64) -> Option<(Vec<f64>, Vec<f64>)> {
+        let (nodal, k) = (&self.nodal, self.modes());
+        let pairs = nodal.connectivity.components.chunks_exact(nodal.connectivity.size);
+        let freedoms = pairs.flat_map(|components| {
+            let own = || {
+                components
+                    .iter()
+                    .flat_map(|&component| nodal.map[component].iter().map(|entry| entry.0))
+            };
+            own().flat_map(move |row| own().map(move |column| (row, column)))
+        });
+        let pattern = Pattern::new(nodal.freedoms, nodal.freedoms, freedoms.collect::<Vec<_>>());
+        let momenta: Vec<Vec<f64>> = (0..k)
+            .map(|mode| nodal.reduced(&self.momenta.iter().skip(mode).step_by(k).copied().collect::<Vec<_>>()))
+            .collect();
+        let mut factors = Lu::new(&pattern);
+        let residual = |q: &[f64]| {
+            let force = self.elastic_forces(elements, q);
+            let modal = self.on_modes(&force);
+            (nodal.reduced(&self.without_modes(force, &modal)), modal)
+        };
+        let mut left = residual(&q).0;
+        for _ in 0..MOST_ITERATIONS {
+            let mut values = vec![0.0; pattern.entries()];
+            nodal.each_stiffness(elements, &q, |components, matrix| {
+                for (&row, entries) in components.iter().zip(matrix.chunks_exact(components.len())) {
+                    for (&column, value) in components.iter().zip(entries) {
+                        for &(i, f) in &nodal.map[row] {
+                            for &(j, g) in &nodal.map[column] {
+                                if let Some(place) = pattern.find(i, j) {
+                                    values[place] += f * g * value;
+                                }
+                            }
+                        }
+                    }
+                }
+            });
+            factors.factor(&values).ok()?;
+            // K^-1 of what is left and of the modes' momenta, so that modal coordinates stay.
+            let solved = |factors: &mut Lu<f64>, load: &[f64]| {
+                let mut x = load.to_vec();
+                factors.solve(&mut x);
+                x
+            };
+            let mut step = solved(&mut factors, &left);
+            let held: Vec<Vec<f64>> = momenta.iter().map(|momentum| solved(&mut factors, momentum)).collect();
+            let mut small = Dense::new(k);
+            small.clear();
+            for (row, momentum) in momenta.iter().enumerate() {
+                for (column, held) in held.iter().enumerate() {
+                    let value = dot(momentum, held);
+                    small.add(row, column, value, value.abs());
+                }
+            }
+            small.factor().ok()?;
+            let mut multipliers: Vec<f64> = momenta.iter().map(|momentum| dot(momentum, &step)).collect();
+            small.solve(&mut multipliers);
+            for (factor, held) in multipliers.iter().zip(&held) {
+                step.iter_mut().zip(held).for_each(|(x, y)| *x -= factor * y);
+            }
+            let decrement = dot(&left, &step);
+            let direction = nodal.expanded(std::slice::from_ref(&step));
+            let mut length = 1.0;
+            let next = loop {
+                let tried: Vec<f64> = q.iter().zip(&direction).map(|(q, d)| q - length * d).collect();
+                let (left, modal) = residual(&tried);
+                // Not far beyond the minimum along the step.
+                if dot(&left, &step) > -0.5 * decrement.abs() || length < 1e-3 {
+                    break (tried, left, modal);
+                }
+                length *= 0.5;
+            };
+            let modal;
+            (q, left, modal) = next;
+            if decrement.abs() < enough && length == 1.0 {
+                return Some((q, modal));
+            }
+        }
+        None
     }
 }

@@ -4,6 +4,7 @@
 #[cfg(test)]
 mod arm;
 mod elastic;
+mod hanging;
 mod held;
 mod invariants;
 mod locking;

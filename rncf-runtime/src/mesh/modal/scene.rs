@@ -16,9 +16,9 @@ use crate::mesh::parts::{Fidelity, Parts};
 use crate::mesh::sampling::SectionBody;
 use crate::mesh::scene::MeshScene;
 use crate::mesh::section::SectionState;
-use crate::model::{Formulation, FrameState, Joints, Scene};
+use crate::model::{Formulation, FrameState, Joints, Scene, Warning};
 use crate::modes::Composition;
-use crate::system::{Conserving, ConstraintLevel, State, System, Tangent};
+use crate::system::{Conserving, ConstraintLevel, Jump, State, System, Tangent};
 
 /// Builds the scene of a model with emitted parts: with modal coordinates where a body asks for them.
 ///
@@ -54,6 +54,19 @@ fn build_boxed(
     Ok(Box::new(ModalScene::new(scene)?))
 }
 
+/// Growth of what modes hinder from which on the part that is missing is found anew: it takes a static problem of the
+/// whole body.
+const WORSE: f64 = 1.1;
+
+/// What modes have hindered most so far.
+#[derive(Clone, Debug)]
+struct Told {
+    /// As [`ModalBody::hindrance`].
+    hindrance: f64,
+    /// What is told of it, if anything.
+    warning: Option<Warning>,
+}
+
 /// A scene some of whose bodies have modal coordinates.
 pub struct ModalScene {
     /// With all nodal vectors; the elements of modal bodies are left out.
@@ -65,6 +78,8 @@ pub struct ModalScene {
     constraint_pattern: Pattern,
     turns: Vec<usize>,
     sizes: Vec<f64>,
+    /// By body, where its modes have hindered its deflection most.
+    worst: Vec<Option<Told>>,
     /// The state with all nodal vectors.
     full: State,
     tangent: Tangent,
@@ -85,6 +100,7 @@ impl ModalScene {
             }
             scene.check_modal(index)?;
             let (nodal, first) = scene.nodal(index);
+            scene.check_hanging(index, &nodal)?;
             let elements = Kernels {
                 parts: &*scene.parts,
                 body: index,
@@ -115,6 +131,7 @@ impl ModalScene {
         let entries = scene.pattern().entries();
         let zeros = || vec![0.0; entries];
         Ok(Self {
+            worst: vec![None; scene.bodies.len()],
             full: State::of(&scene, 0.0),
             tangent: Tangent {
                 mass: zeros(),
@@ -454,6 +471,16 @@ impl System for ModalScene {
         self.scene.gaps(t, out);
     }
 
+    fn too_fast(&mut self, state: &State) -> Option<String> {
+        self.expand(state);
+        self.scene.too_fast(&self.full)
+    }
+
+    fn jumps(&mut self, state: &State, behind: f64) -> Vec<Jump> {
+        self.expand(state);
+        self.scene.jumps(&self.full, behind)
+    }
+
     fn energy(&mut self, state: &State) -> Option<f64> {
         // Eqs. (18)-(20) do not conserve it.
         if self.is_small() {
@@ -604,17 +631,33 @@ impl Scene for ModalScene {
         self.scene.spin(t)
     }
 
-    fn warnings(&mut self, state: &State) -> Vec<String> {
+    fn warnings(&mut self, state: &State) -> Vec<Warning> {
         self.expand(state);
-        self.scene.load_state(&self.full);
-        let mut warnings = self.scene.giving_way();
-        self.each_body([0.0; 3], |block, _, modes, elements, action| {
-            let p = &state.x[block.coordinate..][..block.count];
-            let loss = modes.loss_of_stiffness(elements, action, p);
-            warnings.extend(loss.map(|loss| loss.to_string()));
-            let locking = modes.locking(elements, p);
-            warnings.extend(locking.map(|locking| locking.to_string()));
+        let mut warnings = self.scene.warnings(&self.full);
+        let mut worst = std::mem::take(&mut self.worst);
+        self.each_body([0.0; 3], |block, body, modes, elements, action| {
+            let own = |of: &[f64]| of[block.coordinate..][..block.count].to_vec();
+            let [p, v, a] = [&state.x, &state.v, &state.a].map(|of| own(of));
+            let loss = modes.loss_of_stiffness(elements, action, &p);
+            warnings.extend(loss.map(|loss| Warning {
+                text: loss.to_string(),
+                weight: loss.whole - loss.remaining,
+            }));
+            let Some(hindrance) = modes.hindrance(elements, &p) else {
+                return;
+            };
+            let told = &mut worst[body];
+            if told.as_ref().is_none_or(|told| hindrance > WORSE * told.hindrance) {
+                let locking = modes.locking(elements, [p.as_slice(), &v, &a]);
+                let warning = locking.map(|locking| Warning {
+                    text: locking.to_string(),
+                    weight: hindrance,
+                });
+                *told = Some(Told { hindrance, warning });
+            }
+            warnings.extend(told.iter().filter_map(|told| told.warning.clone()));
         });
+        self.worst = worst;
         warnings
     }
 }

@@ -218,7 +218,7 @@ fn a_fast_rotor_is_warned_of_once_for_each_body() {
         let found = warnings(fidelity, 3.5);
         assert_eq!(found.len(), 1);
         assert!(
-            found[0].starts_with("body `arm`: at a spin of 3.5000 rad/s"),
+            found[0].text.starts_with("body `arm`: at a spin of 3.5000 rad/s"),
             "{found:?}"
         );
         assert!(warnings(fidelity, 1.0).is_empty());

@@ -2,6 +2,8 @@ mod density;
 mod free;
 mod influence;
 mod joints;
+mod meaning;
+mod mutated;
 mod precedence;
 mod repeat;
 mod right;
