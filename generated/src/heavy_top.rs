@@ -389,6 +389,7 @@ pub mod heavy_top_equations {
                     kind: "spherical",
                     rows: &["position x", "position y", "position z"],
                     markers: &[0, 1],
+                    coupled: &[],
                     first_party: 1,
                     when: ::rncf::mesh::When::Always,
                 },

@@ -3344,6 +3344,7 @@ pub mod right_angle_frame_equations {
                         "direction 3",
                     ],
                     markers: &[0, 4, 7, 9, 1, 5, 8, 10],
+                    coupled: &[[1, 5], [2, 6], [3, 7]],
                     first_party: 4,
                     when: ::rncf::mesh::When::Always,
                 },

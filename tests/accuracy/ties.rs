@@ -366,3 +366,30 @@ fn a_frame_on_a_slope_takes_many_times_the_steps_and_is_named() {
     let scene = Clamped::default().build(Formulation::Ancf, Joints::Eliminated).unwrap();
     assert_eq!([scene.constraints(), scene.border()], [0, 0]);
 }
+
+rncf::model! {
+    /// A cable whose end is level with a place near its start by a row that is written by hand.
+    model Level {
+        param elements: count = 24;
+        material soft { density = 1500 kg/m^3; young = 0.4 MPa; }
+        section flat { area = 10 cm^2; second_moment = 500 cm^4; }
+        frame f = free(plane = xy, origin = [0, 0, 0] m, speed = 3 rad/s);
+        body rope in f { planar xy; line from [0, 0, 0] m to [2, 0, 0] m; mesh elements * cable(flat, soft); }
+        joint root = pin(rope.start, f);
+        constraint level = rope.end.in(f).y - rope.at(0.5 m).in(f).y;
+        output tip = rope.end.in(inertial);
+    }
+}
+
+/// Such a row is linear: it meets the unknowns of both places in its multiplier alone, and the matrix stays as narrow as it is.
+#[test]
+fn a_linear_row_from_end_to_end_leaves_the_matrix_narrow() {
+    let scene = Level::default().build(Formulation::Rncf, Joints::Eliminated).unwrap();
+    let (pattern, own) = (scene.pattern(), scene.unknowns() - scene.border());
+    assert_eq!(scene.constraints(), 1);
+    let far = |i: usize, j: usize| i.abs_diff(j) > 8 && pattern.find(i, j).is_some();
+    let coupled = (0..own)
+        .flat_map(|i| (0..own).map(move |j| (i, j)))
+        .filter(|&(i, j)| far(i, j));
+    assert_eq!(coupled.count(), 0);
+}

@@ -1,9 +1,6 @@
 //! What is read off the modes of rotors and blades: tables of ROSS 2.3.0 (Timoshenko shaft of 48 elements, rigid discs), rigid
 //! hinged blades in closed form.
 
-// Models from one template do not use all of its params.
-#![allow(deprecated)]
-
 use rncf::Model;
 use rncf::app::{Campbell, Inertial, Range, SeenMode, SweepSettings, campbell, modes, steady};
 use rncf::modes::{Motion, Whirl};
@@ -59,18 +56,17 @@ rncf::model! {
         joint flap = revolute(hub.at([offset, 0 m, 0 m]), flapping, axis = y);
         joint lag = revolute(hub.at([offset, 0 m, 0 m]), lagging, axis = z);
         output angle = flap.angle;
+        output other_angle = lag.angle;
         run { t_end = 1 s; every = 10 ms; }
     }
 }
 
 rncf::model! {
-    /// A slender blade of a square section that hangs on a flap hinge, under its weight along the axis; `hinged` blades
-    /// have no stiffness at rest, `clamped` ones equal flap and lag there.
+    /// A slender blade that hangs on a flap hinge, under its weight along the axis: it has no stiffness at rest.
     pub model Blade {
         param speed = 30 rad/s;
         param weight = 9.81 m/s^2;
         material alloy { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.3; }
-        section square = rectangle(y = 30 mm, z = 30 mm);
         section strip = rectangle(y = 60 mm, z = 8 mm);
         frame hub = rotating(axis = z, angle = speed * t);
         body hinged in hub { spatial; line from [0.3, 0, 0] m to [6, 0, 0] m; mesh 4 * beam(strip, alloy); }

@@ -1,8 +1,5 @@
 //! A section that is alike in all directions bends and twists alike, wherever its y axis points.
 
-// Frame `own` is tied to a section without inertia on purpose.
-#![allow(deprecated)]
-
 use crate::running::{WAYS, at_rest};
 
 rncf::model! {
@@ -102,6 +99,7 @@ rncf::model! {
         material rubber { density = 1000 kg/m^3; young = 20 MPa; poisson = 0.3; }
         section round = circle(radius = 20 mm);
         frame own = free(origin = [0, 0, 0]);
+        fixture core on own { mass = 1 kg; inertia = [1, 1, 1] g*m^2; }
         body clamped { spatial; line from [0, 0, 0] m to [0.3, 0, 0] m; mesh 2 * beam(round, rubber); }
         body welded in own { spatial; line from [0, 0, 0] m to [0.3, 0, 0] m; mesh 2 * beam(round, rubber); }
         joint root = clamp(clamped.start, inertial);

@@ -22,7 +22,8 @@ fn expansion(items: &str) -> String {
 /// The notes, as they stand in the documentation of the struct.
 fn notes(text: &str) -> Vec<&str> {
     let head = text.find("/// # Chosen and left out").expect("a heading");
-    let lines = text[head..].lines().take_while(|line| line.starts_with("///"));
+    let lines = text[head..].lines().map(str::trim_start);
+    let lines = lines.take_while(|line| line.starts_with("///"));
     lines.filter_map(|line| line.strip_prefix("/// * ")).collect()
 }
 

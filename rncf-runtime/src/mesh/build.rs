@@ -280,11 +280,15 @@ impl MeshScene {
                 .flat_map(|&marker| self.marker_components(&self.markers[marker]));
             self.unknowns_of(components)
         };
-        let mut groups: Vec<Vec<usize>> = self
-            .constraints
-            .iter()
-            .map(|linked| self.unknowns_of(self.constraint_components(linked)))
-            .collect();
+        // A constraint couples what one marker depends on, by its frame, and what markers depend on that it multiplies. Others
+        // meet in its multipliers alone: a row from end to end of a body leaves the matrix as narrow as it is.
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        for linked in &self.constraints {
+            let markers = linked.spec.markers;
+            groups.extend(markers.iter().map(|&marker| of_markers(&[marker])));
+            let pairs = linked.spec.coupled.iter();
+            groups.extend(pairs.map(|&[first, second]| of_markers(&[markers[first], markers[second]])));
+        }
         groups.extend(self.forces.iter().map(|force| of_markers(force.markers)));
         for marked in &self.marked_loads {
             let turn = Marker::Turn {

@@ -116,6 +116,8 @@ pub struct ConstraintSpec {
     pub rows: &'static [&'static str],
     /// Markers z, in the order of the emitted function's arguments.
     pub markers: &'static [usize],
+    /// Places in this list of markers that are multiplied in a row: without such pairs it is linear in its markers.
+    pub coupled: &'static [[usize; 2]],
     /// The first so many markers belong to the first party: reactions act on it.
     pub first_party: usize,
     /// Where it is there.

@@ -221,7 +221,9 @@ impl Parts<'_> {
         if self.model.constraints.is_empty() {
             return String::new();
         }
-        let entries = self.model.constraints.iter().map(|constraint| {
+        let entries = self.model.constraints.iter().enumerate().map(|(index, constraint)| {
+            let kernels = self.equations.constraints.iter().find(|kernels| kernels.of.contains(&index));
+            let coupled = kernels.map_or(&[][..], |kernels| &kernels.coupled);
             let rows: Vec<&String> = constraint.rows.iter().map(|(what, _)| what).collect();
             let markers: Vec<usize> = constraint.markers.iter().map(|marker| marker.0).collect();
             let when = match constraint.absolute {
@@ -229,7 +231,7 @@ impl Parts<'_> {
                 Some(body) => format!("Absolute({})", self.first_of(body)),
             };
             let entry = format!(
-                "::rncf::mesh::ConstraintSpec {{ name: {:?}, kind: {:?}, rows: &{rows:?}, markers: &{markers:?}, first_party: {}, when: ::rncf::mesh::When::{when} }}",
+                "::rncf::mesh::ConstraintSpec {{ name: {:?}, kind: {:?}, rows: &{rows:?}, markers: &{markers:?}, coupled: &{coupled:?}, first_party: {}, when: ::rncf::mesh::When::{when} }}",
                 constraint.name, constraint.kind, constraint.first_party
             );
             (None, entry)

@@ -1,7 +1,7 @@
 //! Constraints of markers: written down as C(z, t) = 0, with every derivative derived. Constraints
 //! that differ in nothing but their markers share their functions.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use super::joints::LEVELS;
 use super::kernel::{Kernel, derivatives, values};
@@ -22,6 +22,8 @@ pub struct ConstraintKernels {
     pub rate_gradient: Option<Kernel>,
     /// `sum_i lambda_i d^2 C_i/dz dz`, where it is not zero.
     pub hessian: Option<Kernel>,
+    /// Markers of the constraint's own list that it couples: two in ascending order, each pair once, ascending.
+    pub coupled: Vec<[usize; 2]>,
 }
 
 /// Rows with their markers counted in the constraint's own list.
@@ -89,12 +91,14 @@ pub fn members(model: &Model, of: &[usize]) -> String {
 
 impl Rows<'_> {
     fn kernels(&self, of: Vec<usize>) -> ConstraintKernels {
+        let (hessian, coupled) = self.hessian();
         ConstraintKernels {
             of,
             levels: std::array::from_fn(|level| self.level(level)),
             gradient: self.gradient(),
             rate_gradient: self.rate_gradient(),
-            hessian: self.hessian(),
+            hessian,
+            coupled,
         }
     }
 
@@ -187,8 +191,9 @@ impl Rows<'_> {
         (!kernel.outputs.is_empty()).then_some(kernel)
     }
 
-    /// Symmetric: the lower triangle is derived, the upper one is its mirror image.
-    fn hessian(&self) -> Option<Kernel> {
+    /// Symmetric: the lower triangle is derived, the upper one is its mirror image. With the pairs of markers that it has
+    /// entries of.
+    fn hessian(&self) -> (Option<Kernel>, Vec<[usize; 2]>) {
         let mut marked = Marked::values_and_rates(self.model, self.count);
         let rows = self.in_graph(&mut marked);
         let z = marked.symbols[0].clone();
@@ -197,7 +202,7 @@ impl Rows<'_> {
             .map(|row| graph.symbol(format!("lambda[{row}]")))
             .collect();
         let sum = graph.dot(&multipliers, &rows);
-        let mut outputs = Vec::new();
+        let (mut outputs, mut coupled) = (Vec::new(), BTreeSet::new());
         for (row, &first) in z.iter().enumerate() {
             let slope = graph.partial(sum, first);
             for (column, &second) in z[..=row].iter().enumerate() {
@@ -205,6 +210,7 @@ impl Rows<'_> {
                 if graph.is_zero(entry) {
                     continue;
                 }
+                coupled.insert([column / 3, row / 3]);
                 outputs.push((format!("hessian[{}]", row * z.len() + column), entry));
                 if column != row {
                     outputs.push((format!("hessian[{}]", column * z.len() + row), entry));
@@ -217,6 +223,7 @@ impl Rows<'_> {
         kernel
             .bindings
             .push(format!("let lambda = &lambda[..{}];", self.rows.len()));
-        (!kernel.outputs.is_empty()).then_some(kernel)
+        let coupled = coupled.into_iter().filter(|[first, second]| first != second);
+        ((!kernel.outputs.is_empty()).then_some(kernel), coupled.collect())
     }
 }

@@ -297,6 +297,7 @@ impl Parts for Arm {
             kind: "constraint",
             rows: &["distance"],
             markers: &[1, 2],
+            coupled: &[[0, 1]],
             first_party: 1,
             when: When::Always,
         };

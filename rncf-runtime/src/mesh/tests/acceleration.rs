@@ -4,7 +4,7 @@ use super::super::free::{Motions, RigidSpec};
 use super::super::parts::{FrameTie, JointKind, LoadKind, LoadSpec, ObservedSpec, Place};
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, MeshScene, When};
 use super::law::Law;
-use super::model::{Hand, Quadratic};
+use super::model::{EVERY, Hand, Quadratic};
 use super::random::Random;
 use super::scenery::{along_slope, body, everything, free, hold, joint, stone};
 use crate::linalg::{Lu, Pattern};
@@ -172,6 +172,7 @@ fn flyer(mean_axes: bool) -> Hand {
             "held",
         ],
         markers: &[0, 1, 2, 3, 4, 5],
+        coupled: EVERY,
         first_party: 2,
         when: When::Absolute(0),
     };
@@ -446,6 +447,7 @@ fn a_joint_carries_the_weight_and_its_moment_vanishes_at_its_point() {
         kind: "spherical",
         rows: &["position x", "position y", "position z"],
         markers: &[0, 1],
+        coupled: &[],
         first_party: 1,
         when: When::Always,
     };

@@ -17,6 +17,26 @@ use crate::rotation::Rotation;
 use crate::system::ConstraintLevel;
 use crate::vector::{Vector, add, apply_transposed, cross, dot, scale, subtract};
 
+/// Every pair of up to six markers, those of fewer markers first, and how many pairs so many markers have.
+pub const EVERY: &[[usize; 2]] = &[
+    [0, 1],
+    [0, 2],
+    [1, 2],
+    [0, 3],
+    [1, 3],
+    [2, 3],
+    [0, 4],
+    [1, 4],
+    [2, 4],
+    [3, 4],
+    [0, 5],
+    [1, 5],
+    [2, 5],
+    [3, 5],
+    [4, 5],
+];
+pub const PAIRS: [usize; 7] = [0, 0, 1, 3, 6, 10, 15];
+
 /// A row `sum z_m . B z_n + sum b . z_m + c + s sin(2 t)` of a constraint.
 #[derive(Clone, Debug, Default)]
 pub struct Quadratic {

@@ -6,7 +6,7 @@ use super::super::parts::{
 };
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, When};
 use super::law::Law;
-use super::model::{Hand, Quadratic};
+use super::model::{EVERY, Hand, PAIRS, Quadratic};
 use crate::vector::{Vector, scale};
 
 /// Nodal vectors of a centre line with slopes at both ends.
@@ -257,6 +257,7 @@ fn constraints() -> Vec<(ConstraintSpec, Vec<Quadratic>)> {
         kind: "constraint",
         rows,
         markers,
+        coupled: &EVERY[..PAIRS[markers.len()]],
         first_party: 1,
         when: When::Always,
     };

@@ -8,7 +8,7 @@ use super::super::parts::{
 use super::super::scene::MeshScene;
 use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, Motions, SectionQuantity, When};
 use super::law::Law;
-use super::model::{Hand, Quadratic, hermite, table};
+use super::model::{EVERY, Hand, PAIRS, Quadratic, hermite, table};
 use super::scenery::{DEAD, body, everything, free, hold, joint};
 use crate::model::{Formulation, Joints, Scene};
 use crate::system::{ConstraintLevel, System};
@@ -203,6 +203,7 @@ pub fn everything_with_sections() -> Hand {
         kind: "constraint",
         rows: &["square", "flush"],
         markers: &[15, 16, 17, 18],
+        coupled: &EVERY[..PAIRS[4]],
         first_party: 1,
         when: When::Always,
     };

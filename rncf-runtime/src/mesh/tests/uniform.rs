@@ -144,6 +144,7 @@ fn ball(name: &'static str, markers: &'static [usize]) -> (ConstraintSpec, Vec<Q
         kind: "spherical",
         rows: &["position x", "position y", "position z"],
         markers,
+        coupled: &[],
         first_party: 1,
         when: When::Always,
     };
