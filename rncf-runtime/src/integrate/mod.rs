@@ -352,7 +352,7 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
     /// Why the run will not come to its end, or means nothing.
     fn trouble(&mut self, stop: Stop, h: f64, fixed: bool) -> Option<SolveError> {
         let t = self.state().t;
-        if self.statistics.steps % LIGHT == 0 || stop == Stop::End {
+        if self.statistics.steps.is_multiple_of(LIGHT) || stop == Stop::End {
             let state = self.scheme.state();
             if let Some(text) = self.system.too_fast(state) {
                 let text = format!("{text}: {CAUSES}");
