@@ -142,10 +142,9 @@ impl Tracker {
     /// Leaves in the diagram what is shown.
     pub fn finish(self, diagram: &mut Campbell) {
         let mut numbers = vec![None; self.is_shown.len()];
-        let mut number = 0;
-        for (track, _) in self.is_shown.iter().enumerate().filter(|(_, is_shown)| **is_shown) {
+        let shown = (0..self.is_shown.len()).filter(|&track| self.is_shown[track]);
+        for (number, track) in shown.enumerate() {
             numbers[track] = Some(number);
-            number += 1;
         }
         let shown = |index: &mut usize| {
             let number = numbers[*index];

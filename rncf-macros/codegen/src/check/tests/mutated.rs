@@ -218,7 +218,7 @@ fn run_mutants(first: u64, count: u64, written: u64) -> [usize; 3] {
         for _ in 0..1 + random.below(3) {
             mutate(&mut parts, &words, &mut random);
         }
-        let is_written = random.next() % written == 0;
+        let is_written = random.next().is_multiple_of(written);
         let tokens = folded(parts);
         match catch_unwind(AssertUnwindSafe(|| fate(tokens, is_written))) {
             Ok(fate) => fates[fate as usize] += 1,
