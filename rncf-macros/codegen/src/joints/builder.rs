@@ -62,6 +62,11 @@ impl<'m> Builder<'m> {
     /// A marker of a party.
     pub fn marker(&mut self, party: usize, marker: Marker) -> MarkerId {
         let id = intern(self.markers, marker);
+        self.of(party, id)
+    }
+
+    /// Counts a marker to a party: reactions act on those of the first one.
+    fn of(&mut self, party: usize, id: MarkerId) -> MarkerId {
         if !self.used[party].contains(&id) {
             self.used[party].push(id);
         }
@@ -113,11 +118,12 @@ impl<'m> Builder<'m> {
         self.marker(party, Marker::Matching { frame, marker })
     }
 
-    /// A direction of a party at t = 0, in the axes of its frame or of its body's declared one.
+    /// A direction at t = 0, in the axes of a party's frame or of its body's declared one. It says where directions of both
+    /// parties start, and is [`Builder::fixed`] in one of them only then: a body may be declared in the other one's frame.
     pub fn direction(&mut self, party: usize, along: [f64; 3]) -> MarkerId {
         let frame = self.axes_of(party);
         let along = algebra::numbers(along);
-        self.marker(party, Marker::Direction { frame, along })
+        intern(self.markers, Marker::Direction { frame, along })
     }
 
     /// The direction fixed in a party that is another one at t = 0.
@@ -125,7 +131,7 @@ impl<'m> Builder<'m> {
         if let (Marker::Direction { frame: own, .. }, Some(frame)) = (&self.markers[start.0], self.frame(party))
             && *own == frame
         {
-            return start;
+            return self.of(party, start);
         }
         match self.in_section(party, start) {
             Some(direction) => direction,
@@ -153,8 +159,11 @@ impl<'m> Builder<'m> {
     /// Fixed in a party, normal to a direction at t = 0.
     pub fn normal_to(&mut self, party: usize, marker: MarkerId, which: usize) -> MarkerId {
         let frame = self.axes_of(party);
-        let normal = self.marker(party, Marker::Normal { frame, marker, which });
-        self.in_section(party, normal).unwrap_or(normal)
+        let normal = intern(self.markers, Marker::Normal { frame, marker, which });
+        match self.in_section(party, normal) {
+            Some(direction) => direction,
+            None => self.of(party, normal),
+        }
     }
 
     /// The frame in whose axes directions of a party are given.

@@ -311,7 +311,8 @@ pub fn hold(joint: &mut Builder, of: Held, axis: usize) {
         Held::SectionZ => ("ez", section(joint, true)),
     };
     let Some(moving) = moving else { return };
-    let (start, along) = (joint.matching(1, moving), joint.direction(1, unit(axis)));
+    let along = joint.direction(1, unit(axis));
+    let (start, along) = (joint.matching(1, moving), joint.fixed(1, along));
     let apart = algebra::both(&joint.value(moving), &joint.value(start), subtract);
     let row = dot(&joint.value(along), &apart);
     joint.row(format!("{what} {}", ["x", "y", "z"][axis]), row);
