@@ -197,13 +197,8 @@ impl MeshScene {
         let driving = &density.outer[..density.driving];
         let find = |i: usize, j: usize| self.pattern.find(i, j).map_or(NOWHERE, |entry| entry as u32);
         let (mut factors, mut upper, mut lower) = (Vec::new(), Vec::new(), Vec::new());
-        let unknowns = |place: &usize| self.layout.unknowns_at(density.components[*place]);
-        let places = 0..density.components.len();
-        density.doubled = places.clone().filter(|place| unknowns(place).count() > 1).collect();
-        let firsts = places.map(|place| unknowns(&place).next());
-        let seconds = density.doubled.iter().map(|place| unknowns(place).nth(1));
-        let all: Vec<Option<(usize, f64)>> = firsts.chain(seconds).collect();
-        for own in all {
+        let (dependences, doubled) = self.layout.dependences(density.components.iter().copied());
+        for own in dependences {
             factors.push(own.map_or(0.0, |(_, factor)| factor));
             upper.extend(
                 driving
@@ -216,6 +211,7 @@ impl MeshScene {
         let square = frame.flat_map(|row| density.outer.iter().map(move |&outer| self.pattern.find(row, outer)));
         density.square = square.collect();
         (density.factors, density.upper, density.lower) = (factors, upper, lower);
+        density.doubled = doubled;
     }
 
     /// Values and velocities of the markers of a density at the loaded state.

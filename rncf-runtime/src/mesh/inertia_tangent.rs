@@ -238,14 +238,9 @@ impl MeshScene {
         let count = body.spec.vectors() * body.spec.dimension();
         let unknown = self.first_unknown(free);
         let width = frame.count();
-        let unknowns = |component: usize| self.layout.unknowns_at(first + component);
-        border.doubled = (0..count)
-            .filter(|&component| unknowns(component).count() > 1)
-            .collect();
-        let firsts = (0..count).map(|component| unknowns(component).next());
-        let seconds = border.doubled.iter().map(|&component| unknowns(component).nth(1));
-        let all: Vec<Option<(usize, f64)>> = firsts.chain(seconds).collect();
-        for own in all {
+        let (dependences, doubled) = self.layout.dependences(first..first + count);
+        border.doubled = doubled;
+        for own in dependences {
             // The rows of all frames are at the end of a column, and those of one frame are all there.
             let lower = own.and_then(|(row, _)| self.pattern.find(unknown, row));
             let upper = (0..width).map(|i| own.and_then(|(row, _)| self.pattern.find(row, unknown + i)));

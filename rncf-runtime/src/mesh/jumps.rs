@@ -14,11 +14,11 @@ const FAR: f64 = 1e-12;
 impl MeshScene {
     /// The first frame that jumps, else the first constraint; positions before velocities.
     pub(super) fn jumps_between(&mut self, state: &State, behind: f64) -> Vec<Jump> {
-        let frame = self.jump_of_frames(state.t, behind);
-        if let Some(jump) = frame.filter(|jump| jump.of_position) {
-            return vec![jump];
-        }
         let size = self.sizes.iter().copied().fold(0.0, f64::max);
+        let frame = self.jump_of_frames(state.t, behind, size);
+        if frame.as_ref().is_some_and(|jump| jump.of_position) {
+            return frame.into_iter().collect();
+        }
         let found = self.jump_of_constraint(ConstraintLevel::Position, state, behind, size);
         if let Some((row, change)) = found {
             return vec![Jump {
@@ -29,8 +29,8 @@ impl MeshScene {
                 of_position: true,
             }];
         }
-        if let Some(jump) = self.jump_of_frames(state.t, behind) {
-            return vec![jump];
+        if frame.is_some() {
+            return frame.into_iter().collect();
         }
         let found = self.jump_of_constraint(ConstraintLevel::Velocity, state, behind, size);
         let jump = found.map(|(row, change)| Jump {
@@ -44,7 +44,7 @@ impl MeshScene {
     }
 
     /// The first prescribed frame whose pose jumps, else whose velocity does.
-    fn jump_of_frames(&self, t: f64, behind: f64) -> Option<Jump> {
+    fn jump_of_frames(&self, t: f64, behind: f64, size: f64) -> Option<Jump> {
         let free = declared_free(&*self.parts);
         let at = |t: f64| {
             let mut motions = vec![FrameMotion::INERTIAL; free.len()];
@@ -52,7 +52,6 @@ impl MeshScene {
             motions
         };
         let (before, after) = (at(t), at(behind));
-        let size = self.sizes.iter().copied().fold(0.0, f64::max);
         let prescribed: Vec<usize> = (1..free.len()).filter(|&frame| !free[frame]).collect();
         let name = |frame: usize| self.parts.frame_name(frame);
         for &frame in &prescribed {

@@ -165,6 +165,20 @@ impl Layout {
         self.map[component].into_iter().flatten()
     }
 
+    /// What components depend on, for tables with one entry for each: the first unknown of each component, then the
+    /// second one of those that have two; and the places of these, counted from 0.
+    pub fn dependences(
+        &self,
+        components: impl Iterator<Item = usize> + Clone,
+    ) -> (Vec<Option<(usize, f64)>>, Vec<usize>) {
+        let seconds = || components.clone().map(|component| self.map[component][1]);
+        let doubled = seconds().enumerate().filter(|(_, second)| second.is_some());
+        let doubled = doubled.map(|(place, _)| place).collect();
+        let firsts = components.clone().map(|component| self.map[component][0]);
+        let all = firsts.chain(seconds().filter(Option::is_some));
+        (all.collect(), doubled)
+    }
+
     /// `full = E x` on components that depend on unknowns; the others stay.
     pub fn expand(&self, x: &[f64], full: &mut [f64]) {
         for &[component, unknown, count] in &self.blocks {

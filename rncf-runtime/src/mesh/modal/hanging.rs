@@ -11,10 +11,6 @@ const FREE: f64 = 1e-12;
 /// Displacement, squared, below which a motion is none: turning about a straight centre line.
 const NONE: f64 = 1e-9;
 
-/// Part of the gradient, squared, that may be left, and most iterations.
-const SOLVED: f64 = 1e-28;
-const MOST_ITERATIONS: usize = 100;
-
 impl MeshScene {
     /// Refuses a body without deformation that its joints let move in its frame: it has no unknowns for that. In a free
     /// frame of its own it moves with the frame.
@@ -106,31 +102,14 @@ impl Nodal {
         motions
     }
 
-    /// What of a displacement the freedoms cannot do: the rest of least squares, by conjugate gradients. Nearly all
-    /// components are freedoms themselves, so that few iterations suffice.
+    /// What of a displacement the freedoms cannot do: the rest of least squares. The columns of E are orthogonal.
     fn hindered(&self, motion: &[f64]) -> Vec<f64> {
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let mut rest = motion.to_vec();
-        let mut gradient = self.reduced(&rest);
-        let mut direction = gradient.clone();
-        let mut square = product(&gradient, &gradient);
-        let enough = SOLVED * square;
-        for _ in 0..MOST_ITERATIONS {
-            if square <= enough {
-                break;
-            }
-            let image = self.expanded(std::slice::from_ref(&direction));
-            let step = square / product(&image, &image);
-            rest.iter_mut()
-                .zip(&image)
-                .for_each(|(rest, image)| *rest -= step * image);
-            gradient = self.reduced(&rest);
-            let before = square;
-            square = product(&gradient, &gradient);
-            for (direction, gradient) in direction.iter_mut().zip(&gradient) {
-                *direction = gradient + square / before * *direction;
-            }
+        let mut squares = vec![0.0; self.freedoms];
+        for &(freedom, factor) in self.map.iter().flatten() {
+            squares[freedom] += factor * factor;
         }
-        rest
+        let along = self.reduced(motion).into_iter().zip(squares);
+        let image = self.expanded(&[along.map(|(sum, square)| sum / square.max(f64::MIN_POSITIVE)).collect()]);
+        motion.iter().zip(image).map(|(motion, image)| motion - image).collect()
     }
 }
