@@ -4,7 +4,7 @@ use rncf::equilibrium::{Uniform, static_load};
 use rncf::modes::{Mode, Wanted, modes};
 use rncf::{Formulation, Integrator, Joints, Method, Options, Scene, State, Stop};
 
-use super::run::{Columns, Maker};
+use super::run::{Columns, Maker, by_output};
 use super::tree::{Kind, Tree};
 
 /// Modes that are compared.
@@ -50,21 +50,6 @@ pub struct Rest {
     pub vibration: Option<f64>,
 }
 
-fn read(columns: &Columns, flat: &[f64]) -> Vec<[f64; 3]> {
-    let mut at = 0;
-    columns
-        .iter()
-        .map(|axes| {
-            let mut value = [0.0; 3];
-            for axis in axes {
-                value[axis.unwrap_or(0)] = flat[at];
-                at += 1;
-            }
-            value
-        })
-        .collect()
-}
-
 /// Equilibrium at rest, modes, and where `positions` are given the vibration in time of one of them.
 ///
 /// # Errors
@@ -83,7 +68,7 @@ pub fn rest(
     let state = found.state().ok_or("no state")?.clone();
     let mut flat = vec![0.0; scene.output_columns()];
     scene.uniform_outputs(&at, &state, &mut flat);
-    let row = read(columns, &flat);
+    let row = by_output(columns, &flat);
     let found = modes(scene, &at, &state, Wanted { count: MODES }).map_err(|error| error.to_string())?;
     let slow = found.iter().find(|mode| mode.im > 1.0 && mode.re.abs() < 0.1 * mode.im);
     let vibration = match (slow, positions.is_empty()) {
@@ -124,7 +109,7 @@ fn in_time(
     let mut flat = vec![0.0; scene.output_columns()];
     let mut seen = |scene: &mut dyn Scene, state: &State| {
         scene.outputs(state, &mut flat);
-        let row = read(columns, &flat);
+        let row = by_output(columns, &flat);
         positions.iter().map(|index| row[*index]).collect::<Vec<_>>()
     };
     let (origin, expected) = (seen(&mut *scene, rest), seen(&mut *scene, &expected));

@@ -35,6 +35,22 @@ pub fn columns<M: Model>() -> Columns {
         .collect()
 }
 
+/// A row of a model by output, each a vector or a number in the first component.
+pub fn by_output(columns: &Columns, row: &[f64]) -> Vec<[f64; 3]> {
+    let mut at = 0;
+    columns
+        .iter()
+        .map(|axes| {
+            let mut value = [0.0; 3];
+            for axis in axes {
+                value[axis.unwrap_or(0)] = row[at];
+                at += 1;
+            }
+            value
+        })
+        .collect()
+}
+
 /// One way to run a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Way {
@@ -83,18 +99,7 @@ pub fn run(
     let read = |scene: &mut dyn Scene, state: &State| -> Vec<[f64; 3]> {
         let mut flat = vec![0.0; scene.output_columns()];
         scene.outputs(state, &mut flat);
-        let mut at = 0;
-        columns
-            .iter()
-            .map(|axes| {
-                let mut value = [0.0; 3];
-                for axis in axes {
-                    value[axis.unwrap_or(0)] = flat[at];
-                    at += 1;
-                }
-                value
-            })
-            .collect()
+        by_output(columns, &flat)
     };
     let rates: Vec<(usize, usize)> = observed
         .iter()

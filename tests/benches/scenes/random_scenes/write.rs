@@ -1,5 +1,7 @@
 //! A tree as the text of a model: every number that is not structure is a param, so that one text serves all draws.
 
+mod observe;
+
 use super::tree::*;
 
 /// How a copy of a scene is written.
@@ -145,6 +147,18 @@ impl Writer<'_> {
         format!("[{}]", texts.join(", "))
     }
 
+    /// `a + b * what` of two vectors of params; components of which both are zero are written as such.
+    fn growing(&mut self, [a, b]: [Vector; 2], units: [&str; 2], what: &str) -> String {
+        let mut component = |k: usize| {
+            if a[k] == 0.0 && b[k] == 0.0 {
+                return "0".to_string();
+            }
+            let (a, b) = (self.number(a[k], units[0]), self.number(b[k], units[1]));
+            format!("{a} + {b} * {what}")
+        };
+        format!("[{}]", [component(0), component(1), component(2)].join(", "))
+    }
+
     fn polar(&mut self, v: Vector, unit: &str) -> String {
         let v = turned(&self.copy.matrix, v);
         self.components(v, unit)
@@ -277,16 +291,8 @@ impl Writer<'_> {
                 let rate = self.number(*rate, "rad/s");
                 let origin = turned(&self.copy.matrix, clean(parent.local(frame.pose.origin)));
                 let way = turned(&self.copy.matrix, clean(parent.turned_back(*way)));
-                let texts: Vec<String> = (0..3)
-                    .map(|k| {
-                        if origin[k] == 0.0 && way[k] == 0.0 {
-                            return "0".to_string();
-                        }
-                        let (a, b) = (self.number(origin[k], "m"), self.number(way[k], "m"));
-                        format!("{a} + {b} * (1 - cos({rate} * t))")
-                    })
-                    .collect();
-                format!("frame {name}{inside} = moving(origin = [{}]);", texts.join(", "))
+                let origin = self.growing([origin, way], ["m", "m"], &format!("(1 - cos({rate} * t))"));
+                format!("frame {name}{inside} = moving(origin = {origin});")
             }
             Kind::Free | Kind::Rigid { .. } => {
                 let origin = self.polar(clean(parent.local(frame.pose.origin)), "m");
@@ -398,16 +404,8 @@ impl Writer<'_> {
                 // v(x) = v0 + w x (from + x direction), in the inertial frame.
                 let at = turned(&self.copy.matrix, clean(add(velocity, cross(spin, from))));
                 let along = turned(&self.copy.matrix, clean(cross(spin, direction)));
-                let texts: Vec<String> = (0..3)
-                    .map(|k| {
-                        if at[k] == 0.0 && along[k] == 0.0 {
-                            return "0".to_string();
-                        }
-                        let (a, b) = (self.number(at[k], "m/s"), self.number(along[k], "1/s"));
-                        format!("{a} + {b} * x")
-                    })
-                    .collect();
-                statements.push(format!("initial velocity [{}];", texts.join(", ")));
+                let velocity = self.growing([at, along], ["m/s", "1/s"], "x");
+                statements.push(format!("initial velocity {velocity};"));
             }
             self.items
                 .push(format!("body {name}{inside} {{ {} }}", statements.join(" ")));
@@ -557,133 +555,6 @@ impl Writer<'_> {
                     item += &format!(" load {name}_2 = density({name_of}_2, {force});");
                 }
                 item
-            }
-        }
-    }
-
-    fn output(&mut self, of: String, text: String, nature: Nature, quantity: Quantity, rate: Option<String>) -> String {
-        let name = format!("o{}", self.outputs.len());
-        self.items.push(format!("output {name} = {text};"));
-        self.outputs.push(Observed {
-            name: name.clone(),
-            nature,
-            quantity,
-            rate,
-            of,
-        });
-        name
-    }
-
-    /// Position and velocity of a place in a frame.
-    fn seen(&mut self, what: &str, place: &str, frame: Option<usize>) {
-        let frame_name = self.frame(frame);
-        let of = frame.map_or("inertial".to_string(), |frame| format!("f{frame}"));
-        let rate = self.output(
-            format!("{what}.velocity in {of}"),
-            format!("{place}.in({frame_name}).velocity"),
-            Nature::Polar,
-            Quantity::Velocity,
-            None,
-        );
-        self.output(
-            format!("{what} in {of}"),
-            format!("{place}.in({frame_name}).position"),
-            Nature::Polar,
-            Quantity::Position,
-            Some(rate),
-        );
-    }
-
-    fn observe(&mut self) {
-        use Nature::{Axial, Even, Odd, Polar};
-        // Mean axes are those of the referenced formulation alone.
-        let shown: Vec<usize> = (0..self.tree.frames.len())
-            .filter(|f| !self.tree.follows_mean(*f))
-            .collect();
-        let plane = self.tree.plane;
-        for index in 0..self.tree.bodies.len() {
-            let body = &self.tree.bodies[index];
-            for at in [1.0, 0.37] {
-                let place = self.place(Place::Body(index, at));
-                let what = format!("b{index}.at({at})");
-                self.seen(&what, &place, None);
-                if !shown.is_empty() {
-                    self.seen(
-                        &what,
-                        &place,
-                        Some(shown[(index + usize::from(at == 1.0)) % shown.len()]),
-                    );
-                }
-                if at == 1.0 {
-                    continue;
-                }
-                let is_cable = body.is_cable;
-                let mut number = |word: &str, nature, quantity| {
-                    self.output(
-                        format!("{what}.{word}"),
-                        format!("{place}.{word}"),
-                        nature,
-                        quantity,
-                        None,
-                    );
-                };
-                number("axial_force", Even, Quantity::Force);
-                match (is_cable, plane) {
-                    (true, true) => number("moment", Odd, Quantity::Moment),
-                    (true, false) => number("moment", Even, Quantity::Moment),
-                    (false, true) => {
-                        number("shear_y", Odd, Quantity::Force);
-                        number("moment_z", Odd, Quantity::Moment);
-                    }
-                    (false, false) => {
-                        number("torque", Odd, Quantity::Moment);
-                        for (of, y, z, quantity) in [
-                            ("shear", "shear_y", "shear_z", Quantity::Force),
-                            ("bending", "moment_y", "moment_z", Quantity::Moment),
-                        ] {
-                            let text = format!("sqrt({place}.{y}^2 + {place}.{z}^2)");
-                            self.output(format!("{what}.{of}"), text, Even, quantity, None);
-                        }
-                    }
-                }
-            }
-        }
-        for (number, &index) in shown.iter().enumerate() {
-            if !matches!(self.tree.frames[index].kind, Kind::Rigid { .. }) {
-                continue;
-            }
-            let name = self.name("f", index);
-            self.seen(&format!("f{index}"), &name, None);
-            let other = shown[(number + 1) % shown.len()];
-            if other != index {
-                self.seen(&format!("f{index}"), &name, Some(other));
-            }
-            if !self.tree.plane {
-                let text = format!("{name}.angular_velocity");
-                self.output(format!("f{index}.angular_velocity"), text, Axial, Quantity::Spin, None);
-            }
-        }
-        for index in 0..self.tree.joints.len() {
-            let joint = &self.tree.joints[index];
-            let name = self.name("j", index);
-            let word = joint.word;
-            let of = format!("j{index} ({word})");
-            self.output(
-                format!("{of}.force"),
-                format!("{name}.force"),
-                Polar,
-                Quantity::Force,
-                None,
-            );
-            let is_free = matches!(word, "pin" | "spherical" | "distance") || self.tree.plane && word == "revolute";
-            if !is_free {
-                self.output(
-                    format!("{of}.moment"),
-                    format!("{name}.moment"),
-                    Axial,
-                    Quantity::Moment,
-                    None,
-                );
             }
         }
     }
