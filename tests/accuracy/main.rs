@@ -17,9 +17,13 @@ mod multibody;
 mod orders;
 mod pendulum;
 mod pictures;
+// The study uses the rest.
+#[allow(dead_code)]
+mod random_scenes;
 mod reference;
 mod resumed;
 mod runs;
+mod sampled_scenes;
 mod scales;
 mod slider_crank;
 mod spin_up;

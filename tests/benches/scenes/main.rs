@@ -1,7 +1,8 @@
 //! The long study of random scenes: writes a crate with the texts of many seeds, builds it, and runs each with many draws
 //! of numbers in all ways.
 //!
-//! `cargo bench -p rncf-tests --bench scenes -- FIRST LAST DRAWS` takes the seeds FIRST to LAST - 1 (default 0 60 10).
+//! `cargo bench -p rncf-tests --bench scenes -- FIRST LAST DRAWS` takes the seeds FIRST to LAST - 1 (default 0 60 10). With no draws it
+//! tells what the scenes consist of, and which texts are refused.
 
 use std::fs;
 use std::path::Path;
@@ -9,9 +10,14 @@ use std::process::{Command, ExitCode};
 
 // The crate of the study uses the rest.
 #[allow(dead_code)]
+#[path = "../../accuracy/random_scenes/mod.rs"]
 mod random_scenes;
 
-use random_scenes::texts::texts;
+use random_scenes::grow::grow;
+use random_scenes::study::told;
+use random_scenes::texts::{models, texts};
+use rncf_codegen::elements::Library;
+use rncf_codegen::expand;
 
 fn main() -> ExitCode {
     let numbers: Vec<u64> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
@@ -39,15 +45,27 @@ fn study(seeds: std::ops::Range<u64>, draws: u64) -> Result<ExitCode, String> {
         fs::write(&path, text).map_err(|error| format!("{}: {error}", path.display()))
     };
     let (mut modules, mut table) = (String::new(), String::new());
+    let standard = Library::standard();
     for seed in seeds {
-        write(&format!("src/s{seed}.rs"), texts(seed))?;
+        if let Some(why) = models(seed).iter().find_map(|model| refusal(model, &standard)) {
+            println!("{seed}: the text is refused: {why}");
+            continue;
+        }
+        if draws == 0 {
+            println!("{seed}: {}", told(&grow(seed, 0)));
+            continue;
+        }
+        write(&format!("src/s{seed}.rs"), texts(seed, true))?;
         modules += &format!("pub mod s{seed};\n");
         table += &format!(
-            "    Entry {{ seed: {seed}, original: (maker::<s{seed}::A>, columns::<s{seed}::A>), copy: (maker::<s{seed}::B>, columns::<s{seed}::B>) }},\n"
+            "    Entry {{ seed: {seed}, original: (maker::<s{seed}::A>, columns::<s{seed}::A>), copy: Some((maker::<s{seed}::B>, columns::<s{seed}::B>)) }},\n"
         );
     }
+    if draws == 0 {
+        return Ok(ExitCode::SUCCESS);
+    }
     write("src/lib.rs", format!("#![allow(deprecated)]\n{modules}"))?;
-    let library = tests.join("benches/scenes/random_scenes/mod.rs");
+    let library = tests.join("accuracy/random_scenes/mod.rs");
     write(
         "src/main.rs",
         format!(
@@ -70,4 +88,18 @@ fn study(seeds: std::ops::Range<u64>, draws: u64) -> Result<ExitCode, String> {
     } else {
         ExitCode::FAILURE
     })
+}
+
+/// Why the generator refuses a model, if it does.
+fn refusal(model: &str, library: &Library) -> Option<String> {
+    let tokens = match model.parse() {
+        Ok(tokens) => tokens,
+        Err(error) => return Some(format!("{error}")),
+    };
+    let mistakes = expand::text(tokens, library).err()?;
+    Some(
+        mistakes
+            .first()
+            .map_or(String::new(), |mistake| mistake.message.clone()),
+    )
 }

@@ -171,5 +171,7 @@ pub fn factor(quantity: Quantity, length: f64, mass: f64, time: f64) -> f64 {
         Quantity::Angle => 1.0,
         Quantity::Force => mass * length / time / time,
         Quantity::Moment => mass * length * length / time / time,
+        Quantity::Momentum => mass * length / time,
+        Quantity::AngularMomentum => mass * length * length / time,
     }
 }

@@ -65,6 +65,8 @@ pub struct Way {
 pub struct History {
     /// By time, then by output.
     pub rows: Vec<Vec<[f64; 3]>>,
+    /// How long it took, s.
+    pub span: f64,
     /// By output with a rate: its change over the run less the integral of the rate.
     pub drift: Vec<(usize, f64)>,
     /// Largest change of the energy over the largest kinetic scale, where it is kept.
@@ -115,7 +117,10 @@ pub fn run(
         ..Options::default()
     };
     // The integrator borrows one scene; outputs are read from another of the same model through states.
-    let mut history = History::default();
+    let mut history = History {
+        span: t_end,
+        ..History::default()
+    };
     let (mut energies, mut kinetic) = (Vec::new(), 0.0f64);
     let mut states = Vec::new();
     let mut stages: Vec<(f64, State)> = Vec::new();
@@ -247,6 +252,8 @@ pub fn scales(observed: &[Observed], history: &History) -> Vec<(Quantity, f64)> 
             Quantity::Moment => *size = size.max(0.05 * force.max(LEAST_FORCE) * length),
             Quantity::Velocity | Quantity::Spin => *size = size.max(0.05 * length),
             Quantity::Force => *size = size.max(LEAST_FORCE),
+            Quantity::Momentum => *size = size.max(0.05 * force.max(LEAST_FORCE) * history.span),
+            Quantity::AngularMomentum => *size = size.max(0.05 * force.max(LEAST_FORCE) * length * history.span),
             _ => {}
         }
     }

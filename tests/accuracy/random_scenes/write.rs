@@ -1,5 +1,6 @@
 //! A tree as the text of a model: every number that is not structure is a param, so that one text serves all draws.
 
+mod balance;
 mod observe;
 
 use super::tree::*;
@@ -50,6 +51,8 @@ pub enum Quantity {
     Angle,
     Force,
     Moment,
+    Momentum,
+    AngularMomentum,
 }
 
 /// An output of the text.

@@ -9,17 +9,20 @@ use super::copies::{copy_of, factor, in_units, odd};
 use super::grow::grow;
 use super::rest::{rest, still};
 use super::run::{Apart, Columns, History, Maker, Way, compare, run, scales};
-use super::tree::Tree;
+use super::tree::{Kind, Load, Spring, Tie, Tree};
 use super::write::{Copy, Observed, Quantity, text};
+
+/// A compiled text: its maker and its columns.
+pub type Compiled = (Maker, fn() -> Columns);
 
 /// A compiled scene and its copy.
 pub struct Entry {
     /// What it is made of.
     pub seed: u64,
     /// As it is.
-    pub original: (Maker, fn() -> Columns),
+    pub original: Compiled,
     /// Its copy, [`copy_of`].
-    pub copy: (Maker, fn() -> Columns),
+    pub copy: Option<Compiled>,
 }
 
 /// Rows of a history that are compared.
@@ -32,6 +35,11 @@ const TIGHT: f64 = 1e-7;
 const LOOSE: f64 = 1e-5;
 /// Tolerance of the local error of methods of order 2.
 const SECOND: f64 = 1e-6;
+
+/// Positions of a mesh that need not come nearer with twice the elements, of the size.
+const MESHED: f64 = 2e-3;
+const HHT: Method = Method::Hht { alpha: -0.05 };
+const ALPHA: Method = Method::GeneralizedAlpha { rho_inf: 0.8 };
 
 /// What became of one check of one scene.
 #[derive(Clone, Debug)]
@@ -76,7 +84,7 @@ fn judge(apart: &[Apart], limits: Limits) -> Verdict {
     for part in apart {
         let limit = match part.quantity {
             Quantity::Position | Quantity::Angle => limits.position,
-            Quantity::Velocity | Quantity::Spin => limits.velocity,
+            Quantity::Velocity | Quantity::Spin | Quantity::Momentum | Quantity::AngularMomentum => limits.velocity,
             _ => limits.force,
         };
         if part.quantity == Quantity::Position {
@@ -162,23 +170,7 @@ pub fn checks(entry: &Entry, draw: u64) -> Vec<(&'static str, Verdict)> {
         }
     };
     verdicts.push(("runs", Verdict::Agrees(0.0)));
-    let sizes = scales(&case.observed, &reference);
-    let length = sizes
-        .iter()
-        .find(|(quantity, _)| *quantity == Quantity::Position)
-        .map_or(1.0, |(_, size)| *size);
-    let drift = reference.drift.iter().fold(
-        (0, 0.0f64),
-        |worst, (index, off)| if *off > worst.1 { (*index, *off) } else { worst },
-    );
-    verdicts.push((
-        "velocity is the derivative of position",
-        if drift.1 <= EQUAL.position * length {
-            Verdict::Agrees(drift.1 / length)
-        } else {
-            Verdict::Differs(format!("{} by {:.1e}", case.observed[drift.0].of, drift.1 / length))
-        },
-    ));
+    balances(&case, &reference, DERIVATIVES, &mut verdicts);
     if let Some((change, kinetic)) = reference.energy.filter(|(_, kinetic)| *kinetic > 0.0) {
         let relative = change / kinetic;
         verdicts.push((
@@ -190,8 +182,6 @@ pub fn checks(entry: &Entry, draw: u64) -> Vec<(&'static str, Verdict)> {
             },
         ));
     }
-    let hht = Method::Hht { alpha: -0.05 };
-    let alpha = Method::GeneralizedAlpha { rho_inf: 0.8 };
     for (name, at, limits) in [
         ("ANCF", way(Ancf, Eliminated, Method::Radau, TIGHT), EQUAL),
         ("no elimination", way(Rncf, Multipliers, Method::Radau, TIGHT), EQUAL),
@@ -202,38 +192,39 @@ pub fn checks(entry: &Entry, draw: u64) -> Vec<(&'static str, Verdict)> {
         ),
         ("Radau, loose", way(Rncf, Eliminated, Method::Radau, LOOSE), NEAR),
         ("ANCF, loose", way(Ancf, Eliminated, Method::Radau, LOOSE), NEAR),
-        ("HHT", way(Rncf, Eliminated, hht, SECOND), NEAR),
-        ("generalized-alpha", way(Rncf, Eliminated, alpha, SECOND), NEAR),
+        ("HHT", way(Rncf, Eliminated, HHT, SECOND), NEAR),
+        ("generalized-alpha", way(Rncf, Eliminated, ALPHA, SECOND), NEAR),
     ] {
+        let verdict = match case.own(at) {
+            Ok(history) => {
+                if name == "ANCF" {
+                    balances(&case, &history, ANCF_DERIVATIVES, &mut verdicts);
+                }
+                let apart = compare(&case.observed, &reference, &history, &Copy::AS_IS, 1.0);
+                judge(&apart, limits)
+            }
+            Err(error) => Verdict::Refused(error),
+        };
+        verdicts.push((name, verdict));
+    }
+    if draw == 0 {
+        convergence(&case, &reference, &mut verdicts);
+    }
+    let copy = copy_of(&case.tree);
+    if let Some((maker, columns)) = entry.copy {
+        let copied = text(&case.tree, &copy, "M");
+        let result = case.go((maker, &columns()), &copied.values, tight, case.tree.t_end);
         verdicts.push((
-            name,
-            match case.own(at) {
+            "copy",
+            match result {
                 Ok(history) => judge(
-                    &compare(&case.observed, &reference, &history, &Copy::AS_IS, 1.0),
-                    limits,
+                    &compare(&case.observed, &reference, &history, &copy, odd(&case.tree, &copy)),
+                    EQUAL,
                 ),
                 Err(error) => Verdict::Refused(error),
             },
         ));
     }
-    let copy = copy_of(&case.tree);
-    let copied = text(&case.tree, &copy, "M");
-    let result = case.go(
-        (entry.copy.0, &(entry.copy.1)()),
-        &copied.values,
-        tight,
-        case.tree.t_end,
-    );
-    verdicts.push((
-        "copy",
-        match result {
-            Ok(history) => judge(
-                &compare(&case.observed, &reference, &history, &copy, odd(&case.tree, &copy)),
-                EQUAL,
-            ),
-            Err(error) => Verdict::Refused(error),
-        },
-    ));
     let (length, mass, time) = (1.0 / 1024.0, 1.0 / 65536.0, 1.0 / 16.0);
     let small = in_units(&case.tree, length, mass, time);
     let values = text(&small, &Copy::AS_IS, "M").values;
@@ -256,6 +247,98 @@ pub fn checks(entry: &Entry, draw: u64) -> Vec<(&'static str, Verdict)> {
     verdicts
 }
 
+/// Names of the checks that what changes is the integral of its rate.
+const DERIVATIVES: [&str; 3] = [
+    "velocity is the derivative of position",
+    "forces balance momentum",
+    "moments balance angular momentum",
+];
+const ANCF_DERIVATIVES: [&str; 3] = [
+    "velocity is the derivative of position, ANCF",
+    "forces balance momentum, ANCF",
+    "moments balance angular momentum, ANCF",
+];
+
+/// What a run changed against the integrals of the rates, relative to what is largest of a quantity.
+fn balances(case: &Case, history: &History, names: [&'static str; 3], verdicts: &mut Vec<(&'static str, Verdict)>) {
+    let sizes = scales(&case.observed, history);
+    let quantities = [Quantity::Position, Quantity::Momentum, Quantity::AngularMomentum];
+    for (name, quantity) in names.into_iter().zip(quantities) {
+        let Some((_, size)) = sizes.iter().find(|(of, _)| *of == quantity) else {
+            continue;
+        };
+        let mut worst: Option<(&str, f64)> = None;
+        for (index, off) in &history.drift {
+            let output = &case.observed[*index];
+            let relative = if *off == 0.0 { 0.0 } else { off / size };
+            if output.quantity == quantity && worst.is_none_or(|(_, most)| relative > most || relative.is_nan()) {
+                worst = Some((&output.of, relative));
+            }
+        }
+        let Some((of, off)) = worst else { continue };
+        verdicts.push((
+            name,
+            if off <= EQUAL.position {
+                Verdict::Agrees(off)
+            } else {
+                Verdict::Differs(format!("{of} by {off:.1e} of {size:.1e}"))
+            },
+        ));
+    }
+}
+
+/// Meshes with twice and four times the elements, and methods of order 2 with a tolerance ten times looser.
+fn convergence(case: &Case, reference: &History, verdicts: &mut Vec<(&'static str, Verdict)>) {
+    use Formulation::Rncf;
+    use Joints::Eliminated;
+    let apart = |a: &History, b: &History| {
+        compare(&case.observed, a, b, &Copy::AS_IS, 1.0)
+            .iter()
+            .find(|apart| apart.quantity == Quantity::Position)
+            .map_or(0.0, |apart| apart.relative)
+    };
+    let tight = way(Rncf, Eliminated, Method::Radau, LOOSE);
+    let refined = |times: usize| {
+        let mut tree = case.tree.clone();
+        for body in &mut tree.bodies {
+            body.elements *= times;
+        }
+        let values = text(&tree, &Copy::AS_IS, "M").values;
+        case.go((case.entry.original.0, &case.columns), &values, tight, tree.t_end)
+    };
+    verdicts.push((
+        "meshes",
+        match (refined(2), refined(4)) {
+            (Ok(two), Ok(four)) => {
+                let (coarse, fine) = (apart(&four, reference), apart(&four, &two));
+                if fine <= (0.5 * coarse).max(MESHED) {
+                    Verdict::Agrees(fine)
+                } else {
+                    Verdict::Differs(format!("by {coarse:.1e} and {fine:.1e} with twice the elements"))
+                }
+            }
+            (Err(error), _) | (_, Err(error)) => Verdict::Refused(error),
+        },
+    ));
+    for (name, method) in [("HHT, order", HHT), ("generalized-alpha, order", ALPHA)] {
+        let runs = [10.0 * SECOND, SECOND].map(|rtol| case.own(way(Rncf, Eliminated, method, rtol)));
+        verdicts.push((
+            name,
+            match runs {
+                [Ok(loose), Ok(tight)] => {
+                    let (loose, tight) = (apart(reference, &loose), apart(reference, &tight));
+                    if tight <= (0.5 * loose).max(100.0 * SECOND) {
+                        Verdict::Agrees(tight)
+                    } else {
+                        Verdict::Differs(format!("by {loose:.1e}, and {tight:.1e} with a tenth of the tolerance"))
+                    }
+                }
+                [Err(error), _] | [_, Err(error)] => Verdict::Refused(error),
+            },
+        ));
+    }
+}
+
 /// Equilibrium at rest and modes: in all ways the same, and the same as in time.
 fn resting(case: &Case, copy: &Copy, verdicts: &mut Vec<(&'static str, Verdict)>) {
     use Formulation::{Ancf, Rncf};
@@ -266,7 +349,6 @@ fn resting(case: &Case, copy: &Copy, verdicts: &mut Vec<(&'static str, Verdict)>
     let positions: Vec<usize> = (0..case.observed.len())
         .filter(|index| case.observed[*index].quantity == Quantity::Position)
         .collect();
-    let columns = (case.entry.copy.1)();
     let maker = case.entry.original.0;
     let own = match rest(maker, &case.columns, &values, (Rncf, Eliminated), &positions) {
         Ok(own) => own,
@@ -284,7 +366,7 @@ fn resting(case: &Case, copy: &Copy, verdicts: &mut Vec<(&'static str, Verdict)>
         ));
     }
     let as_is = (1.0, &Copy::AS_IS);
-    let others = [
+    let mut others = vec![
         (
             "at rest: ANCF",
             maker,
@@ -301,15 +383,18 @@ fn resting(case: &Case, copy: &Copy, verdicts: &mut Vec<(&'static str, Verdict)>
             (Rncf, Multipliers),
             as_is,
         ),
-        (
+    ];
+    let columns = case.entry.copy.map(|(_, columns)| columns());
+    if let (Some((maker, _)), Some(columns)) = (case.entry.copy, &columns) {
+        others.push((
             "at rest: copy",
-            case.entry.copy.0,
-            &columns,
+            maker,
+            columns,
             &copied,
             (Rncf, Eliminated),
             (odd(&case.tree, copy), copy),
-        ),
-    ];
+        ));
+    }
     for (name, maker, columns, values, way, (odd, copy)) in others {
         let verdict = match rest(maker, columns, values, way, &[]) {
             Ok(other) => {
@@ -353,20 +438,54 @@ fn same_modes(a: &[[f64; 2]], b: &[[f64; 2]], by: f64) -> Verdict {
 
 /// What is in a scene, in a line.
 pub fn told(tree: &Tree) -> String {
-    let bodies: Vec<String> = tree
-        .bodies
-        .iter()
-        .map(|body| format!("{}*{}", if body.is_cable { "cable" } else { "beam" }, body.elements))
-        .collect();
-    let joints: Vec<&str> = tree.joints.iter().map(|joint| joint.word).collect();
+    let list = |words: Vec<String>| {
+        if words.is_empty() {
+            "-".to_string()
+        } else {
+            words.join(" ")
+        }
+    };
+    let frames = tree.frames.iter().map(|frame| {
+        let word = match frame.kind {
+            Kind::Rotating { .. } => "rotating",
+            Kind::Moving { .. } => "moving",
+            Kind::Free => "free",
+            Kind::Rigid { .. } => "rigid",
+        };
+        let inside = frame.parent.map_or(String::new(), |parent| format!("(f{parent})"));
+        format!("{word}{inside}")
+    });
+    let bodies = tree.bodies.iter().map(|body| {
+        let inside = body.frame.map_or(String::new(), |frame| format!("(f{frame})"));
+        let tie = if body.tie == Tie::MeanAxes { ":mean_axes" } else { "" };
+        let word = if body.is_cable { "cable" } else { "beam" };
+        format!("{word}*{}{inside}{tie}", body.elements)
+    });
+    let joints = tree.joints.iter().map(|joint| {
+        let driven = if joint.drive.is_some() { "+drive" } else { "" };
+        let coil = if joint.coil.is_some() { "+torsional" } else { "" };
+        format!("{}{driven}{coil}", joint.word)
+    });
+    let springs = tree.springs.iter().map(|spring| match spring {
+        Spring::Linear { .. } => "linear",
+        Spring::Law { .. } => "law",
+        Spring::Bushing { .. } => "bushing",
+    });
+    let loads = tree.loads.iter().map(|load| match load {
+        Load::Force { .. } => "force",
+        Load::Moment { .. } => "moment",
+        Load::Follower { .. } => "follower",
+        Load::Density { .. } => "density",
+    });
+    let gravity = tree.gravity.map(|_| "gravity");
     format!(
-        "{}, {} frames, {}; {}; {} springs, {} loads",
+        "{}; {}; {}; {}; {}; {}",
         if tree.plane { "plane" } else { "space" },
-        tree.frames.len(),
-        bodies.join(" "),
-        joints.join(" "),
-        tree.springs.len(),
-        tree.loads.len()
+        list(frames.collect()),
+        list(bodies.collect()),
+        list(joints.collect()),
+        list(springs.map(str::to_string).collect()),
+        list(loads.chain(gravity).map(str::to_string).collect())
     )
 }
 

@@ -3,7 +3,14 @@
 use super::*;
 
 impl Writer<'_> {
-    fn output(&mut self, of: String, text: String, nature: Nature, quantity: Quantity, rate: Option<String>) -> String {
+    pub(super) fn output(
+        &mut self,
+        of: String,
+        text: String,
+        nature: Nature,
+        quantity: Quantity,
+        rate: Option<String>,
+    ) -> String {
         let name = format!("o{}", self.outputs.len());
         self.items.push(format!("output {name} = {text};"));
         self.outputs.push(Observed {
@@ -128,5 +135,6 @@ impl Writer<'_> {
                 );
             }
         }
+        self.observe_balance();
     }
 }

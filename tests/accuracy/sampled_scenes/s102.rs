@@ -1,0 +1,105 @@
+rncf::model! {
+    pub model A {
+        param p0 = 0.18892406479819046 m;
+        param p1 = 0.07744284263790979 m;
+        param p2 = 0.7045606453204654 m/s;
+        param p3 = -0.6073895770531195 m/s;
+        param p4 = -1.4670095281180466 rad;
+        param p5 = 0.379929260385619 rad/s;
+        param p6 = -0.08393246504039462 m;
+        param p7 = -0.10437866575296484 m;
+        param p8 = 0.773639956525608 m/s;
+        param p9 = -0.7110557566260797 m/s;
+        param p10 = 2.0958970173552425 rad;
+        param p11 = 0.379929260385619 rad/s;
+        param p12 = 0.9184213629626146 kg;
+        param p13 = 0.003620908869173575 kg*m^2;
+        param p14 = -0.24238962509759077 m;
+        param p15 = 0.050669568020824174 m;
+        param p16 = 0.7147325957438359 m/s;
+        param p17 = -0.7712582682494158 m/s;
+        param p18 = -2.2089305076476546 rad;
+        param p19 = 0.379929260385619 rad/s;
+        param p20 = 1011.6240707174035 kg/m^3;
+        param p21 = 129961392.47122754 Pa;
+        param p22 = 0.00026862035694928487 s;
+        param p23 = 0.27664540356844136;
+        param p24 = 0.008358075519612677 m;
+        param p25 = 0.009233677036147496 m;
+        param p26 = 0.05745348015348839 m;
+        param p27 = -0.1959305840188398 m;
+        param p28 = 0.5472009866071798 m;
+        param p29 = -0.5116434262965847 m;
+        param p30: count = 1;
+        param p31 = 1978.1936117817277 kg/m^3;
+        param p32 = 1945131456.913969 Pa;
+        param p33 = 0.000555188977274578 s;
+        param p34 = 0.12456385133055274;
+        param p35 = 0.012331518332793676 m;
+        param p36 = -0.0073943624149062775 m;
+        param p37 = 0.22205629063925864 m;
+        param p38 = 0.603276523314151 m;
+        param p39 = 0.01418208586320513 m;
+        param p40: count = 3;
+        param p41 = 0.04824073448005248 m;
+        param p42 = -0.1249495741847538 m;
+        param p43 = 2.1859829530091375 N*m/rad;
+        param p44 = 0.0 N*m*s/rad;
+        param p45 = 0.012656947643249747 m;
+        param p46 = -0.03542244498362089 m;
+        param p47 = -0.23764125259475533 N;
+        param p48 = 4.613994390646122 N;
+        param p49 = 9.316256554475876 m/s^2;
+        param p50 = 3.073021934706176 m/s^2;
+        param p51 = 0.2155951675281297 m;
+        param p52 = 0.23868029094950488 m;
+        param p53 = -0.23764125259475533 N;
+        param p54 = 4.613994390646122 N;
+        param p55 = 9.316256554475876 m/s^2;
+        param p56 = 3.073021934706176 m/s^2;
+        frame f0 = free(plane = xy, origin = [p0, p1, 0], velocity = [p2, p3, 0], angle = p4, speed = p5);
+        rigid f1 { plane xy; origin = [p6, p7, 0]; velocity = [p8, p9, 0]; angle = p10; speed = p11; mass = p12; center = [0, 0, 0]; inertia = p13; }
+        frame f2 = free(plane = xy, origin = [p14, p15, 0], velocity = [p16, p17, 0], angle = p18, speed = p19);
+        material m0 { density = p20; young = p21; damping = p22; poisson = p23; }
+        section s0 = rectangle(y = 2 * p24, z = p25);
+        body b0 in f0 { planar xy; line from [p26, p27, 0] to [p28, p29, 0]; mesh p30 * beam(s0, m0); mean_axes; }
+        material m1 { density = p31; young = p32; damping = p33; poisson = p34; }
+        section s1 = circle(radius = p35);
+        body b1 in f2 { planar xy; line from [p36, p37, 0] to [p38, p39, 0]; mesh p40 * beam(s1, m1); mean_axes; }
+        joint j0 = revolute(b0.start, f1.at([p41, p42, 0]));
+        spring j0_coil = torsional(j0, stiffness = p43, damping = p44);
+        joint j1 = revolute(f1.at([p45, p46, 0]), b1.start);
+        load l0 = force(b1.end, [p47, p48, 0], in = inertial);
+        load g0 = gravity([p49, p50, 0]);
+        output o0 = b0.end.in(inertial).velocity;
+        output o1 = b0.end.in(inertial).position;
+        output o2 = b0.end.in(f1).velocity;
+        output o3 = b0.end.in(f1).position;
+        output o4 = b0.at(p51).in(inertial).velocity;
+        output o5 = b0.at(p51).in(inertial).position;
+        output o6 = b0.at(p51).in(f1).velocity;
+        output o7 = b0.at(p51).in(f1).position;
+        output o8 = b0.at(p51).axial_force;
+        output o9 = b0.at(p51).shear_y;
+        output o10 = b0.at(p51).moment_z;
+        output o11 = b1.end.in(inertial).velocity;
+        output o12 = b1.end.in(inertial).position;
+        output o13 = b1.end.in(f1).velocity;
+        output o14 = b1.end.in(f1).position;
+        output o15 = b1.at(p52).in(inertial).velocity;
+        output o16 = b1.at(p52).in(inertial).position;
+        output o17 = b1.at(p52).in(f1).velocity;
+        output o18 = b1.at(p52).in(f1).position;
+        output o19 = b1.at(p52).axial_force;
+        output o20 = b1.at(p52).shear_y;
+        output o21 = b1.at(p52).moment_z;
+        output o22 = f1.in(inertial).velocity;
+        output o23 = f1.in(inertial).position;
+        output o24 = j0.force;
+        output o25 = j1.force;
+        output o26 = [p53, p54, 0] + total.mass * [p55, p56, 0];
+        output o27 = total.momentum;
+        output o28 = cross(b1.end.in(inertial).position, [p53, p54, 0]).z + cross(total.center_of_mass, total.mass * [p55, p56, 0]).z;
+        output o29 = total.angular_momentum.z;
+    }
+}
