@@ -1105,6 +1105,7 @@ pub mod elastica_equations {
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
+                    normals: ::std::vec::Vec::new(),
                 },
             ])
         }

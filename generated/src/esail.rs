@@ -2529,6 +2529,7 @@ pub mod esail_equations {
                         twist: 0.0,
                         fidelity: ::rncf::mesh::Fidelity::Full,
                         tie: ::rncf::mesh::FrameTie::Joints,
+                        normals: ::std::vec::Vec::new(),
                     });
             }
             for instance in 0..self.counts[0] {
@@ -2583,6 +2584,7 @@ pub mod esail_equations {
                         twist: 0.0,
                         fidelity: ::rncf::mesh::Fidelity::Full,
                         tie: ::rncf::mesh::FrameTie::Joints,
+                        normals: ::std::vec::Vec::new(),
                     });
             }
             specs
@@ -3780,6 +3782,7 @@ pub mod esail_equations {
                             0.0,
                             0.0,
                         ],
+                        elastic: false,
                     });
             }
             specs

@@ -3298,6 +3298,7 @@ pub mod esail_slack_equations {
                         twist: 0.0,
                         fidelity: ::rncf::mesh::Fidelity::Full,
                         tie: ::rncf::mesh::FrameTie::Joints,
+                        normals: ::std::vec::Vec::new(),
                     });
             }
             for instance in 0..self.counts[0] {
@@ -3352,6 +3353,7 @@ pub mod esail_slack_equations {
                         twist: 0.0,
                         fidelity: ::rncf::mesh::Fidelity::Full,
                         tie: ::rncf::mesh::FrameTie::Joints,
+                        normals: ::std::vec::Vec::new(),
                     });
             }
             specs
@@ -4549,6 +4551,7 @@ pub mod esail_slack_equations {
                             0.0,
                             0.0,
                         ],
+                        elastic: false,
                     });
             }
             specs

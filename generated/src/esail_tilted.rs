@@ -3447,6 +3447,7 @@ pub mod esail_tilted_equations {
                         twist: 0.0,
                         fidelity: ::rncf::mesh::Fidelity::Full,
                         tie: ::rncf::mesh::FrameTie::Joints,
+                        normals: ::std::vec::Vec::new(),
                     });
             }
             for instance in 0..self.counts[0] {
@@ -3501,6 +3502,7 @@ pub mod esail_tilted_equations {
                         twist: 0.0,
                         fidelity: ::rncf::mesh::Fidelity::Full,
                         tie: ::rncf::mesh::FrameTie::Joints,
+                        normals: ::std::vec::Vec::new(),
                     });
             }
             specs
@@ -4611,6 +4613,7 @@ pub mod esail_tilted_equations {
                             0.0,
                             0.0,
                         ],
+                        elastic: false,
                     });
             }
             specs

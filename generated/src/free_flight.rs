@@ -1646,6 +1646,7 @@ pub mod free_flight_equations {
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Chord,
+                    normals: ::std::vec::Vec::new(),
                 },
             ])
         }
@@ -2031,6 +2032,7 @@ pub mod free_flight_equations {
                         0.0,
                         0.0,
                     ],
+                    elastic: false,
                 },
             ])
         }

@@ -2274,6 +2274,7 @@ pub mod lateral_buckling_equations {
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
+                    normals: ::std::vec::Vec::new(),
                 },
             ])
         }

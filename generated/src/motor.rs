@@ -52,7 +52,9 @@ impl ::rncf::Model for Motor {
     }
     joint drive_end = clamp(shaft.start, rotor);
     joint far_end = pin(shaft.end, rotor);
+    // The section strains with the disc: the records of this example were made so, by chains of particles.
     fixture disc on shaft.at(length / 2) {
+        section = elastic;
         mass = disc_mass;
         center = [0 m, eccentricity, 0 m];
         inertia = [
@@ -2773,6 +2775,7 @@ pub mod motor_equations {
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
+                    normals: ::std::vec::Vec::new(),
                 },
             ])
         }
@@ -3312,6 +3315,7 @@ pub mod motor_equations {
                         0.0,
                         0.0,
                     ],
+                    elastic: true,
                 },
             ])
         }

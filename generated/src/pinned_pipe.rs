@@ -960,6 +960,7 @@ pub mod pinned_pipe_equations {
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Chord,
+                    normals: ::std::vec::Vec::new(),
                 },
             ])
         }

@@ -2273,6 +2273,7 @@ pub mod princeton_beam_equations {
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
+                    normals: ::std::vec::Vec::new(),
                 },
             ])
         }

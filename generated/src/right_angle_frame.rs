@@ -2540,6 +2540,7 @@ pub mod right_angle_frame_equations {
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
+                    normals: ::std::vec::Vec::new(),
                 },
                 ::rncf::mesh::BodySpec {
                     name: "second",
@@ -2621,6 +2622,7 @@ pub mod right_angle_frame_equations {
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
+                    normals: ::std::vec::Vec::new(),
                 },
             ])
         }

@@ -2388,6 +2388,7 @@ pub mod slider_crank_equations {
                     twist: 0.0,
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
+                    normals: ::std::vec::Vec::new(),
                 },
             ])
         }
@@ -3093,6 +3094,7 @@ pub mod slider_crank_equations {
                         0.0,
                         0.0,
                     ],
+                    elastic: false,
                 },
             ])
         }

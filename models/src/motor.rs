@@ -36,7 +36,9 @@ rncf::model! {
         }
         joint drive_end = clamp(shaft.start, rotor);
         joint far_end = pin(shaft.end, rotor);
+        // The section strains with the disc: the records of this example were made so, by chains of particles.
         fixture disc on shaft.at(length / 2) {
+            section = elastic;
             mass = disc_mass;
             center = [0 m, eccentricity, 0 m];
             inertia = [

@@ -293,6 +293,10 @@ pub trait Conserving {
     /// `out = M a + F(from, to)` with the acceleration `a` of the second state; n entries.
     fn residual(&mut self, from: &State, to: &State, out: &mut [f64]);
 
+    /// Gradients of the constraints between the two states, `C(q1) - C(q0) = G (q1 - q0)`, on
+    /// [`System::constraint_pattern`]: along them multipliers do no work.
+    fn constraint_forces(&mut self, from: &State, to: &State, values: &mut [f64]);
+
     /// `factors[0] M + factors[1] dF/d((q0 + q1) / 2)` at a fixed first state on [`System::pattern`]; every entry is
     /// overwritten. Not symmetric.
     fn matrix(&mut self, from: &State, to: &State, factors: [f64; 2], values: &mut [f64]);

@@ -44,7 +44,7 @@ rncf::model! {
             arc from [0, 0, 0] m direction [1, 0, 0] normal [0, 0, 1] radius 1.5 m angle 80 deg;
             mesh elements * beam(bar, soft);
         }
-        fixture tip on bow.end { mass = 0.7 kg; }
+        fixture tip on bow.end { mass = 0.7 kg; center = [30, 20, 10] mm; inertia = [1, 1.2, 1.5] g*m^2; }
         output end = bow.end.in(inertial);
     }
 }
@@ -178,7 +178,8 @@ fn a_tumbling_bow_keeps_energy_and_momenta_over_ten_thousand_steps() {
     let mut scene = Tumbling::default()
         .build(Formulation::Ancf, Joints::Eliminated)
         .unwrap();
-    assert_eq!((scene.border(), scene.constraints()), (0, 0));
+    // What keeps the section below the tip rigid does no work.
+    assert_eq!((scene.border(), scene.constraints()), (0, 6));
     let seen = run(scene.as_mut(), fixed(0.005), Method::EnergyMomentum, 50.0, sums).unwrap();
     let (steps, first) = (seen.len() - 1, seen[0]);
     let mut kept = [0.0_f64; 3];

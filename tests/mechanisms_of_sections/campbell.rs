@@ -119,10 +119,10 @@ fn critical_speeds_of_a_shaft_balanced_or_not() {
         println!("{:?}", found.critical);
         assert_eq!(found.critical.len(), 2, "{:?}", found.critical);
         for (critical, exact) in found.critical.iter().zip(FORWARD) {
-            // The mesh of 6 elements alone is off by 6e-5.
+            // The mesh of 6 elements alone is off by 1.3e-4.
             let error = (critical.value - exact).abs();
             assert!(critical.change == 2 && critical.within < 5e-5 * exact, "{critical:?}");
-            assert!(error < 6e-5 * exact + critical.within, "{critical:?} {exact}");
+            assert!(error < 1.3e-4 * exact + critical.within, "{critical:?} {exact}");
             assert_eq!(critical.open.is_some(), eccentricity > 0.0);
         }
         let whirls: Vec<(Whirl, f64)> = found

@@ -3,6 +3,7 @@
 
 mod campbell;
 mod chains;
+mod discs;
 mod ladder;
 mod lateral;
 mod materials;

@@ -20,6 +20,7 @@ use super::markers::{ConstraintSpec, When};
 use super::moments::turned_by_moments;
 use super::parts::{BodySpec, Fidelity, FrameTie, JointSpec, LoadKind, Parts};
 use super::repeated::check_instances;
+use super::rigid_sections::declare_normals;
 use super::scene::{Buffers, MeshBody, MeshScene, PlaceVector, Row};
 use super::shared::Shared;
 use super::ties::{self, ChordEnds, Tie, ends};
@@ -57,8 +58,10 @@ impl MeshScene {
         parts.check()?;
         let mut specs = parts.bodies();
         describe(&mut specs, fidelity)?;
-        let specs = specs;
         check_instances(&*parts, &specs)?;
+        specs.iter().try_for_each(check_body)?;
+        declare_normals(&*parts, &mut specs)?;
+        let specs = specs;
         let Frames {
             free,
             free_of,
@@ -149,6 +152,7 @@ impl MeshScene {
             density_batches: Vec::new(),
             fixtures: Vec::new(),
             ties: Vec::new(),
+            rigid_sections: Vec::new(),
             taken: Vec::new(),
             followed: Vec::new(),
             followed_shape: Vec::new(),
@@ -164,10 +168,12 @@ impl MeshScene {
         scene.remarks.extend(scene.thick_sections());
         scene.check_shared(&shared)?;
         scene.place()?;
+        scene.find_rigid_sections();
         scene.tabulate(&chords)?;
         scene.settle()?;
         scene.load_rest();
         scene.resolve_markers()?;
+        scene.refer_rigid_sections();
         scene.sizes = scene.unknown_sizes();
         scene.follow_far_starts();
         scene.find_anchors();
@@ -308,7 +314,9 @@ impl MeshScene {
         for body in &self.bodies {
             if let Some(free) = self.free_of[body.frame] {
                 let first = layout.unknowns() - layout.border() + self.free[free].first;
-                let unknowns = self.unknowns_of(body.connectivity.components.iter().copied());
+                let own =
+                    self.layout.offset(body.first_vector)..self.layout.offset(body.first_vector + body.spec.vectors());
+                let unknowns = self.unknowns_of(own);
                 for unknown in unknowns {
                     let frame = first..first + self.free[free].count();
                     entries.extend(frame.flat_map(|border| [(unknown, border), (border, unknown)]));
@@ -316,6 +324,7 @@ impl MeshScene {
             }
         }
         entries.extend(self.density_entries());
+        entries.extend(self.normal_entries());
         entries
     }
 
@@ -406,6 +415,14 @@ impl MeshScene {
                 self.constraint_rows.push(Row::Tie { tie: index });
             }
         }
+        for (index, section) in self.rigid_sections.iter().enumerate() {
+            for row in 0..section.rows() {
+                let unknowns = self.unknowns_of(section.components(row));
+                let column = self.constraint_rows.len();
+                entries.extend(unknowns.into_iter().map(|unknown| (unknown, column)));
+                self.constraint_rows.push(Row::Rigid { section: index, row });
+            }
+        }
         for (index, linked) in self.constraints.iter().enumerate() {
             let unknowns = self.unknowns_of(self.constraint_components(linked));
             for row in 0..linked.spec.rows.len() {
@@ -434,6 +451,14 @@ impl MeshScene {
             let local = spread_mass(fixture.mass(), &body.spec);
             body.scatter.add(fixture.point.element, &local, &mut self.mass);
         }
+        for (body, [row, column], value) in self.masses_of_normals() {
+            for component in 0..self.bodies[body].spec.dimension() {
+                let entries: Vec<_> = self.entries_of(row + component, column + component).collect();
+                entries
+                    .into_iter()
+                    .for_each(|(entry, factor)| self.mass[entry] += factor * value);
+            }
+        }
     }
 }
 
@@ -442,7 +467,6 @@ fn prepare(parts: &mut dyn Parts, specs: &[BodySpec]) -> Result<Vec<usize>, Mode
     let mut next = 0;
     let mut firsts = Vec::new();
     for (index, spec) in specs.iter().enumerate() {
-        check_body(spec)?;
         let length = spec.line.length() / spec.count as f64;
         parts.prepare(index, length, &element_shapes(spec))?;
         firsts.push(next);

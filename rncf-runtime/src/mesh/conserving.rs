@@ -5,7 +5,7 @@
 
 use super::evaluate::MAX_SIZE;
 use super::scene::{MeshScene, Row};
-use crate::system::{Conserving, State};
+use crate::system::{Conserving, State, System};
 
 impl MeshScene {
     /// What stands against forces that conserve energy, and what to do; `None`: nothing.
@@ -97,11 +97,20 @@ impl Conserving for MeshScene {
         self.layout.project(&self.buffers.force, out);
     }
 
+    fn constraint_forces(&mut self, from: &State, to: &State, values: &mut [f64]) {
+        self.constraint_jacobian(to, values);
+        if !self.rigid_sections.is_empty() {
+            self.load_ends(from, to);
+            self.rigid_section_jacobian_halfway(values);
+        }
+    }
+
     fn matrix(&mut self, from: &State, to: &State, factors: [f64; 2], values: &mut [f64]) {
         self.load_ends(from, to);
         for (value, mass) in values.iter_mut().zip(&self.mass) {
             *value = factors[0] * mass;
         }
+        self.add_rigid_section_curvature(&to.lambda, |entry, value| values[entry] += factors[1] * value);
         let mut stiffness = Vec::new();
         for (index, body) in self.bodies.iter().enumerate() {
             let size = body.spec.element_size();

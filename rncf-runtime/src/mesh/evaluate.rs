@@ -355,6 +355,7 @@ impl MeshScene {
         self.add_density_tangents(t, 1.0, &mut sums);
         // Conditions on nodes and mean axes are linear in the unknowns: they add nothing.
         self.marker_constraint_stiffness(t, lambda, &mut sums);
+        self.rigid_section_stiffness(lambda, &mut sums);
     }
 
     /// Calls for every element with its elastic derivatives, see [`super::batches::Group::each_tangent`].

@@ -1,11 +1,12 @@
 //! Rigid fixtures on flexible bodies (THEORY 5.4): constants on position and slope of their place, with a
-//! section also on its axes.
+//! section also on its axes. Of a section that they make rigid the normal stands for the slope, which shears.
 
 use super::evaluate::weighted;
 use super::inertia::Transport;
 use super::inertia_tangent::Combination;
 use super::markers::FixtureSpec;
 use super::parts::BodySpec;
+use super::rigid_sections::{makes_rigid, needs_normal};
 use super::scene::{MeshPoint, MeshScene, PlaceVector};
 use crate::model::Warning;
 use crate::vector::Vector;
@@ -15,6 +16,10 @@ pub(super) struct Fixture {
     pub spec: FixtureSpec,
     pub point: MeshPoint,
     vectors: &'static [PlaceVector],
+    /// Whether its section is rigid.
+    pub is_rigid: bool,
+    /// Vector, counted in the body, that is the normal of its section, where that stands for the slope.
+    pub normal: Option<usize>,
     /// Mass of an element's vectors that the fixture adds, rows first.
     mass: Vec<f64>,
 }
@@ -40,25 +45,61 @@ fn vectors_of(spec: &BodySpec) -> &'static [PlaceVector] {
 impl Fixture {
     /// A fixture at its place on a body.
     pub fn new(spec: FixtureSpec, point: MeshPoint, body: &BodySpec) -> Self {
+        let is_rigid = makes_rigid(&spec, body);
+        let own = (point.element, point.xi);
+        let normal = body.normals.iter().position(|&normal| normal == own);
+        let normal = normal.filter(|_| is_rigid && needs_normal(&spec, body));
         let mut fixture = Self {
             spec,
             point,
             vectors: vectors_of(body),
+            is_rigid,
+            normal: normal.map(|normal| body.meshed_vectors() + normal),
             mass: Vec::new(),
         };
         fixture.mass = fixture.element_mass();
         fixture
     }
 
-    /// Masses of the vectors of the place (THEORY 5.4): mass, first and second moments.
+    /// Masses of the vectors of the place (THEORY 5.4): mass, first and second moments. Of a rigid section all that is along
+    /// its normal belongs to the normal; where it has none, it is round-off or, in a plane, as much along the section's axis.
     pub fn block(&self) -> [[f64; 4]; 4] {
         let [mass, x, y, z, xx, yy, zz, xy, xz, yz] = self.spec.constants;
+        if self.is_rigid && self.normal.is_none() {
+            let all = if self.vectors.len() == 3 { xx + yy } else { yy };
+            return [[mass, 0.0, y, z], [0.0; 4], [y, 0.0, all, yz], [z, 0.0, yz, zz]];
+        }
         [[mass, x, y, z], [x, xx, xy, xz], [y, xy, yy, yz], [z, xz, yz, zz]]
     }
 
-    /// Weights of an element's vectors in the vectors of the place.
-    fn weights(&self) -> impl Iterator<Item = &[f64]> {
-        self.vectors.iter().map(|&of| self.point.weights(of))
+    /// The vectors of the place that are interpolated, with their places among the constants, and weights of the
+    /// element's vectors in them.
+    fn weights(&self) -> impl Iterator<Item = (usize, &[f64])> {
+        let vectors = self.vectors.iter().enumerate();
+        let own = vectors.filter(|(place, _)| *place != 1 || self.normal.is_none());
+        own.map(|(place, &of)| (place, self.point.weights(of)))
+    }
+
+    /// Masses in the rows and columns of the section's normal, where that is a vector of its own: vectors, counted in the
+    /// body.
+    pub fn entries_of_normal(&self, spec: &BodySpec) -> Vec<([usize; 2], f64)> {
+        let Some(normal) = self.normal else {
+            return Vec::new();
+        };
+        let row = self.block()[1];
+        let mut entries = vec![([normal, normal], row[1])];
+        for (place, weights) in self.weights() {
+            for (local, weight) in weights.iter().enumerate() {
+                let (other, value) = (
+                    self.point.element * spec.stride + spec.connectivity[local],
+                    row[place] * weight,
+                );
+                if value != 0.0 {
+                    entries.extend([([normal, other], value), ([other, normal], value)]);
+                }
+            }
+        }
+        entries
     }
 
     /// Number of vectors of the element.
@@ -74,8 +115,8 @@ impl Fixture {
     fn element_mass(&self) -> Vec<f64> {
         let (count, block) = (self.count(), self.block());
         let mut result = vec![0.0; count * count];
-        for (i, rows) in self.weights().enumerate() {
-            for (j, columns) in self.weights().enumerate() {
+        for (i, rows) in self.weights() {
+            for (j, columns) in self.weights() {
                 for (place, sum) in result.iter_mut().enumerate() {
                     *sum += rows[place / count] * block[i][j] * columns[place % count];
                 }
@@ -92,10 +133,29 @@ impl MeshScene {
         let dimension = body.spec.dimension();
         let components = body.connectivity.element(fixture.point.element);
         let mut place = [0.0; MOST];
-        for (part, weights) in place.chunks_exact_mut(dimension).zip(fixture.weights()) {
+        for (vector, weights) in fixture.weights() {
+            let part = &mut place[vector * dimension..(vector + 1) * dimension];
             part.copy_from_slice(&weighted(&self.buffers.q, components, dimension, weights)[..dimension]);
         }
+        if let Some(normal) = fixture.normal {
+            let first = self.layout.offset(body.first_vector + normal);
+            place[dimension..2 * dimension].copy_from_slice(&self.buffers.q[first..first + dimension]);
+        }
         place
+    }
+
+    /// Masses beside the normals of sections: body, first components of both vectors, mass.
+    pub(super) fn masses_of_normals(&self) -> Vec<(usize, [usize; 2], f64)> {
+        let of = |fixture: &Fixture| {
+            let (index, body) = (fixture.point.body, &self.bodies[fixture.point.body]);
+            let entries = fixture.entries_of_normal(&body.spec).into_iter();
+            let offset = |vector: usize| self.layout.offset(body.first_vector + vector);
+            let own: Vec<_> = entries
+                .map(|(vectors, value)| (index, vectors.map(offset), value))
+                .collect();
+            own
+        };
+        self.fixtures.iter().flat_map(of).collect()
     }
 
     /// Adds the derivatives of the inertia forces of all fixtures on nodal vectors, but for their mass, which is
@@ -117,6 +177,19 @@ impl MeshScene {
             };
             body.scatter.add_by(fixture.point.element, entry, values);
         }
+        for (body, [row, column], mass) in self.masses_of_normals() {
+            let body = &self.bodies[body];
+            let axes = body.spec.axes;
+            let transport = Transport::new(&self.buffers.frames[body.frame], axes, [0.0; 3]);
+            let block = combination.block(&transport);
+            for (i, &a) in axes.iter().enumerate() {
+                for (j, &b) in axes.iter().enumerate() {
+                    for (entry, factor) in self.entries_of(row + i, column + j) {
+                        values[entry] += factor * mass * block[a][b];
+                    }
+                }
+            }
+        }
     }
 
     /// Fixtures whose section is not rigid at the loaded state, in words: their inertia pulls at its axes, which are elastic.
@@ -124,7 +197,8 @@ impl MeshScene {
         let told = |fixture: &Fixture| {
             let body = &self.bodies[fixture.point.body];
             let dimension = body.spec.dimension();
-            if !body.spec.has_section() || !body.spec.fidelity.deforms() || fixture.spec.constants[4..] == [0.0; 6] {
+            let strains = body.spec.has_section() && body.spec.fidelity.deforms() && !fixture.is_rigid;
+            if !strains || fixture.spec.elastic || fixture.spec.constants[4..] == [0.0; 6] {
                 return None;
             }
             let place = self.fixture_place(fixture);
@@ -146,7 +220,7 @@ impl MeshScene {
             (strain > RIGID_ENOUGH).then(|| Warning {
                 weight: strain,
                 text: format!(
-                    "fixture `{}` is rigid, and the section of body `{}` that carries it strains by {:.2} %: its inertia is off by twice as much; take a `rigid` body and a `weld` instead",
+                    "fixture `{}` is rigid, and the section of body `{}` that carries it strains by {:.2} %: its inertia is off by twice as much; describe the body by all its nodal vectors, or take a `rigid` body and a `weld`",
                     fixture.spec.name,
                     body.spec.label(),
                     100.0 * strain

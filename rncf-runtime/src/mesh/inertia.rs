@@ -131,7 +131,12 @@ pub(super) struct NodalMass {
 
 impl NodalMass {
     /// Sum of local matrices (scalars for an element's vectors, rows first) of elements.
-    pub fn new<'a>(spec: &BodySpec, parts: impl IntoIterator<Item = (usize, &'a [f64])>) -> Self {
+    /// `beside`: entries of single vectors, counted in the body.
+    pub fn new<'a>(
+        spec: &BodySpec,
+        parts: impl IntoIterator<Item = (usize, &'a [f64])>,
+        beside: impl IntoIterator<Item = ([usize; 2], f64)>,
+    ) -> Self {
         let count = spec.nodal.len();
         let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); spec.vectors()];
         for (element, local) in parts {
@@ -139,6 +144,9 @@ impl NodalMass {
             for (entry, &value) in local.iter().enumerate().filter(|(_, value)| **value != 0.0) {
                 add_entry(&mut rows[place(entry / count)], place(entry % count), value);
             }
+        }
+        for ([row, column], value) in beside {
+            add_entry(&mut rows[row], column, value);
         }
         Self::of_rows(spec, rows)
     }
@@ -290,19 +298,20 @@ impl MeshScene {
     /// Masses of the nodal vectors of a body: with its elements, and of fixtures alone.
     pub(super) fn nodal_masses(&self, index: usize) -> [NodalMass; 2] {
         let body = &self.bodies[index];
-        let on_body = self.fixtures.iter().filter(|fixture| fixture.point.body == index);
-        let fixed: Vec<(usize, Vec<f64>)> = on_body
+        let on_body = || self.fixtures.iter().filter(|fixture| fixture.point.body == index);
+        let normals = || on_body().flat_map(|fixture| fixture.entries_of_normal(&body.spec));
+        let fixed: Vec<(usize, Vec<f64>)> = on_body()
             .map(|fixture| (fixture.point.element, fixture.mass().to_vec()))
             .collect();
         let fixed = || fixed.iter().map(|(element, local)| (*element, &local[..]));
         let elements = (0..body.spec.count).map(|element| (element, &body.mass[..]));
-        let on_it = NodalMass::new(&body.spec, fixed());
+        let on_it = NodalMass::new(&body.spec, fixed(), normals());
         let whole = match body.spec.fidelity {
             Fidelity::Point => {
-                let own = NodalMass::new(&body.spec, elements);
+                let own = NodalMass::new(&body.spec, elements, []);
                 own.at_centre(&body.spec).plus(&on_it, &body.spec)
             }
-            _ => NodalMass::new(&body.spec, elements.chain(fixed())),
+            _ => NodalMass::new(&body.spec, elements.chain(fixed()), normals()),
         };
         [whole, on_it]
     }

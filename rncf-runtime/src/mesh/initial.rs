@@ -52,6 +52,7 @@ impl MeshScene {
                 add_rigid(spec, &q[first..], motion, -1.0, &mut v[first..]);
             }
         }
+        self.set_normals([&mut q, &mut v]);
         [q, v]
     }
 

@@ -135,7 +135,8 @@ pub struct ForceSpec {
     pub conservative: bool,
 }
 
-/// A rigid fixture at a place of a flexible body (THEORY 5.4): it adds constants, no unknowns.
+/// A rigid fixture at a place of a flexible body (THEORY 5.4). Its inertia is constant; a section below it becomes rigid, with
+/// constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FixtureSpec {
     /// Name in the declaration.
@@ -147,4 +148,6 @@ pub struct FixtureSpec {
     /// Mass (kg); first moments (kg m) along the slope and the section's y and z axes; second moments
     /// (kg m^2) xx, yy, zz, xy, xz, yz of those coordinates. Without a section only x has entries.
     pub constants: [f64; 10],
+    /// Whether a section that carries it goes on to strain; else it is rigid.
+    pub elastic: bool,
 }

@@ -45,6 +45,7 @@ mod point_forces;
 mod points;
 mod relaxed;
 mod repeated;
+mod rigid_sections;
 mod sampling;
 mod scene;
 mod section;

@@ -216,11 +216,12 @@ impl MeshScene {
         }
     }
 
-    /// Forces of all components at the loaded state as joints on nodes supply them: what constraints on markers do is
-    /// part of them, and bodies in modes carry what their modes leave unbalanced to their joints.
+    /// Forces of all components at the loaded state as joints on nodes supply them: what constraints on markers and rigid
+    /// sections do is part of them, and bodies in modes carry what their modes leave unbalanced to their joints.
     fn evaluate_reactions(&mut self, t: f64, load_scale: f64, lambda: &[f64]) {
         self.full_force(t, load_scale);
         self.add_marker_constraint_forces(t, lambda);
+        self.add_rigid_section_forces(lambda);
         self.hold_modes();
     }
 

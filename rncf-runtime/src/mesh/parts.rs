@@ -47,6 +47,9 @@ pub struct BodySpec {
     pub fidelity: Fidelity,
     /// What its free frame follows beside joints.
     pub tie: FrameTie,
+    /// Where normals of sections are vectors of their own: element and place on it in [0, 1]. The scene fills them in, for
+    /// rigid fixtures; such vectors follow those of the nodes.
+    pub normals: Vec<(usize, f64)>,
 }
 
 /// What of a body its free frame follows.
@@ -148,8 +151,13 @@ impl BodySpec {
     }
 
     /// Node (of vectors inside an element its first) and local number of a nodal vector, counted in the
-    /// body.
+    /// body. The normal of a section stands beside the section's y axis of its element.
     pub fn locate(&self, vector: usize) -> (usize, usize) {
+        if let Some(normal) = vector.checked_sub(self.meshed_vectors()) {
+            let element = self.normals.get(normal).map_or(0, |&(element, _)| element);
+            let is_axis = |vector: &NodalSpec| vector.of == Interpolant::SectionY;
+            return (element, self.nodal.iter().position(is_axis).unwrap_or(0));
+        }
         let place = vector % self.stride;
         let local = self.connectivity.iter().position(|&other| other == place).unwrap_or(0);
         (vector / self.stride, local)
@@ -157,6 +165,11 @@ impl BodySpec {
 
     /// Nodal vectors of the body.
     pub fn vectors(&self) -> usize {
+        self.meshed_vectors() + self.normals.len()
+    }
+
+    /// Nodal vectors of its elements, before the normals of sections.
+    pub fn meshed_vectors(&self) -> usize {
         self.count * self.stride + self.vectors_per_node
     }
 

@@ -90,20 +90,32 @@ impl MeshScene {
             let transport = Transport::new(&self.buffers.frames[body.frame], body.spec.axes, self.buffers.gravity);
             let total = Total::new(&transport);
             let of_place = &VECTORS[..1 + body.spec.interpolants()];
+            // What is along the normal of a rigid section comes through the forces that keep it rigid.
+            let normal = fixture
+                .normal
+                .map(|normal| self.layout.offset(body.first_vector + normal));
+            let along_normal = |of: PlaceVector| normal.filter(|_| of == PlaceVector::Slope);
             let accelerations: Vec<Vector> = of_place
                 .iter()
                 .map(|&of| {
                     let full = [&self.buffers.q, &self.buffers.v, &self.buffers.a];
-                    let at: [Padded; 3] = full.map(|full| padded(self.at_point(point, of, full)));
+                    let value = |full: &[f64]| match along_normal(of) {
+                        Some(first) => self.vector_at(body, full, first),
+                        None => self.at_point(point, of, full),
+                    };
+                    let at: [Padded; 3] = full.map(|full| padded(value(full)));
                     vector(total.acceleration(of == PlaceVector::Position, at.each_ref()))
                 })
                 .collect();
             for (&of, row) in of_place.iter().zip(block) {
                 let parts = row.into_iter().zip(&accelerations);
                 let force = parts.fold([0.0; 3], |sum, (mass, &a)| add(sum, scale(-mass, a)));
-                act(point, of, force);
+                if along_normal(of).is_none() {
+                    act(point, of, force);
+                }
             }
         }
+        self.each_rigid_section_force(lambda, act);
         self.buffers.point_forces = all;
     }
 }

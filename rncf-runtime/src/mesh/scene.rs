@@ -20,6 +20,7 @@ use super::modal::ModalBody;
 use super::parts::{BodySpec, Interpolant, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, PointQuantity};
 use super::point_forces::PointForce;
 use super::repeated::{LANES, label};
+use super::rigid_sections::RigidSection;
 use super::ties::Tie;
 use crate::error::ModelError;
 use crate::linalg::Pattern;
@@ -224,6 +225,7 @@ pub struct MeshScene {
     pub(super) density_batches: Vec<Batches>,
     pub(super) fixtures: Vec<Fixture>,
     pub(super) ties: Vec<Tie>,
+    pub(super) rigid_sections: Vec<RigidSection>,
     /// For every body that starts in relative equilibrium the components of its vectors, frame axes; else nothing.
     pub(super) settled: Vec<Vec<f64>>,
     /// For every body the places beside its free frame.
@@ -252,6 +254,8 @@ pub(super) enum Row {
     Condition { condition: usize, row: usize },
     /// Of a body that its frame follows.
     Tie { tie: usize },
+    /// Of the section below a rigid fixture.
+    Rigid { section: usize, row: usize },
     /// Of a constraint on markers.
     Linked { linked: usize, row: usize },
 }
@@ -266,12 +270,19 @@ impl MeshScene {
                 shape.extend(body.spec.undeformed(node, local));
             }
         }
+        self.set_normals([&mut shape, &mut Vec::new()]);
         shape
     }
 
     /// Name of a joint for messages.
     pub(super) fn joint_label(&self, joint: usize) -> String {
         label(self.joints.iter().map(|joint| joint.name), joint)
+    }
+
+    /// Place of the first row of the sections below rigid fixtures.
+    pub(super) fn first_rigid(&self) -> usize {
+        let before = |row: &&Row| matches!(row, Row::Condition { .. } | Row::Tie { .. });
+        self.constraint_rows.iter().take_while(before).count()
     }
 
     /// Place of the first row of the constraints on markers.
@@ -336,8 +347,17 @@ pub(super) fn mesh_point(
 
 /// Element and weights of a place on a body.
 fn place_on(parts: &dyn Parts, spec: &BodySpec, body: usize, at: Place, user: &str) -> Result<MeshPoint, ModelError> {
+    let (element, xi) = element_at(spec, at, user)?;
+    Ok(point_of(parts, spec, body, element, xi))
+}
+
+/// Element of a place on a body, and where on the element it is, in [0, 1].
+///
+/// # Errors
+/// A place beyond the ends, by the name of its user.
+pub(super) fn element_at(spec: &BodySpec, at: Place, user: &str) -> Result<(usize, f64), ModelError> {
     let length = spec.line.length();
-    let (element, xi) = match at {
+    Ok(match at {
         Place::Start => (0, 0.0),
         Place::End => (spec.count - 1, 1.0),
         Place::At(x) if (0.0..=length).contains(&x) => {
@@ -359,8 +379,7 @@ fn place_on(parts: &dyn Parts, spec: &BodySpec, body: usize, at: Place, user: &s
                 spec.label()
             )));
         }
-    };
-    Ok(point_of(parts, spec, body, element, xi))
+    })
 }
 
 /// The point of an element at `xi` in [0, 1].

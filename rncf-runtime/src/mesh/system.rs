@@ -56,6 +56,7 @@ impl System for MeshScene {
         self.full_tangent(state.t, 1.0, out);
         // Conditions on nodes and ties of frames are linear in the unknowns: they add nothing.
         self.marker_constraint_stiffness(state.t, &state.lambda, out);
+        self.rigid_section_stiffness(&state.lambda, out);
     }
 
     fn iteration_matrix(&mut self, state: &State, factors: [f64; 3], values: &mut [f64]) {
@@ -93,6 +94,7 @@ impl System for MeshScene {
             }
         }
         self.tie_rows(level, &mut out[column..]);
+        self.rigid_section_rows(level, &mut out[self.first_rigid()..]);
         let first = self.first_linked();
         self.marker_constraints(level, state.t, &mut out[first..]);
     }
@@ -128,8 +130,9 @@ impl System for MeshScene {
             }
         }
         self.tie_jacobian(column, values);
-        if !self.constraints.is_empty() {
+        if !self.constraints.is_empty() || !self.rigid_sections.is_empty() {
             self.load_state(state);
+            self.rigid_section_jacobian(values);
             self.marker_jacobians(state.t, self.first_linked(), values);
         }
     }
@@ -138,8 +141,9 @@ impl System for MeshScene {
         // Ties of frames are linear in the unknowns with constant coefficients.
         values.fill(0.0);
         self.condition_rate_tangents(state.t, values);
-        if !self.constraints.is_empty() {
+        if !self.constraints.is_empty() || !self.rigid_sections.is_empty() {
             self.load_state(state);
+            self.rigid_section_rate_tangent(values);
             self.marker_rate_tangents(state.t, self.first_linked(), values);
         }
     }
@@ -164,6 +168,12 @@ impl System for MeshScene {
             _ => AXES[body.spec.axes[component]],
         };
         let (name, nodal) = (body.spec.label(), &body.spec.nodal[local]);
+        if vector - body.first_vector >= body.spec.meshed_vectors() {
+            return format!(
+                "body `{name}`, element {}, normal of the section below a fixture {what}",
+                node + 1
+            );
+        }
         let place = if nodal.xi == 0.0 {
             format!("node {node}")
         } else {
@@ -199,6 +209,10 @@ impl System for MeshScene {
             Row::Tie { tie } => {
                 let spec = &self.bodies[self.ties[tie].body].spec;
                 format!("body `{}`, {}", spec.label(), spec.tie.describe())
+            }
+            Row::Rigid { section, row } => {
+                let section = &self.rigid_sections[section];
+                format!("fixture `{}`, {}", section.name, section.describe(row))
             }
             Row::Linked { linked, row } => {
                 let spec = &self.constraints[linked].spec;

@@ -119,6 +119,8 @@ impl MeshScene {
     pub(super) fn uniform_tangent(&mut self, at: &Uniform, state: &State, out: &mut Tangent) {
         self.full_tangent(at.t, at.load(), out);
         self.marker_constraint_stiffness(at.t, &state.lambda, out);
+        self.rigid_section_stiffness(&state.lambda, out);
+        self.hold_normals(out);
     }
 
     /// The declared start at the time of `at`, at rest in the frames; what moves freely is carried on with

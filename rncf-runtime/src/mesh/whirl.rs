@@ -144,7 +144,7 @@ impl MeshScene {
                 }
                 tangents
             });
-        let ends = [0, mass.vectors().saturating_sub(1)].map(|place| spec.locate(place).0);
+        let ends = [0, spec.meshed_vectors() - 1].map(|place| spec.locate(place).0);
         let chord = ends
             .map(|node| tangents.get(node).copied().flatten())
             .into_iter()
@@ -169,7 +169,9 @@ impl MeshScene {
             });
             let tangent = tangents.get(node).copied().flatten().or(chord);
             let axes = Axes::new(tangent.unwrap_or([1.0, 0.0, 0.0]), axis);
-            let is_axis = spec.nodal[local].of == Interpolant::Position;
+            // The normal of a section moves as the slope does.
+            let is_normal = place >= spec.meshed_vectors();
+            let is_axis = is_normal || spec.nodal[local].of == Interpolant::Position;
             parts.push(if is_axis {
                 let across = axes
                     .across

@@ -156,17 +156,18 @@ impl<'a> Check<'a> {
     fn on_body(&mut self, item: &'a Item, place: &'a Expr, fields: &'a Fields) {
         let Some(at) = self.place_on_body(place) else {
             // What does not hang on the place is checked all the same.
-            let all = ["mass", "offset", "gyration", "center", "inertia"];
+            let all = ["mass", "offset", "gyration", "center", "inertia", "section"];
             self.fields(fields, "a `fixture` on a flexible body", &all);
             return;
         };
-        let constants = if at.has_section {
+        let part = if at.has_section {
             self.on_section(item, &at, fields)
         } else {
-            self.on_line(item, fields)
+            self.on_line(item, fields).map(|constants| (constants, false))
         };
         let is_finite = |check: &mut Self, value: &Value| check.is_finite(value, item.name.span.into()).is_some();
-        if let Some(constants) = constants.filter(|constants| constants.iter().all(|value| is_finite(self, value))) {
+        let part = part.filter(|(constants, _)| constants.iter().all(|value| is_finite(self, value)));
+        if let Some((constants, elastic)) = part {
             self.model.fixtures.push(Fixture {
                 repeat: item.repeat.map(RepeatId),
                 name: item.name.text.clone(),
@@ -174,6 +175,7 @@ impl<'a> Check<'a> {
                 body: at.body.id,
                 at: at.at,
                 constants,
+                elastic,
             });
         }
     }
@@ -214,9 +216,14 @@ impl<'a> Check<'a> {
     }
 
     /// On a section: mass, centre of mass and inertia about it in the section's axes. With the inertia J
-    /// the second moments of the mass are `tr J / 2 - J + m c c^T`.
-    fn on_section(&mut self, item: &'a Item, place: &Place, fields: &'a Fields) -> Option<[Value; 10]> {
-        let given = self.fields(fields, "a `fixture` on a section", &["mass", "center", "inertia"]);
+    /// the second moments of the mass are `tr J / 2 - J + m c c^T`. Then whether the section goes on to strain.
+    fn on_section(&mut self, item: &'a Item, place: &Place, fields: &'a Fields) -> Option<([Value; 10], bool)> {
+        let known = ["mass", "center", "inertia", "section"];
+        let given = self.fields(fields, "a `fixture` on a section", &known);
+        let elastic = match given.get("section") {
+            Some((_, word)) => self.section_word(word),
+            None => Some(false),
+        };
         let mass = self.mass(item, fields, &given, "mass = 2 kg;");
         // x along the body, y in the plane, z along its normal.
         let normal = place.body.space.and_then(normal).map(|_| 2);
@@ -234,7 +241,7 @@ impl<'a> Check<'a> {
             self.errors.at(center.areas[normal], say::PLANAR_CENTER);
             return None;
         }
-        let (mass, center, inertia) = (mass?, center?, inertia?);
+        let (mass, center, inertia, elastic) = (mass?, center?, inertia?, elastic?);
         let center = center.map_or_else(zeros, |center| center.values);
         let mut constants = zeros();
         constants[0] = mass.clone();
@@ -247,7 +254,18 @@ impl<'a> Check<'a> {
             let offset = product(first[i].clone(), center[j].clone());
             constants[4 + at] = sum(second[at].clone(), offset);
         }
-        Some(constants)
+        Some((constants, elastic))
+    }
+
+    /// What becomes of the section: whether it is elastic.
+    fn section_word(&mut self, expr: &Expr) -> Option<bool> {
+        match &expr.kind {
+            ExprKind::Name(name) if name.text == "elastic" => Some(true),
+            _ => {
+                self.errors.at(expr.area, say::SECTION_OF_FIXTURE);
+                None
+            }
+        }
     }
 }
 

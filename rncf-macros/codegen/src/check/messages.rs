@@ -110,6 +110,7 @@ pub const PLANE_SPIN: &str = "in a plane the angular velocity is one number: wri
 pub const PLANE_EXPECTED: &str = "a plane is expected here: `xy`, `yz` or `zx`";
 pub const PLANAR_INERTIA: &str = "in a plane the inertia is one number, about the normal: write e.g. `0.1 kg*m^2`";
 pub const PLANAR_CENTER: &str = "the centre of mass leaves the plane of the body: its third component must be 0";
+pub const SECTION_OF_FIXTURE: &str = "the section below a fixture is rigid, or strains on: `section = elastic;`";
 pub const SPATIAL_INERTIA: &str = "in space an inertia has three components `[xx, yy, zz]` or six, `[xx, yy, zz, xy, xz, yz]`; one number is that of a body with `plane xy;`";
 pub const NOT_DEFINITE: &str = "no body has this inertia: all principal moments must be greater than zero";
 pub const NEGATIVE_INERTIA: &str = "no body has this inertia: no principal moment may be negative";

@@ -345,11 +345,12 @@ impl Parts<'_> {
         }
         let entries = self.model.fixtures.iter().map(|fixture| {
             let entry = format!(
-                "::rncf::mesh::FixtureSpec {{ name: {:?}, body: {}, at: {}, constants: {} }}",
+                "::rncf::mesh::FixtureSpec {{ name: {:?}, body: {}, at: {}, constants: {}, elastic: {} }}",
                 fixture.name,
                 self.body_at(fixture.body, &fixture.at),
                 self.place(&fixture.at),
-                self.array(&fixture.constants)
+                self.array(&fixture.constants),
+                fixture.elastic
             );
             (fixture.repeat, entry)
         });

@@ -183,7 +183,7 @@ impl Parts<'_> {
                 "None"
             };
             let entry = format!(
-                "::rncf::mesh::BodySpec {{ name: {:?}, kind: {index}, instance: {instance}, frame: {}, axes: &{:?}, line: {}, count: {count}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {}, fidelity: ::rncf::mesh::Fidelity::{}, tie: ::rncf::mesh::FrameTie::{:?} }}",
+                "::rncf::mesh::BodySpec {{ name: {:?}, kind: {index}, instance: {instance}, frame: {}, axes: &{:?}, line: {}, count: {count}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {}, fidelity: ::rncf::mesh::Fidelity::{}, tie: ::rncf::mesh::FrameTie::{:?}, normals: ::std::vec::Vec::new() }}",
                 body.name,
                 body.frame.0,
                 body.space.axes(),

@@ -196,6 +196,8 @@ pub struct Fixture {
     /// Mass (kg); first moments (kg m) along the slope and the section's y and z axes; second moments
     /// (kg m^2) xx, yy, zz, xy, xz, yz of those coordinates. Without a section only x has entries.
     pub constants: [Expr; 10],
+    /// Whether a section that carries it goes on to strain; else it is rigid.
+    pub elastic: bool,
 }
 
 impl Marker {

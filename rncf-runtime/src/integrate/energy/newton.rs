@@ -36,6 +36,8 @@ pub(super) struct Newton {
     saddle: Saddle<f64>,
     block: Vec<f64>,
     jacobian: Vec<f64>,
+    /// Of the forces of the multipliers.
+    forces: Vec<f64>,
     dx: Vec<f64>,
     dlambda: Vec<f64>,
     /// Step for which the matrix was factored; `None`: make it before the next iteration.
@@ -57,6 +59,7 @@ impl Newton {
             saddle: Saddle::new(pattern, system.border(), &constraint_pattern),
             block: vec![0.0; pattern.entries()],
             jacobian: vec![0.0; constraint_pattern.entries()],
+            forces: vec![0.0; constraint_pattern.entries()],
             dx: vec![0.0; pattern.columns()],
             dlambda: vec![0.0; constraint_pattern.columns()],
             factored_for: None,
@@ -158,11 +161,12 @@ impl Newton {
         statistics.jacobian_evaluations += 1;
         if !self.dlambda.is_empty() {
             system.constraint_jacobian(end, &mut self.jacobian);
+            forces(system)?.constraint_forces(start, end, &mut self.forces);
         }
         self.factored_for = None;
         statistics.factorizations += 1;
         self.saddle
-            .factor(&self.block, &self.jacobian, &self.jacobian)
+            .factor(&self.block, &self.forces, &self.jacobian)
             .map_err(|singular| Cause::Singular {
                 worst: row(singular, self.dx.len()),
             })?;
@@ -183,9 +187,9 @@ impl Newton {
         statistics.residual_evaluations += 1;
         statistics.newton_iterations += 1;
         if !end.lambda.is_empty() {
-            system.constraint_jacobian(end, &mut self.jacobian);
+            forces(system)?.constraint_forces(start, end, &mut self.forces);
             self.constraint_pattern
-                .multiply_add(1.0, &self.jacobian, &end.lambda, &mut self.dx);
+                .multiply_add(1.0, &self.forces, &end.lambda, &mut self.dx);
             system.constraint(ConstraintLevel::Position, end, &mut self.dlambda);
             self.dlambda.iter_mut().for_each(|c| *c = -*c);
         }

@@ -98,6 +98,7 @@ impl Conserving for Spring {
             out[i] = to.a[i] + stress * 0.5 * (from.x[i] + to.x[i]);
         }
     }
+    fn constraint_forces(&mut self, _: &State, _: &State, _: &mut [f64]) {}
     fn matrix(&mut self, from: &State, to: &State, [mass, by_mean]: [f64; 2], values: &mut [f64]) {
         let k = self.stiffness;
         let stress = 0.5 * k * (0.5 * (dot(&from.x, &from.x) + dot(&to.x, &to.x)) - 1.0);

@@ -77,6 +77,7 @@ impl Parts for Arm {
             twist: 0.0,
             fidelity: self.fidelity,
             tie: FrameTie::Joints,
+            normals: Vec::new(),
         }]
     }
     fn joints(&self) -> Vec<JointSpec> {
@@ -317,6 +318,7 @@ impl Parts for Arm {
             body: 0,
             at: Place::End,
             constants: along_slope(TIP[0], TIP[1], TIP[2]),
+            elastic: false,
         };
         if self.linked { vec![unit] } else { Vec::new() }
     }

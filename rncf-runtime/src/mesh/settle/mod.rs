@@ -106,6 +106,13 @@ impl MeshScene {
                 ));
             }
         }
+        if let Some(section) = self.rigid_sections.iter().find(|section| lives(section.point.body)) {
+            return refuse(format!(
+                "fixture `{}` keeps a section of body `{}` rigid, and the equilibrium knows only joints that hold its ends in frame `{frame}`: let the section strain, `section = elastic;` in the fixture, or leave the start out",
+                section.name,
+                self.bodies[section.point.body].spec.label()
+            ));
+        }
         let bodies_of = |markers: &[usize]| {
             let mut bodies = markers.iter().filter_map(|&marker| match &self.markers[marker] {
                 Marker::Body { point, .. } | Marker::Section { point, .. } | Marker::SectionTurn { point } => {

@@ -272,6 +272,7 @@ fn flyer(mean_axes: bool) -> Hand {
             body: 0,
             at: Place::End,
             constants: along_slope(0.4, 0.1, 0.05),
+            elastic: false,
         }],
         observed: [watch(0, 2), watch(2, 2), watch(7, 2)].concat(),
         ..Hand::default()

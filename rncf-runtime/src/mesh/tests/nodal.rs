@@ -257,6 +257,7 @@ fn planar_bodies_have_mass_normal_to_their_plane() {
             body: 0,
             at: super::scenery::DEAD,
             constants: along_slope(0.4, 0.0, 0.0),
+            elastic: false,
         }],
         ..Hand::default()
     };

@@ -59,6 +59,7 @@ pub fn body(name: &'static str, frame: usize, axes: &'static [usize], to: Vector
         twist: 0.0,
         fidelity: Fidelity::Full,
         tie: FrameTie::Joints,
+        normals: Vec::new(),
     }
 }
 
@@ -233,18 +234,21 @@ pub fn everything() -> Hand {
                 body: 0,
                 at: Place::End,
                 constants: along_slope(0.4, 0.1, 0.05),
+                elastic: false,
             },
             FixtureSpec {
                 name: "disc",
                 body: 1,
                 at: DEAD,
                 constants: along_slope(0.3, -0.1, 0.06),
+                elastic: false,
             },
             FixtureSpec {
                 name: "lamp",
                 body: 2,
                 at: Place::End,
                 constants: along_slope(0.2, 0.05, 0.04),
+                elastic: false,
             },
         ],
         ..Hand::default()

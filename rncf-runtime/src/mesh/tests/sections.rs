@@ -178,6 +178,7 @@ pub fn everything_with_sections() -> Hand {
         body,
         at,
         constants: [0.4, 0.1, -0.05, 0.07, 0.05, 0.04, 0.03, 0.01, -0.02, 0.015],
+        elastic: true,
     };
     hand.fixtures.extend([
         fixture("disc", shaft, Place::End),

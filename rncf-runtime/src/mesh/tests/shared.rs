@@ -93,6 +93,7 @@ fn bodies_in_a_row_are_one_longer_body() {
         body,
         at: Place::End,
         constants: along_slope(0.4, 0.1, 0.05),
+        elastic: false,
     };
     let mut long = carried(
         vec![between("long", 1, [0.0; 3], [0.9, 0.6, 0.3], 3)],
@@ -177,6 +178,7 @@ fn net() -> Hand {
             body: a,
             at: Place::End,
             constants: along_slope(0.2, 0.0, 0.01),
+            elastic: false,
         });
     }
     for (a, &corner) in corners.iter().enumerate() {

@@ -220,6 +220,7 @@ fn bodies_with_sections_are_written() {
         body: BodyId(1),
         at: Location::End,
         constants: std::array::from_fn(|i| number(i as f64)),
+        elastic: false,
     });
     model.loads.push(Load {
         name: "twist".to_string(),

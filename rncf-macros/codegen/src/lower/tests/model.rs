@@ -233,6 +233,7 @@ pub fn moving() -> Model {
                 constants[4] = number(0.02);
                 constants
             },
+            elastic: false,
         });
     }
     let observed = [
