@@ -6,7 +6,7 @@ use rncf::modes::{Wanted, modes};
 use rncf::prelude::*;
 use rncf::steady;
 
-use crate::running::{WAYS, apart, build, rows, run};
+use crate::running::{WAYS, at_rest, build};
 
 rncf::model! {
     /// A steel shaft with two equal discs on bearings that are as stiff in all directions (ROSS 2.3.0, the two-disc example).
@@ -33,6 +33,7 @@ rncf::model! {
     /// goes on behind the tool, one with a part on its full clamp, and one in a plane.
     pub model Tools {
         param elements: count = 1;
+        param weight = 0 m/s^2;
         material light { density = 20 g/m^3; young = 210 GPa; poisson = 0.3; }
         section round = circle(radius = 10 mm);
         for a in 0..2 {
@@ -55,13 +56,15 @@ rncf::model! {
         fixture base on foot.start { mass = 1 kg; center = [10, 20, 30] mm; inertia = [1, 1, 1] g*m^2; }
         fixture first on foot.end { mass = 1 kg; center = [60, 0, 0] mm; inertia = [1500, 2500, 2500] kg*mm^2; }
         fixture second on foot.end { mass = 1 kg; center = [60, 0, 0] mm; inertia = [1500, 2500, 2500] kg*mm^2; }
-        body flat { planar xy; line from [0, 0, 0] m to [0.5, 0, 0] m; mesh elements * beam(round, light); }
+        body flat { planar zx; line from [0, 0, 0] m to [0.5, 0, 0] m; mesh elements * beam(round, light); }
         joint flat_root = clamp(flat.start, inertial);
         fixture planar_tool on flat.end { mass = 2 kg; center = [60, 0, 0] mm; inertia = 5000 kg*mm^2; }
-        output end = flat.end;
+        load pull = gravity([0 [m/s^2], 0 [m/s^2], -weight]);
+        output end = flat.end.z;
         output behind_end = behind.end;
         output foot_end = foot.end;
-        output arms = max(a in 0..2, arm[a].end.z);
+        output highest = max(a in 0..2, arm[a].end.z);
+        output lowest = min(a in 0..2, arm[a].end.z);
     }
 }
 
@@ -94,8 +97,6 @@ rncf::model! {
         output blade_axial = blade.start.axial_force;
         output blade_bending = blade.start.moment_z;
         output blade_beyond = blade.at(0.5 m).moment_z;
-        output tip = spoke.end.in(inertial);
-        output blade_tip = blade.end.in(inertial);
     }
 }
 
@@ -225,8 +226,9 @@ fn torsion_of_a_shaft_with_two_discs() {
     }
 }
 
-/// Frequencies of a part of 2 kg whose centre is 60 mm beyond the end of a beam without inertia, rad/s: bending twice, torsion.
-fn tool_frequencies() -> [f64; 3] {
+/// Frequencies of a part of 2 kg whose centre is 60 mm beyond the end of a beam without inertia, rad/s: bending twice, torsion;
+/// and how far it sinks at rest by 1 m/s^2, m.
+fn tool() -> ([f64; 3], f64) {
     let (young, length, radius): (f64, f64, f64) = (210e9, 0.5, 0.01);
     let shear = young / 2.6;
     let area = std::f64::consts::PI * radius * radius;
@@ -250,28 +252,51 @@ fn tool_frequencies() -> [f64; 3] {
     );
     let root = (half * half - determinant).sqrt();
     let torsion = (2.0 * shear * second / length / 3e-3).sqrt();
-    [(half + root).powf(-0.5), (half - root).powf(-0.5), torsion]
+    let frequencies = [(half + root).powf(-0.5), (half - root).powf(-0.5), torsion];
+    (frequencies, mass * (flexibility[0][0] + center * flexibility[0][1]))
+}
+
+#[test]
+fn parts_beyond_the_end_sink_as_rigid_ones() {
+    let (weight, exact) = (1e-3, 1e-3 * tool().1);
+    for elements in [1, 4, 64] {
+        let row = at_rest(&Tools { elements, weight }, WAYS[0]);
+        let [end, highest, lowest] = [row[0], row[row.len() - 2], row[row.len() - 1]];
+        println!("{elements} elements: {end:e} {highest:e} {lowest:e} instead of {exact:e} m");
+        assert!(
+            [end, highest, lowest]
+                .iter()
+                .all(|sunk| (sunk / exact + 1.0).abs() < 1e-6)
+        );
+    }
 }
 
 /// Alike for repeated parts, in all directions, at common ends, for two on one section, beside full clamps and in a plane.
 #[test]
 fn parts_beyond_the_end_vibrate_as_rigid_ones() {
-    let exact = tool_frequencies();
+    let (exact, _) = tool();
     for (elements, way) in [(1, WAYS[0]), (1, WAYS[1]), (1, WAYS[2]), (4, WAYS[3]), (16, WAYS[0])] {
-        let mut scene = build(&Tools { elements }, way);
+        let mut scene = build(
+            &Tools {
+                elements,
+                ..Tools::default()
+            },
+            way,
+        );
         let at = Uniform::at_rest(0.0);
         let state = scene.uniform_guess(&at);
-        let found = modes(scene.as_mut(), &at, &state, Wanted { count: 22 }).unwrap();
+        let found = modes(scene.as_mut(), &at, &state, Wanted { count: 18 }).unwrap();
         // The slope of a body that goes on is one before and behind the part, where the shear force leaps: of its two modes the
         // error falls with the mesh.
         let on_mesh = 5e-5 / elements as f64;
-        for (wanted, all, through) in [(exact[0], 9, 2), (exact[1], 9, 2), (exact[2], 4, 0)] {
+        // Nine in bending, four in torsion, and as many of the higher ones in bending as are left.
+        for (wanted, all, exact) in [(exact[0], 9, 7), (exact[1], 5, 3), (exact[2], 4, 4)] {
             let errors = found.iter().map(|mode| (mode.im / wanted - 1.0).abs());
             let mut near: Vec<f64> = errors.filter(|error| *error < 1e-3).collect();
             near.sort_by(f64::total_cmp);
             println!("{elements} elements, {way:?}: {wanted:.3} rad/s, off by {near:?}");
             assert_eq!(near.len(), all, "{wanted}: {found:?}");
-            let (ends, meshed) = near.split_at(all - through);
+            let (ends, meshed) = near.split_at(exact);
             assert!(ends.iter().all(|error| *error < 3e-6), "{wanted}: {ends:?}");
             assert!(
                 meshed.iter().all(|error| *error < 3e-6 + on_mesh),
@@ -281,8 +306,8 @@ fn parts_beyond_the_end_vibrate_as_rigid_ones() {
     }
 }
 
-/// Force and moment in the root are those of the mass, those that sections carry leap by what the part does, and axes
-/// along which the centre is do not matter.
+/// Force and moment in the root are those of the mass, and those that sections carry leap by what the part does, whether its
+/// centre is along the body or beside it.
 #[test]
 fn sections_carry_what_the_part_does() {
     let (mass, speed, radius) = (3.0, 20.0_f64, 0.4);
@@ -335,22 +360,6 @@ fn sections_carry_what_the_part_does() {
             );
             assert!(bent.abs() < 1e-3 * pull, "{row:?}");
         }
-    }
-}
-
-/// In time, in all ways to write it.
-#[test]
-fn all_ways_run_alike() {
-    let model = Spokes::default();
-    let mut first: Option<Vec<Vec<f64>>> = None;
-    for way in WAYS {
-        let mut scene = build(&model, way);
-        let states = run(scene.as_mut(), 0.02, 5, 1e-8);
-        let rows = rows(scene.as_mut(), &states);
-        let first = first.get_or_insert_with(|| rows.clone());
-        let far = apart(first, &rows, 19..24);
-        println!("{way:?}: {far:.1e} m");
-        assert!(far < 1e-8);
     }
 }
 

@@ -8,6 +8,7 @@ mod ladder;
 mod lateral;
 mod materials;
 mod measures;
+mod rigid_parts;
 mod rotors;
 mod round;
 mod running;

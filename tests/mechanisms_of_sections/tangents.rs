@@ -4,7 +4,6 @@ use rncf::Model;
 use rncf_tests::tangents::compare_tangents;
 
 use crate::chains::{Driven, Floating};
-use crate::discs::Spokes;
 use crate::materials::Materials;
 use crate::rotors::{Rotor, Spinning};
 use crate::running::WAYS;
@@ -42,11 +41,6 @@ fn rotors() {
         stiffness_z: 3e5,
         ..Spinning::default()
     });
-}
-
-#[test]
-fn rigid_sections() {
-    both(&Spokes::default());
 }
 
 #[test]
