@@ -1054,6 +1054,7 @@ pub mod elastica_equations {
                         to: [1.0, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
+                    stations: ::std::vec::Vec::new(),
                     nodal: &[
                         ::rncf::mesh::NodalSpec {
                             meaning: "position",
@@ -1102,7 +1103,7 @@ pub mod elastica_equations {
                     vectors_per_node: 3,
                     stride: 4,
                     section_y: None,
-                    twist: 0.0,
+                    twist: ::rncf::mesh::Twist::even(0.0),
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
@@ -1112,10 +1113,11 @@ pub mod elastica_equations {
         fn prepare(
             &mut self,
             body: usize,
-            length: f64,
+            nodes: &[f64],
             shape: &[f64],
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
+            let length = nodes[1] - nodes[0];
             let density = ::rncf::mesh::positive(
                 "material `steel`",
                 "density",
@@ -1170,7 +1172,7 @@ pub mod elastica_equations {
             };
             Ok(())
         }
-        fn mass(&self, body: usize, mass: &mut [f64]) {
+        fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             beam_planar_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
         }
         fn elastic_force(
@@ -1214,6 +1216,7 @@ pub mod elastica_equations {
         fn shapes(
             &self,
             body: usize,
+            element: usize,
             of: ::rncf::mesh::Interpolant,
             order: usize,
             xi: f64,
@@ -1252,7 +1255,7 @@ pub mod elastica_equations {
                 _ => {}
             }
         }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
                 shape: ::rncf::mesh::SectionShape::Circle {
@@ -1278,6 +1281,7 @@ pub mod elastica_equations {
         fn field_forces(
             &self,
             body: usize,
+            x: f64,
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

@@ -2496,6 +2496,7 @@ pub mod esail_equations {
                             ],
                         },
                         count: (model.elements as f64) as usize,
+                        stations: ::std::vec::Vec::new(),
                         nodal: &[
                             ::rncf::mesh::NodalSpec {
                                 meaning: "position",
@@ -2526,7 +2527,7 @@ pub mod esail_equations {
                         vectors_per_node: 2,
                         stride: 2,
                         section_y: None,
-                        twist: 0.0,
+                        twist: ::rncf::mesh::Twist::even(0.0),
                         fidelity: ::rncf::mesh::Fidelity::Full,
                         tie: ::rncf::mesh::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
@@ -2551,6 +2552,7 @@ pub mod esail_equations {
                             ],
                         },
                         count: 1,
+                        stations: ::std::vec::Vec::new(),
                         nodal: &[
                             ::rncf::mesh::NodalSpec {
                                 meaning: "position",
@@ -2581,7 +2583,7 @@ pub mod esail_equations {
                         vectors_per_node: 2,
                         stride: 2,
                         section_y: None,
-                        twist: 0.0,
+                        twist: ::rncf::mesh::Twist::even(0.0),
                         fidelity: ::rncf::mesh::Fidelity::Full,
                         tie: ::rncf::mesh::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
@@ -2592,13 +2594,14 @@ pub mod esail_equations {
         fn prepare(
             &mut self,
             body: usize,
-            length: f64,
+            nodes: &[f64],
             shape: &[f64],
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let (body, instance) = self.kind(body);
             let model = &self.model;
             match body {
                 0 => {
+                    let length = nodes[1] - nodes[0];
                     let density = ::rncf::mesh::positive(
                         "material `aluminium`",
                         "density",
@@ -2633,6 +2636,7 @@ pub mod esail_equations {
                     self.row_main.push(row);
                 }
                 _ => {
+                    let length = nodes[1] - nodes[0];
                     let density = ::rncf::mesh::positive(
                         "material `aluminium`",
                         "density",
@@ -2669,7 +2673,7 @@ pub mod esail_equations {
             }
             Ok(())
         }
-        fn mass(&self, body: usize, mass: &mut [f64]) {
+        fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             let (body, instance) = self.kind(body);
             match body {
                 0 => {
@@ -2854,6 +2858,7 @@ pub mod esail_equations {
         fn shapes(
             &self,
             body: usize,
+            element: usize,
             of: ::rncf::mesh::Interpolant,
             order: usize,
             xi: f64,
@@ -2916,7 +2921,7 @@ pub mod esail_equations {
                 }
             }
         }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
             let (body, instance) = self.kind(body);
             let model = &self.model;
             match body {
@@ -2966,6 +2971,7 @@ pub mod esail_equations {
         fn field_forces(
             &self,
             body: usize,
+            x: f64,
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

@@ -3265,6 +3265,7 @@ pub mod esail_slack_equations {
                             ],
                         },
                         count: (model.elements as f64) as usize,
+                        stations: ::std::vec::Vec::new(),
                         nodal: &[
                             ::rncf::mesh::NodalSpec {
                                 meaning: "position",
@@ -3295,7 +3296,7 @@ pub mod esail_slack_equations {
                         vectors_per_node: 2,
                         stride: 2,
                         section_y: None,
-                        twist: 0.0,
+                        twist: ::rncf::mesh::Twist::even(0.0),
                         fidelity: ::rncf::mesh::Fidelity::Full,
                         tie: ::rncf::mesh::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
@@ -3320,6 +3321,7 @@ pub mod esail_slack_equations {
                             ],
                         },
                         count: 1,
+                        stations: ::std::vec::Vec::new(),
                         nodal: &[
                             ::rncf::mesh::NodalSpec {
                                 meaning: "position",
@@ -3350,7 +3352,7 @@ pub mod esail_slack_equations {
                         vectors_per_node: 2,
                         stride: 2,
                         section_y: None,
-                        twist: 0.0,
+                        twist: ::rncf::mesh::Twist::even(0.0),
                         fidelity: ::rncf::mesh::Fidelity::Full,
                         tie: ::rncf::mesh::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
@@ -3361,13 +3363,14 @@ pub mod esail_slack_equations {
         fn prepare(
             &mut self,
             body: usize,
-            length: f64,
+            nodes: &[f64],
             shape: &[f64],
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let (body, instance) = self.kind(body);
             let model = &self.model;
             match body {
                 0 => {
+                    let length = nodes[1] - nodes[0];
                     let density = ::rncf::mesh::positive(
                         "material `aluminium`",
                         "density",
@@ -3402,6 +3405,7 @@ pub mod esail_slack_equations {
                     self.row_main.push(row);
                 }
                 _ => {
+                    let length = nodes[1] - nodes[0];
                     let density = ::rncf::mesh::positive(
                         "material `aluminium`",
                         "density",
@@ -3438,7 +3442,7 @@ pub mod esail_slack_equations {
             }
             Ok(())
         }
-        fn mass(&self, body: usize, mass: &mut [f64]) {
+        fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             let (body, instance) = self.kind(body);
             match body {
                 0 => {
@@ -3623,6 +3627,7 @@ pub mod esail_slack_equations {
         fn shapes(
             &self,
             body: usize,
+            element: usize,
             of: ::rncf::mesh::Interpolant,
             order: usize,
             xi: f64,
@@ -3685,7 +3690,7 @@ pub mod esail_slack_equations {
                 }
             }
         }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
             let (body, instance) = self.kind(body);
             let model = &self.model;
             match body {
@@ -3735,6 +3740,7 @@ pub mod esail_slack_equations {
         fn field_forces(
             &self,
             body: usize,
+            x: f64,
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

@@ -3414,6 +3414,7 @@ pub mod esail_tilted_equations {
                             ],
                         },
                         count: (model.elements as f64) as usize,
+                        stations: ::std::vec::Vec::new(),
                         nodal: &[
                             ::rncf::mesh::NodalSpec {
                                 meaning: "position",
@@ -3444,7 +3445,7 @@ pub mod esail_tilted_equations {
                         vectors_per_node: 2,
                         stride: 2,
                         section_y: None,
-                        twist: 0.0,
+                        twist: ::rncf::mesh::Twist::even(0.0),
                         fidelity: ::rncf::mesh::Fidelity::Full,
                         tie: ::rncf::mesh::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
@@ -3469,6 +3470,7 @@ pub mod esail_tilted_equations {
                             ],
                         },
                         count: 1,
+                        stations: ::std::vec::Vec::new(),
                         nodal: &[
                             ::rncf::mesh::NodalSpec {
                                 meaning: "position",
@@ -3499,7 +3501,7 @@ pub mod esail_tilted_equations {
                         vectors_per_node: 2,
                         stride: 2,
                         section_y: None,
-                        twist: 0.0,
+                        twist: ::rncf::mesh::Twist::even(0.0),
                         fidelity: ::rncf::mesh::Fidelity::Full,
                         tie: ::rncf::mesh::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
@@ -3510,13 +3512,14 @@ pub mod esail_tilted_equations {
         fn prepare(
             &mut self,
             body: usize,
-            length: f64,
+            nodes: &[f64],
             shape: &[f64],
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let (body, instance) = self.kind(body);
             let model = &self.model;
             match body {
                 0 => {
+                    let length = nodes[1] - nodes[0];
                     let density = ::rncf::mesh::positive(
                         "material `aluminium`",
                         "density",
@@ -3551,6 +3554,7 @@ pub mod esail_tilted_equations {
                     self.row_main.push(row);
                 }
                 _ => {
+                    let length = nodes[1] - nodes[0];
                     let density = ::rncf::mesh::positive(
                         "material `aluminium`",
                         "density",
@@ -3587,7 +3591,7 @@ pub mod esail_tilted_equations {
             }
             Ok(())
         }
-        fn mass(&self, body: usize, mass: &mut [f64]) {
+        fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             let (body, instance) = self.kind(body);
             match body {
                 0 => {
@@ -3772,6 +3776,7 @@ pub mod esail_tilted_equations {
         fn shapes(
             &self,
             body: usize,
+            element: usize,
             of: ::rncf::mesh::Interpolant,
             order: usize,
             xi: f64,
@@ -3834,7 +3839,7 @@ pub mod esail_tilted_equations {
                 }
             }
         }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
             let (body, instance) = self.kind(body);
             let model = &self.model;
             match body {
@@ -3884,6 +3889,7 @@ pub mod esail_tilted_equations {
         fn field_forces(
             &self,
             body: usize,
+            x: f64,
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

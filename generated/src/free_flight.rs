@@ -1613,6 +1613,7 @@ pub mod free_flight_equations {
                         to: [2.0, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
+                    stations: ::std::vec::Vec::new(),
                     nodal: &[
                         ::rncf::mesh::NodalSpec {
                             meaning: "position",
@@ -1643,7 +1644,7 @@ pub mod free_flight_equations {
                     vectors_per_node: 2,
                     stride: 2,
                     section_y: None,
-                    twist: 0.0,
+                    twist: ::rncf::mesh::Twist::even(0.0),
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Chord,
                     normals: ::std::vec::Vec::new(),
@@ -1653,10 +1654,11 @@ pub mod free_flight_equations {
         fn prepare(
             &mut self,
             body: usize,
-            length: f64,
+            nodes: &[f64],
             shape: &[f64],
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
+            let length = nodes[1] - nodes[0];
             let density = ::rncf::mesh::positive(
                 "material `soft`",
                 "density",
@@ -1684,7 +1686,7 @@ pub mod free_flight_equations {
             };
             Ok(())
         }
-        fn mass(&self, body: usize, mass: &mut [f64]) {
+        fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             cable_spatial_mass(&self.row_cable, ::rncf::mesh::array_mut(mass));
         }
         fn elastic_force(
@@ -1768,6 +1770,7 @@ pub mod free_flight_equations {
         fn shapes(
             &self,
             body: usize,
+            element: usize,
             of: ::rncf::mesh::Interpolant,
             order: usize,
             xi: f64,
@@ -1799,7 +1802,7 @@ pub mod free_flight_equations {
                 _ => {}
             }
         }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
                 shape: ::rncf::mesh::SectionShape::General {
@@ -1821,6 +1824,7 @@ pub mod free_flight_equations {
         fn field_forces(
             &self,
             body: usize,
+            x: f64,
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

@@ -29,9 +29,13 @@ pub mod free_flight;
 #[rustfmt::skip]
 pub mod heavy_top;
 #[rustfmt::skip]
+pub mod iea15mw_blade;
+#[rustfmt::skip]
 pub mod lateral_buckling;
 #[rustfmt::skip]
 pub mod motor;
+#[rustfmt::skip]
+pub mod nrel5mw_blade;
 #[rustfmt::skip]
 pub mod pinned_pipe;
 #[rustfmt::skip]

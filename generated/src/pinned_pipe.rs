@@ -927,6 +927,7 @@ pub mod pinned_pipe_equations {
                         to: [8.0, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
+                    stations: ::std::vec::Vec::new(),
                     nodal: &[
                         ::rncf::mesh::NodalSpec {
                             meaning: "position",
@@ -957,7 +958,7 @@ pub mod pinned_pipe_equations {
                     vectors_per_node: 2,
                     stride: 2,
                     section_y: None,
-                    twist: 0.0,
+                    twist: ::rncf::mesh::Twist::even(0.0),
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Chord,
                     normals: ::std::vec::Vec::new(),
@@ -967,10 +968,11 @@ pub mod pinned_pipe_equations {
         fn prepare(
             &mut self,
             body: usize,
-            length: f64,
+            nodes: &[f64],
             shape: &[f64],
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
+            let length = nodes[1] - nodes[0];
             let density = ::rncf::mesh::positive(
                 "material `aluminium`",
                 "density",
@@ -1003,7 +1005,7 @@ pub mod pinned_pipe_equations {
             };
             Ok(())
         }
-        fn mass(&self, body: usize, mass: &mut [f64]) {
+        fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             cable_planar_mass(&self.row_pipe, ::rncf::mesh::array_mut(mass));
         }
         fn elastic_force(
@@ -1087,6 +1089,7 @@ pub mod pinned_pipe_equations {
         fn shapes(
             &self,
             body: usize,
+            element: usize,
             of: ::rncf::mesh::Interpolant,
             order: usize,
             xi: f64,
@@ -1118,7 +1121,7 @@ pub mod pinned_pipe_equations {
                 _ => {}
             }
         }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
                 shape: ::rncf::mesh::SectionShape::General {
@@ -1140,6 +1143,7 @@ pub mod pinned_pipe_equations {
         fn field_forces(
             &self,
             body: usize,
+            x: f64,
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

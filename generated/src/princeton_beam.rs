@@ -2204,6 +2204,7 @@ pub mod princeton_beam_equations {
                         to: [0.508, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
+                    stations: ::std::vec::Vec::new(),
                     nodal: &[
                         ::rncf::mesh::NodalSpec {
                             meaning: "position",
@@ -2270,7 +2271,7 @@ pub mod princeton_beam_equations {
                     vectors_per_node: 4,
                     stride: 6,
                     section_y: None,
-                    twist: 0.0,
+                    twist: ::rncf::mesh::Twist::even(0.0),
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
@@ -2280,10 +2281,11 @@ pub mod princeton_beam_equations {
         fn prepare(
             &mut self,
             body: usize,
-            length: f64,
+            nodes: &[f64],
             shape: &[f64],
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
+            let length = nodes[1] - nodes[0];
             let density = ::rncf::mesh::positive(
                 "material `aluminium`",
                 "density",
@@ -2371,7 +2373,7 @@ pub mod princeton_beam_equations {
             };
             Ok(())
         }
-        fn mass(&self, body: usize, mass: &mut [f64]) {
+        fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             beam_spatial_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
         }
         fn elastic_force(
@@ -2415,6 +2417,7 @@ pub mod princeton_beam_equations {
         fn shapes(
             &self,
             body: usize,
+            element: usize,
             of: ::rncf::mesh::Interpolant,
             order: usize,
             xi: f64,
@@ -2467,7 +2470,7 @@ pub mod princeton_beam_equations {
                 _ => {}
             }
         }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
                 shape: ::rncf::mesh::SectionShape::Rectangle {
@@ -2492,6 +2495,7 @@ pub mod princeton_beam_equations {
         fn field_forces(
             &self,
             body: usize,
+            x: f64,
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

@@ -2471,6 +2471,7 @@ pub mod right_angle_frame_equations {
                         to: [0.24, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
+                    stations: ::std::vec::Vec::new(),
                     nodal: &[
                         ::rncf::mesh::NodalSpec {
                             meaning: "position",
@@ -2537,7 +2538,7 @@ pub mod right_angle_frame_equations {
                     vectors_per_node: 4,
                     stride: 6,
                     section_y: None,
-                    twist: 0.0,
+                    twist: ::rncf::mesh::Twist::even(0.0),
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
@@ -2553,6 +2554,7 @@ pub mod right_angle_frame_equations {
                         to: [0.24, 0.24, 0.0],
                     },
                     count: (model.elements as f64) as usize,
+                    stations: ::std::vec::Vec::new(),
                     nodal: &[
                         ::rncf::mesh::NodalSpec {
                             meaning: "position",
@@ -2619,7 +2621,7 @@ pub mod right_angle_frame_equations {
                     vectors_per_node: 4,
                     stride: 6,
                     section_y: None,
-                    twist: 0.0,
+                    twist: ::rncf::mesh::Twist::even(0.0),
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
@@ -2629,12 +2631,13 @@ pub mod right_angle_frame_equations {
         fn prepare(
             &mut self,
             body: usize,
-            length: f64,
+            nodes: &[f64],
             shape: &[f64],
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
             match body {
                 0 => {
+                    let length = nodes[1] - nodes[0];
                     let density = ::rncf::mesh::positive(
                         "material `aluminium`",
                         "density",
@@ -2723,6 +2726,7 @@ pub mod right_angle_frame_equations {
                     };
                 }
                 _ => {
+                    let length = nodes[1] - nodes[0];
                     let density = ::rncf::mesh::positive(
                         "material `aluminium`",
                         "density",
@@ -2813,7 +2817,7 @@ pub mod right_angle_frame_equations {
             }
             Ok(())
         }
-        fn mass(&self, body: usize, mass: &mut [f64]) {
+        fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             match body {
                 0 => {
                     beam_spatial_mass(&self.row_first, ::rncf::mesh::array_mut(mass));
@@ -2897,6 +2901,7 @@ pub mod right_angle_frame_equations {
         fn shapes(
             &self,
             body: usize,
+            element: usize,
             of: ::rncf::mesh::Interpolant,
             order: usize,
             xi: f64,
@@ -3000,7 +3005,7 @@ pub mod right_angle_frame_equations {
                 }
             }
         }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             match body {
                 0 => {
@@ -3054,6 +3059,7 @@ pub mod right_angle_frame_equations {
         fn field_forces(
             &self,
             body: usize,
+            x: f64,
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

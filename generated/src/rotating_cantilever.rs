@@ -1225,6 +1225,7 @@ pub mod rotating_cantilever_equations {
                         to: [model.hub_ratio + 1.0, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
+                    stations: ::std::vec::Vec::new(),
                     nodal: &[
                         ::rncf::mesh::NodalSpec {
                             meaning: "position",
@@ -1255,7 +1256,7 @@ pub mod rotating_cantilever_equations {
                     vectors_per_node: 2,
                     stride: 2,
                     section_y: None,
-                    twist: 0.0,
+                    twist: ::rncf::mesh::Twist::even(0.0),
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
@@ -1265,10 +1266,11 @@ pub mod rotating_cantilever_equations {
         fn prepare(
             &mut self,
             body: usize,
-            length: f64,
+            nodes: &[f64],
             shape: &[f64],
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
+            let length = nodes[1] - nodes[0];
             let density = ::rncf::mesh::positive(
                 "material `unit`",
                 "density",
@@ -1296,7 +1298,7 @@ pub mod rotating_cantilever_equations {
             };
             Ok(())
         }
-        fn mass(&self, body: usize, mass: &mut [f64]) {
+        fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             cable_spatial_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
         }
         fn elastic_force(
@@ -1380,6 +1382,7 @@ pub mod rotating_cantilever_equations {
         fn shapes(
             &self,
             body: usize,
+            element: usize,
             of: ::rncf::mesh::Interpolant,
             order: usize,
             xi: f64,
@@ -1411,7 +1414,7 @@ pub mod rotating_cantilever_equations {
                 _ => {}
             }
         }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
                 shape: ::rncf::mesh::SectionShape::General {
@@ -1433,6 +1436,7 @@ pub mod rotating_cantilever_equations {
         fn field_forces(
             &self,
             body: usize,
+            x: f64,
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

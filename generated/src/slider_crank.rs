@@ -2355,6 +2355,7 @@ pub mod slider_crank_equations {
                         to: [0.3, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
+                    stations: ::std::vec::Vec::new(),
                     nodal: &[
                         ::rncf::mesh::NodalSpec {
                             meaning: "position",
@@ -2385,7 +2386,7 @@ pub mod slider_crank_equations {
                     vectors_per_node: 2,
                     stride: 2,
                     section_y: None,
-                    twist: 0.0,
+                    twist: ::rncf::mesh::Twist::even(0.0),
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
@@ -2395,10 +2396,11 @@ pub mod slider_crank_equations {
         fn prepare(
             &mut self,
             body: usize,
-            length: f64,
+            nodes: &[f64],
             shape: &[f64],
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
+            let length = nodes[1] - nodes[0];
             let density = ::rncf::mesh::positive(
                 "material `soft`",
                 "density",
@@ -2438,7 +2440,7 @@ pub mod slider_crank_equations {
             };
             Ok(())
         }
-        fn mass(&self, body: usize, mass: &mut [f64]) {
+        fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             cable_spatial_exact_damped_mass(
                 &self.row_beam,
                 ::rncf::mesh::array_mut(mass),
@@ -2488,6 +2490,7 @@ pub mod slider_crank_equations {
         fn shapes(
             &self,
             body: usize,
+            element: usize,
             of: ::rncf::mesh::Interpolant,
             order: usize,
             xi: f64,
@@ -2519,7 +2522,7 @@ pub mod slider_crank_equations {
                 _ => {}
             }
         }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
                 shape: ::rncf::mesh::SectionShape::General {
@@ -2541,6 +2544,7 @@ pub mod slider_crank_equations {
         fn field_forces(
             &self,
             body: usize,
+            x: f64,
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

@@ -1323,6 +1323,7 @@ pub mod spin_up_spatial_equations {
                         to: [8.0, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
+                    stations: ::std::vec::Vec::new(),
                     nodal: &[
                         ::rncf::mesh::NodalSpec {
                             meaning: "position",
@@ -1353,7 +1354,7 @@ pub mod spin_up_spatial_equations {
                     vectors_per_node: 2,
                     stride: 2,
                     section_y: None,
-                    twist: 0.0,
+                    twist: ::rncf::mesh::Twist::even(0.0),
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
@@ -1363,10 +1364,11 @@ pub mod spin_up_spatial_equations {
         fn prepare(
             &mut self,
             body: usize,
-            length: f64,
+            nodes: &[f64],
             shape: &[f64],
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
+            let length = nodes[1] - nodes[0];
             let density = ::rncf::mesh::positive(
                 "material `aluminium`",
                 "density",
@@ -1399,7 +1401,7 @@ pub mod spin_up_spatial_equations {
             };
             Ok(())
         }
-        fn mass(&self, body: usize, mass: &mut [f64]) {
+        fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             cable_spatial_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
         }
         fn elastic_force(
@@ -1483,6 +1485,7 @@ pub mod spin_up_spatial_equations {
         fn shapes(
             &self,
             body: usize,
+            element: usize,
             of: ::rncf::mesh::Interpolant,
             order: usize,
             xi: f64,
@@ -1514,7 +1517,7 @@ pub mod spin_up_spatial_equations {
                 _ => {}
             }
         }
-        fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {
+        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
                 shape: ::rncf::mesh::SectionShape::General {
@@ -1536,6 +1539,7 @@ pub mod spin_up_spatial_equations {
         fn field_forces(
             &self,
             body: usize,
+            x: f64,
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

@@ -1,5 +1,6 @@
 //! Scenes of beams with cross-sections against references that were written by hand from THEORY.
 
+mod blades;
 mod buckling;
 mod cantilever;
 mod curved;

@@ -1,6 +1,7 @@
 //! All phases in order: what `model!` does with its tokens.
 
 use std::collections::HashMap;
+use std::path::Path;
 
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 
@@ -8,6 +9,7 @@ use crate::check::Spans;
 use crate::check::influence::influence;
 use crate::elements::Library;
 use crate::errors::{Errors, Mistake};
+use crate::model::Model;
 use crate::{check, emit, parse, stub};
 
 /// Expands a declaration with the standard elements. Mistakes become `compile_error!`s where they
@@ -24,7 +26,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
             let _ = errors.finish();
             let library = Library::standard();
             let warnings = influence(&tree, &model, &library);
-            let text = emit::model(&model, &library);
+            let text = emit::model(&model, &library) + &dependences(&model);
             if emit::is_ambiguous(&model, &text) {
                 let mut errors = Errors::new();
                 errors.at(tree.name.span, name_taken(&model.name));
@@ -59,13 +61,36 @@ fn name_taken(name: &str) -> String {
     format!("`{name}` is the name of something that is written for this model: choose another name")
 }
 
+/// Statements that let cargo expand the model anew when the file of a table changes.
+fn dependences(model: &Model) -> String {
+    let files = model.tables.iter().filter_map(|table| table.file.as_ref());
+    let statement = |file: &String| {
+        let path = format!("/{file}");
+        format!(
+            "const _: &[u8] = ::core::include_bytes!(::core::concat!(::core::env!(\"CARGO_MANIFEST_DIR\"), {path:?}));\n"
+        )
+    };
+    files.map(statement).collect()
+}
+
 /// The expansion as formatted Rust text, with the given elements.
 ///
 /// # Errors
 /// All mistakes of the declaration.
 pub fn text(tokens: TokenStream, library: &Library) -> Result<String, Vec<Mistake>> {
+    text_beside(tokens, library, None)
+}
+
+/// As [`text`], with files of tables in a folder instead of that of the crate that is built.
+///
+/// # Errors
+/// All mistakes of the declaration.
+pub fn text_beside(tokens: TokenStream, library: &Library, folder: Option<&Path>) -> Result<String, Vec<Mistake>> {
     let mut errors = Errors::new();
-    let tree = parse::parse(tokens, &mut errors);
+    let mut tree = parse::parse(tokens, &mut errors);
+    if let (Some(tree), Some(folder)) = (&mut tree, folder) {
+        tree.folder = folder.into();
+    }
     let model = tree.as_ref().and_then(|tree| check::check(tree, library, &mut errors));
     let mistakes = errors.finish();
     match model {

@@ -36,10 +36,12 @@ pub fn generate(models: &Path) -> Result<Vec<(String, String)>, String> {
                 .last()
                 .is_some_and(|segment| segment.ident == "model")
             {
-                let text = expand::text(item.mac.tokens, &Library::standard()).map_err(|mistakes| {
-                    let messages: Vec<String> = mistakes.iter().map(|mistake| mistake.message.clone()).collect();
-                    format!("{}: {}", path.display(), messages.join("; "))
-                })?;
+                let text = expand::text_beside(item.mac.tokens, &Library::standard(), models.parent()).map_err(
+                    |mistakes| {
+                        let messages: Vec<String> = mistakes.iter().map(|mistake| mistake.message.clone()).collect();
+                        format!("{}: {}", path.display(), messages.join("; "))
+                    },
+                )?;
                 expansion += &text;
             }
         }

@@ -1,10 +1,12 @@
 //! The checked model: names resolved, numbers in SI, typed indices. Nothing of syn below this line;
 //! everything here has passed every check, so that the stages after it do not fail.
 
+mod along;
 mod expression;
 mod moving;
 mod repeated;
 
+pub use along::{Column, Law, Stations, Table};
 pub use expression::{
     About, BalanceQuantity, Binary, Comparison, Expr, Function, Location, Observable, Owner, PointQuantity, Reduction,
     SectionQuantity,
@@ -30,6 +32,7 @@ index!(/** Index into [`Model::joints`]. */ JointId);
 index!(/** Index into [`Model::markers`]. */ MarkerId);
 index!(/** Index into [`Model::constraints`]. */ ConstraintId);
 index!(/** Index into [`Model::repeats`]. */ RepeatId);
+index!(/** Index into [`Model::tables`]. */ TableId);
 index!(/** Index into the element library's elements. */ ElementId);
 
 /// The inertial frame, always first.
@@ -52,6 +55,8 @@ pub struct Model {
     pub motions: Vec<Motion>,
     /// Frames; the first is the inertial one, named `inertial`.
     pub frames: Vec<Frame>,
+    /// Tables in the order of the declaration.
+    pub tables: Vec<Table>,
     /// Loops of the declaration: how often items are repeated.
     pub repeats: Vec<Repeat>,
     /// Bodies in the order of the declaration; a repeated one stands once.
@@ -199,6 +204,10 @@ pub struct Body {
     pub section_name: String,
     /// Properties of material and section by their vocabulary names, SI.
     pub properties: BTreeMap<&'static str, Expr>,
+    /// Stiffness and mass, where the section says them by itself.
+    pub law: Option<Law>,
+    /// Where its nodes are; `None`: elements of equal length.
+    pub stations: Option<Stations>,
     /// Integration rule of the strain energy.
     pub quadrature: Quadrature,
     /// How the elastic kernels are emitted.
@@ -213,7 +222,7 @@ pub struct Body {
     /// Direction of the section's y axis at the start, frame axes, made normal to the tangent at run time;
     /// `None`: z x tangent, or y where the axis starts along z.
     pub section_y: Option<[Expr; 3]>,
-    /// Stress-free twist of the section from the start to the end about the tangent, rad.
+    /// Stress-free twist of the section about the tangent, rad: at the end of one that grows evenly, or at the arclength.
     pub twist: Expr,
     /// What its free frame follows beside joints.
     pub tie: FrameTie,
@@ -341,6 +350,11 @@ pub enum Line {
         radius: Expr,
         /// Subtended angle, rad; positive turns counter-clockwise about the normal.
         angle: Expr,
+    },
+    /// A smooth curve through points.
+    Curve {
+        /// Points, m, frame axes.
+        points: Vec<[Expr; 3]>,
     },
 }
 

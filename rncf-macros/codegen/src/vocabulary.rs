@@ -1,5 +1,9 @@
 //! The properties of materials and sections: names, dimensions and ranges, as data.
 
+mod law;
+
+pub use law::{CENTRES, LAW, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES, from_beamdyn};
+
 /// Which values of a property make sense.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Range {
@@ -11,6 +15,8 @@ pub enum Range {
     Part,
     /// Between -1 and 1/2, both excluded.
     Poisson,
+    /// Any number.
+    Any,
 }
 
 /// A property of a material or section.

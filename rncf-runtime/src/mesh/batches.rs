@@ -67,7 +67,11 @@ impl Group {
         let of = |(body, element): (usize, usize)| bodies[body].connectivity.element(element);
         let units = Units::new(elements, spec.element_size(), of);
         let pairs = (0..units.count()).flat_map(|unit| (0..vectors * vectors).map(move |pair| (unit, pair)));
-        let masses = pairs.map(|(unit, pair)| units.all(unit).map(|(body, _)| bodies[body].mass[pair]));
+        let masses = pairs.map(|(unit, pair)| {
+            units
+                .all(unit)
+                .map(|(body, element)| bodies[body].mass_of(element)[pair])
+        });
         Self {
             body,
             vectors,

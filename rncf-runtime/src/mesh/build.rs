@@ -27,7 +27,7 @@ use super::ties::{self, ChordEnds, Tie, ends};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints};
-use crate::vector::{Vector, add, apply};
+use crate::vector::{Vector, add, apply, dot};
 
 /// Elements of one body that are surely not meant: their vectors alone would fill the memory.
 const MOST_ELEMENTS: usize = 10_000_000;
@@ -253,8 +253,11 @@ impl MeshScene {
         for index in 0..self.bodies.len() {
             let body = &mut self.bodies[index];
             body.scatter = Scatter::new(&body.connectivity, &self.layout, &self.pattern);
-            body.mass = vec![0.0; body.spec.nodal.len().pow(2)];
-            self.parts.mass(index, &mut body.mass);
+            let (size, several) = (body.spec.nodal.len().pow(2), self.parts.varies(index));
+            body.mass = vec![0.0; size * if several { body.spec.count } else { 1 }];
+            for (element, mass) in body.mass.chunks_exact_mut(size).enumerate() {
+                self.parts.mass(index, element, mass);
+            }
             let [whole, fixed] = self.nodal_masses(index);
             (self.bodies[index].whole_mass, self.bodies[index].fixed_mass) = (whole, fixed);
         }
@@ -441,8 +444,8 @@ impl MeshScene {
             .iter()
             .filter(|body| !(self.in_modes && body.modes.is_some()))
         {
-            let local = spread_mass(&body.mass, &body.spec);
             for element in 0..body.spec.count {
+                let local = spread_mass(body.mass_of(element), &body.spec);
                 body.scatter.add(element, &local, &mut self.mass);
             }
         }
@@ -467,8 +470,10 @@ fn prepare(parts: &mut dyn Parts, specs: &[BodySpec]) -> Result<Vec<usize>, Mode
     let mut next = 0;
     let mut firsts = Vec::new();
     for (index, spec) in specs.iter().enumerate() {
-        let length = spec.line.length() / spec.count as f64;
-        parts.prepare(index, length, &element_shapes(spec))?;
+        let nodes: Vec<f64> = (0..=spec.count)
+            .map(|node| spec.arclength(node.min(spec.count - 1), f64::from(u8::from(node == spec.count))))
+            .collect();
+        parts.prepare(index, &nodes, &element_shapes(spec))?;
         firsts.push(next);
         next += spec.vectors();
     }
@@ -575,6 +580,11 @@ fn check_absolute(parts: &dyn Parts, joint: &JointSpec, body: &BodySpec) -> Resu
 }
 
 fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
+    if let Line::Curve(curve) = &spec.line
+        && let Some(mistake) = curve.mistake()
+    {
+        return Err(ModelError::new(format!("body `{}`: its curve {mistake}", spec.label())));
+    }
     let length = spec.line.length();
     if !(length.is_finite() && length > 0.0) {
         return Err(ModelError::new(format!(
@@ -595,11 +605,22 @@ fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
             spec.count
         )));
     }
-    let angle = match spec.line {
+    let angle: f64 = match spec.line {
         Line::Arc { angle, .. } => angle,
         Line::Straight { .. } => 0.0,
+        Line::Curve(_) => {
+            let bent = |element: usize| {
+                let [start, end] = [element, element + 1].map(|node| spec.line.at(spec.fraction(node, 0)).1);
+                dot(start, end).clamp(-1.0, 1.0).acos()
+            };
+            (0..spec.count).map(bent).fold(0.0, f64::max) * spec.count as f64
+        }
     };
-    for (angle, what) in [(angle, "bent"), (spec.twist, "twisted")] {
+    check_stations(spec)?;
+    let node = |node: usize| spec.fraction(node, 0);
+    let turn = |element: usize| (spec.twist.at(node(element + 1)) - spec.twist.at(node(element))).abs();
+    let twist = (0..spec.count).map(turn).fold(0.0, f64::max) * spec.count as f64;
+    for (angle, what) in [(angle, "bent"), (twist, "twisted")] {
         let each = angle.abs() / spec.count as f64;
         // The macro has the same limit for the defaults.
         if each > FRAC_PI_2 * (1.0 + 1e-6) {
@@ -613,6 +634,24 @@ fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
         }
     }
     spec.check_directions()
+}
+
+/// Refuses nodes that do not go from start to end.
+fn check_stations(spec: &BodySpec) -> Result<(), ModelError> {
+    let stations = &spec.stations;
+    if stations.is_empty() {
+        return Ok(());
+    }
+    let mut lengths = stations.windows(2).map(|pair| pair[1] - pair[0]);
+    let goes_on = lengths.all(|length| length > 0.0);
+    if goes_on && stations.len() == spec.count + 1 && stations[0] == 0.0 && stations[spec.count] == 1.0 {
+        return Ok(());
+    }
+    Err(ModelError::new(format!(
+        "body `{}`: its {} stations do not ascend from its start to its end: {stations:?} of its length",
+        spec.label(),
+        stations.len()
+    )))
 }
 
 /// Nodal vectors of all elements in the stress-free shape, in local order and body axes.

@@ -71,6 +71,14 @@ pub fn non_negative(owner: &str, name: &str, value: f64, unit: &str) -> Result<f
     )
 }
 
+/// `value`, if it is a number.
+///
+/// # Errors
+/// The property by name.
+pub fn finite(owner: &str, name: &str, value: f64, unit: &str) -> Result<f64, ModelError> {
+    check(value.is_finite(), owner, name, value, unit, "finite")
+}
+
 /// `value`, if it is a Poisson's ratio.
 ///
 /// # Errors

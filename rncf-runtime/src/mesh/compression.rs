@@ -37,11 +37,11 @@ impl fmt::Display for GivesWay {
 }
 
 /// Weights of the nodal vectors in every field at a place of an element, one field after the other.
-fn weights(scene: &MeshScene, body: usize, of: &[(Interpolant, usize)], xi: f64) -> Vec<f64> {
+fn weights(scene: &MeshScene, (body, element): (usize, usize), of: &[(Interpolant, usize)], xi: f64) -> Vec<f64> {
     let count = scene.bodies[body].spec.nodal.len();
     let mut weights = vec![0.0; of.len() * count];
     for (&(of, order), weights) in of.iter().zip(weights.chunks_exact_mut(count)) {
-        scene.parts.shapes(body, of, order, xi, weights);
+        scene.parts.shapes(body, element, of, order, xi, weights);
     }
     weights
 }
@@ -66,8 +66,11 @@ impl MeshScene {
         let mut slope = vec![0.0; spec.nodal.len()];
         let mut worst: Option<GivesWay> = None;
         for xi in THREE {
-            self.parts.shapes(body, Interpolant::Position, 1, xi, &mut slope);
             for element in 0..spec.count {
+                if element == 0 || !spec.stations.is_empty() {
+                    self.parts
+                        .shapes(body, element, Interpolant::Position, 1, xi, &mut slope);
+                }
                 let components = connectivity.element(element);
                 let stretch = norm(weighted(&self.buffers.q, components, spec.dimension(), &slope));
                 let limit = worst.as_ref().map_or(LEAST_STRETCH, |worst| worst.stretch);
@@ -75,7 +78,7 @@ impl MeshScene {
                     worst = Some(GivesWay {
                         body: spec.label(),
                         stretch,
-                        x: spec.line.length() * (element as f64 + xi) / spec.count as f64,
+                        x: spec.arclength(element, xi),
                     });
                 }
             }
@@ -91,7 +94,8 @@ impl MeshScene {
         let Some(axial) = of.iter().position(|&field| field == (Interpolant::Position, 1)) else {
             return false;
         };
-        let weights = weights(self, body, of, xi);
+        let x = spec.arclength(element, xi);
+        let weights = weights(self, (body, element), of, xi);
         let fields = |local: &[f64]| -> Vec<f64> {
             let vectors = weights.chunks_exact(count).flat_map(|weights| {
                 (0..dimension).map(move |k| (0..count).map(|a| weights[a] * local[a * dimension + k]).sum())
@@ -112,7 +116,7 @@ impl MeshScene {
                 *value = (1.0 + change) * slope;
             }
             forces.fill(0.0);
-            self.parts.field_forces(body, &free, &present, &rates, &mut forces);
+            self.parts.field_forces(body, x, &free, &present, &rates, &mut forces);
             forces[own.clone()].iter().zip(&slope).map(|(f, a)| f * a).sum::<f64>()
         });
         force < 0.0 && further < force

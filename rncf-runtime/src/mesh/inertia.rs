@@ -15,8 +15,9 @@ use pulp::Arch;
 use super::carried::SPATIAL;
 use super::frame::FrameMotion;
 use super::free::RigidSpec;
-use super::parts::{BodySpec, Fidelity};
+use super::parts::{BodySpec, Fidelity, Interpolant};
 use super::scene::{Buffers, MeshBody, MeshScene};
+use crate::error::ModelError;
 use crate::linalg::{Vectorised, dispatch};
 use crate::vector::{Matrix, Vector, add, apply, cross, dot, multiply, scale, skew};
 
@@ -239,6 +240,48 @@ fn add_entry(row: &mut Vec<(u32, f64)>, column: usize, value: f64) {
     }
 }
 
+/// Gauss's rule with eight points in [0, 1], place and weight: its first four points, the others mirror them.
+const EIGHT: [(f64, f64); 4] = [
+    (0.019_855_071_751_231_884, 0.050_614_268_145_188_13),
+    (0.101_666_761_293_186_63, 0.111_190_517_226_687_24),
+    (0.237_233_795_041_835_5, 0.156_853_322_938_943_64),
+    (0.408_282_678_752_175_1, 0.181_341_891_689_181),
+];
+
+/// Mass matrix of the `count` vectors of an element with a length (m), rows first, from masses per length that move with r r,
+/// r r_y, r r_z, r_y r_y, r_z r_z, r_y r_z at places in [0, 1], and the weights of the vectors there.
+///
+/// # Errors
+/// Those of the masses.
+pub fn mass_along(
+    count: usize,
+    length: f64,
+    masses: impl Fn(f64) -> Result<[f64; 6], ModelError>,
+    weights: impl Fn(Interpolant, f64, &mut [f64]),
+) -> Result<Vec<f64>, ModelError> {
+    let mut sums = vec![0.0; count * count];
+    let of = [Interpolant::Position, Interpolant::SectionY, Interpolant::SectionZ];
+    let pairs = [(0, 0), (0, 1), (0, 2), (1, 1), (2, 2), (1, 2)];
+    let mirrored = EIGHT.iter().rev().map(|&(place, weight)| (1.0 - place, weight));
+    for (xi, weight) in EIGHT.into_iter().chain(mirrored) {
+        let shapes = of.map(|of| {
+            let mut shapes = vec![0.0; count];
+            weights(of, xi, &mut shapes);
+            shapes
+        });
+        for (&(i, j), mass) in pairs.iter().zip(masses(xi)?) {
+            let factor = weight * length * mass;
+            for (a, b) in (0..count).flat_map(|a| (0..count).map(move |b| (a, b))) {
+                sums[a * count + b] += factor * shapes[i][a] * shapes[j][b];
+                if i != j {
+                    sums[a * count + b] += factor * shapes[j][a] * shapes[i][b];
+                }
+            }
+        }
+    }
+    Ok(sums)
+}
+
 /// Accelerations u_b of a body's vectors from their places, velocities and accelerations in the frame.
 pub(super) struct Total {
     coriolis: Columns,
@@ -284,6 +327,18 @@ pub(super) fn spread(axes: &[usize], components: &[f64], place: usize) -> Padded
 }
 
 impl MeshBody {
+    /// Whether all elements are alike.
+    pub fn is_even(&self) -> bool {
+        self.mass.len() == self.spec.nodal.len().pow(2)
+    }
+
+    /// Mass matrix of the vectors of an element.
+    pub fn mass_of(&self, element: usize) -> &[f64] {
+        let size = self.spec.nodal.len().pow(2);
+        let element = if self.is_even() { 0 } else { element };
+        &self.mass[element * size..(element + 1) * size]
+    }
+
     /// Mass of its nodal vectors; where modes describe the body, that of what is fixed to it.
     pub fn nodal_mass(&self, in_modes: bool) -> &NodalMass {
         if in_modes && self.modes.is_some() {
@@ -304,7 +359,7 @@ impl MeshScene {
             .map(|fixture| (fixture.point.element, fixture.mass().to_vec()))
             .collect();
         let fixed = || fixed.iter().map(|(element, local)| (*element, &local[..]));
-        let elements = (0..body.spec.count).map(|element| (element, &body.mass[..]));
+        let elements = (0..body.spec.count).map(|element| (element, body.mass_of(element)));
         let on_it = NodalMass::new(&body.spec, fixed(), normals());
         let whole = match body.spec.fidelity {
             Fidelity::Point => {

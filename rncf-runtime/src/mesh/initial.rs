@@ -135,7 +135,8 @@ impl MeshScene {
     fn check_point(&self, index: usize, distance: f64) -> Result<Option<Warning>, ModelError> {
         let joint = &self.joints[index];
         let spec = &self.bodies[joint.body].spec;
-        let (length, element) = (spec.line.length(), spec.line.length() / spec.count as f64);
+        let at = if joint.at_end { spec.count - 1 } else { 0 };
+        let (length, element) = (spec.line.length(), spec.element_length(at));
         let end = if joint.at_end { "end" } else { "start" };
         let text = format!(
             "joint `{}` holds the {end} of body `{}` {distance:.3e} m from where it is undeformed",

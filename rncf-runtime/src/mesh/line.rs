@@ -1,9 +1,40 @@
-//! Stress-free axes of bodies.
+//! Stress-free axes of bodies, and how their sections turn about them.
 
+use std::fmt;
+use std::sync::Arc;
+
+use super::curve::Spline;
 use crate::vector::{add, cross, dot, norm, subtract};
 
+/// Stress-free twist of a section: angle about the tangent (rad) as a function of the fraction of the axis in [0, 1].
+#[derive(Clone)]
+pub struct Twist(Arc<dyn Fn(f64) -> f64 + Send + Sync>);
+
+impl Twist {
+    /// From nothing at the start to an angle (rad) at the end, evenly.
+    pub fn even(angle: f64) -> Self {
+        Self(Arc::new(move |u| angle * u))
+    }
+
+    /// A function of the fraction of the axis.
+    pub fn along(angle: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
+        Self(Arc::new(angle))
+    }
+
+    /// Angle at a fraction of the axis, rad.
+    pub fn at(&self, u: f64) -> f64 {
+        self.0(u)
+    }
+}
+
+impl fmt::Debug for Twist {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Twist({} .. {} rad)", self.at(0.0), self.at(1.0))
+    }
+}
+
 /// Stress-free axis of a body, in its declared frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Line {
     /// From a point to a point, m.
     Straight {
@@ -26,6 +57,8 @@ pub enum Line {
         /// Subtended angle, rad.
         angle: f64,
     },
+    /// A smooth curve through points.
+    Curve(Arc<Spline>),
 }
 
 impl Line {
@@ -34,6 +67,7 @@ impl Line {
         match *self {
             Line::Straight { from, to } => norm(subtract(to, from)),
             Line::Arc { radius, angle, .. } => radius * angle.abs(),
+            Line::Curve(ref spline) => spline.length(),
         }
     }
 
@@ -69,26 +103,29 @@ impl Line {
                 let here = add(tangent.map(|x| cosine * x), side.map(|x| sine * x));
                 (add(from, add(along, across)), here)
             }
+            Line::Curve(ref spline) => spline.at(u),
         }
     }
 
-    /// Rotation vector (rad) of the tangent from the start to the fraction `u` of the arclength.
-    pub fn turned(&self, u: f64) -> [f64; 3] {
-        match *self {
+    /// Rotation vector (rad) of the tangent from the start to the fraction `u` of the arclength; `None` of a curve, whose
+    /// sections are oriented at every place by themselves.
+    pub fn turned(&self, u: f64) -> Option<[f64; 3]> {
+        Some(match *self {
             Line::Straight { .. } => [0.0; 3],
+            Line::Curve(_) => return None,
             Line::Arc {
                 direction,
                 normal,
                 angle,
                 ..
             } => directions(direction, normal).1.map(|x| angle * u * x),
-        }
+        })
     }
 
     /// Whether an arc's direction and normal span a plane; straight lines need a length alone.
     pub fn has_plane(&self) -> bool {
         match *self {
-            Line::Straight { .. } => true,
+            Line::Straight { .. } | Line::Curve(_) => true,
             Line::Arc { direction, normal, .. } => {
                 let size = norm(direction) * norm(normal);
                 size.is_finite() && norm(cross(direction, normal)) > PARALLEL * size

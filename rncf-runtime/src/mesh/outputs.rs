@@ -29,12 +29,12 @@ impl MeshScene {
                 let mut q = [0.0; MAX_SIZE];
                 body.connectivity.gather(element, &self.buffers.q, &mut q[..size]);
                 energy += self.parts.energy(index, element, &q[..size]);
-                let count = body.spec.nodal.len();
+                let (count, masses) = (body.spec.nodal.len(), body.mass_of(element));
                 for a in 0..count {
                     for b in 0..count {
                         // The shape functions of positions add up to one.
                         if body.spec.nodal[b].is_position() {
-                            let mass = body.mass[a * count + b];
+                            let mass = masses[a * count + b];
                             for c in 0..dimension {
                                 energy -= mass * q[a * dimension + c] * pull[body.spec.axes[c]];
                             }

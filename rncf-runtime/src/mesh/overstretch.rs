@@ -36,12 +36,15 @@ impl MeshScene {
         let mut slope = vec![0.0; spec.nodal.len()];
         let mut most = (0.0, 0.0);
         for xi in PLACES {
-            self.parts.shapes(body, Interpolant::Position, 1, xi, &mut slope);
             for element in 0..spec.count {
+                if element == 0 || !spec.stations.is_empty() {
+                    self.parts
+                        .shapes(body, element, Interpolant::Position, 1, xi, &mut slope);
+                }
                 let components = connectivity.element(element);
                 let stretch = norm(weighted(&self.buffers.q, components, spec.dimension(), &slope));
                 if stretch > most.0 {
-                    most = (stretch, spec.line.length() * (element as f64 + xi) / spec.count as f64);
+                    most = (stretch, spec.arclength(element, xi));
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use super::frame::FrameMotion;
 use super::free::FreeSpec;
-use super::line::Line;
+use super::line::{Line, Twist};
 use super::markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec};
 use super::one_by_one::{elastic_force_one_by_one, elastic_tangent_one_by_one};
 use super::repeated::{DensitySpec, LANES, ShareSpec, StartSpec};
@@ -30,6 +30,8 @@ pub struct BodySpec {
     pub line: Line,
     /// Number of elements.
     pub count: usize,
+    /// Fractions of the axis in [0, 1] at the nodes, ascending, both ends included; empty: all elements are equally long.
+    pub stations: Vec<f64>,
     /// An element's nodal vectors by local number.
     pub nodal: &'static [NodalSpec],
     /// Place of each local vector relative to the first vector of the element's first node.
@@ -41,8 +43,8 @@ pub struct BodySpec {
     /// Direction of the section's y axis at the start, frame axes, not yet normal to the tangent; `None`:
     /// z x tangent, or y where the axis starts along z.
     pub section_y: Option<[f64; 3]>,
-    /// Stress-free twist of the section from start to end about the tangent, rad.
-    pub twist: f64,
+    /// Stress-free twist of the section about the tangent.
+    pub twist: Twist,
     /// How finely its deformation is described.
     pub fidelity: Fidelity,
     /// What its free frame follows beside joints.
@@ -161,6 +163,47 @@ impl BodySpec {
         let place = vector % self.stride;
         let local = self.connectivity.iter().position(|&other| other == place).unwrap_or(0);
         (vector / self.stride, local)
+    }
+
+    /// Length of an element, m.
+    pub fn element_length(&self, element: usize) -> f64 {
+        match self.stations.get(element..element + 2) {
+            Some([start, end]) => self.line.length() * (end - start),
+            _ => self.line.length() / self.count as f64,
+        }
+    }
+
+    /// Arclength (m) of a place `xi` in [0, 1] of an element.
+    pub fn arclength(&self, element: usize, xi: f64) -> f64 {
+        match self.stations.get(element..element + 2) {
+            Some([start, end]) => self.line.length() * (start + xi * (end - start)),
+            _ => self.line.length() * (element as f64 + xi) / self.count as f64,
+        }
+    }
+
+    /// The element and the place in it, in [0, 1], at a fraction of the axis. What is a node but for the rounding of its place
+    /// is one: it begins the element beyond it.
+    pub fn find(&self, fraction: f64) -> (usize, f64) {
+        let (place, round_off) = match self.stations[..] {
+            [] => (fraction * self.count as f64, 4.0 * f64::EPSILON * self.count as f64),
+            ref stations => {
+                let beyond = stations.partition_point(|&station| station <= fraction);
+                let element = beyond.saturating_sub(1).min(self.count - 1);
+                let length = stations[element + 1] - stations[element];
+                (
+                    element as f64 + (fraction - stations[element]) / length,
+                    4.0 * f64::EPSILON / length,
+                )
+            }
+        };
+        let nearest = place.round();
+        let place = if (place - nearest).abs() <= round_off {
+            nearest
+        } else {
+            place
+        };
+        let element = (place as usize).min(self.count - 1);
+        (element, place - element as f64)
     }
 
     /// Nodal vectors of the body.
@@ -345,12 +388,12 @@ pub trait Parts: Send + Sync + 'static {
     /// by [`Parts::kinks`], at time `t`, s, and their time derivatives.
     fn gaps(&self, _t: f64, _out: &mut Vec<[f64; 2]>) {}
 
-    /// Prepares what depends on the stress-free shape: nodal vectors of every element of a body, in
-    /// local order, one element after the other.
+    /// Prepares what depends on the stress-free shape: arclengths (m) of the nodes, and nodal vectors of every element of
+    /// a body, in local order, one element after the other.
     ///
     /// # Errors
     /// A material or section that makes no physical sense, by name.
-    fn prepare(&mut self, _body: usize, _length: f64, _shape: &[f64]) -> Result<(), ModelError> {
+    fn prepare(&mut self, _body: usize, _nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
         Ok(())
     }
 
@@ -475,17 +518,22 @@ pub trait Parts: Send + Sync + 'static {
         [0.0; 3]
     }
 
-    /// Mass matrix of an element's vectors (scalars, rows first).
-    fn mass(&self, _body: usize, _mass: &mut [f64]) {}
+    /// Whether the elements of a body differ, in length or properties.
+    fn varies(&self, _body: usize) -> bool {
+        false
+    }
+    /// Mass matrix of the vectors of an element (scalars, rows first).
+    fn mass(&self, _body: usize, _element: usize, _mass: &mut [f64]) {}
     /// Strain energy of one element, J.
     fn energy(&self, _body: usize, _element: usize, _q: &[f64]) -> f64 {
         0.0
     }
     /// Weights of an element's nodal vectors in the `order`-th derivative d/dx of an interpolant at `xi` in [0, 1]:
     /// 0, 1 of the position, 0 of the section's axes, and those of [`Parts::fields`].
-    fn shapes(&self, _body: usize, _of: Interpolant, _order: usize, _xi: f64, _weights: &mut [f64]) {}
-    /// What stresses of a body follow from.
-    fn section(&self, _body: usize) -> SectionSpec {
+    #[allow(clippy::too_many_arguments)]
+    fn shapes(&self, _body: usize, _element: usize, _of: Interpolant, _order: usize, _xi: f64, _weights: &mut [f64]) {}
+    /// What stresses of a body follow from at the arclength `x`, m.
+    fn section(&self, _body: usize, _x: f64) -> SectionSpec {
         SectionSpec::NONE
     }
     /// Number of fields that the strain energy of a body depends on, and for each the interpolant and order
@@ -495,8 +543,17 @@ pub trait Parts: Send + Sync + 'static {
     }
     /// Forces on the fields of a body at a point of an element, dU/d(field) per unit length, body axes: N on
     /// order 1 of the position, N m on the others; from the fields' values in the stress-free shape, at
-    /// present, and their rates, one vector of the body's dimension after the other.
-    fn field_forces(&self, _body: usize, _stress_free: &[f64], _fields: &[f64], _rates: &[f64], _forces: &mut [f64]) {}
+    /// present, and their rates, one vector of the body's dimension after the other; `x` is the arclength, m.
+    fn field_forces(
+        &self,
+        _body: usize,
+        _x: f64,
+        _stress_free: &[f64],
+        _fields: &[f64],
+        _rates: &[f64],
+        _forces: &mut [f64],
+    ) {
+    }
     /// Adds the generalised force of a moment (N m, body axes; planar: first component) on a slope.
     fn moment(&self, _dimension: usize, _slope: &[f64], _moment: [f64; 3], _force: &mut [f64]) {}
     /// Adds its derivative with respect to the slope, rows first.

@@ -38,7 +38,7 @@ pub(super) struct MeshBody {
     pub offset: Vector,
     pub connectivity: Connectivity,
     pub scatter: Scatter,
-    /// Mass matrix of an element's vectors.
+    /// Mass matrix of an element's vectors; where elements differ one after the other.
     pub mass: Vec<f64>,
     /// Mass matrix of all its vectors, what is fixed to it included.
     pub whole_mass: NodalMass,
@@ -360,19 +360,7 @@ pub(super) fn element_at(spec: &BodySpec, at: Place, user: &str) -> Result<(usiz
     Ok(match at {
         Place::Start => (0, 0.0),
         Place::End => (spec.count - 1, 1.0),
-        Place::At(x) if (0.0..=length).contains(&x) => {
-            let place = x / length * spec.count as f64;
-            // What is a node but for the rounding of its place is one: it begins the element beyond it.
-            let nearest = place.round();
-            let round_off = 4.0 * f64::EPSILON * spec.count as f64;
-            let place = if (place - nearest).abs() <= round_off {
-                nearest
-            } else {
-                place
-            };
-            let element = (place as usize).min(spec.count - 1);
-            (element, place - element as f64)
-        }
+        Place::At(x) if (0.0..=length).contains(&x) => spec.find(x / length),
         Place::At(x) => {
             return Err(ModelError::new(format!(
                 "{user} is at {x} m of body `{}`, which is {length} m long: choose a place between 0 and its length",
@@ -394,7 +382,7 @@ pub(super) fn point_of(parts: &dyn Parts, spec: &BodySpec, body: usize, element:
         let mut weights = vec![0.0; spec.nodal.len()];
         let (of, order) = vector.interpolates();
         if spec.interpolates(of) {
-            parts.shapes(body, of, order, xi, &mut weights);
+            parts.shapes(body, element, of, order, xi, &mut weights);
         }
         weights
     });

@@ -7,7 +7,7 @@ use super::modal::{Kernels, ModalBody};
 use super::parts::{Fidelity, Interpolant};
 use super::point_forces::PointForce;
 use super::scene::{MeshPoint, MeshScene};
-use super::section_spec::{SectionQuantity, SectionSpec};
+use super::section_spec::SectionQuantity;
 use super::stress::largest_stress;
 use crate::error::ModelError;
 use crate::linalg::Cholesky;
@@ -115,10 +115,10 @@ fn sum(weights: &[f64], vectors: &[Vector]) -> Vector {
 pub(super) struct Reader<'a> {
     scene: &'a MeshScene,
     body: usize,
-    section: SectionSpec,
     is_line: bool,
     normal: Option<Vector>,
-    /// Length of an element, m.
+    /// The element that is read, and its length, m.
+    element: usize,
     length: f64,
     /// The local vector that is the position of the first node.
     first: usize,
@@ -133,10 +133,10 @@ impl<'a> Reader<'a> {
         let mut reader = Self {
             scene,
             body,
-            section: scene.parts.section(body),
             is_line: !spec.has_section(),
             normal: spec.plane_normal(),
-            length: spec.line.length() / spec.count as f64,
+            element: 0,
+            length: 0.0,
             first: spec
                 .nodal
                 .iter()
@@ -145,9 +145,20 @@ impl<'a> Reader<'a> {
             grams: Vec::new(),
             reaches: Vec::new(),
         };
-        let all = [Interpolant::Position, Interpolant::SectionY, Interpolant::SectionZ];
-        reader.grams = all.into_iter().filter_map(|of| reader.gram(of)).collect();
+        reader.begin_length(0);
         reader
+    }
+
+    /// What depends on the length of an element.
+    fn begin_length(&mut self, element: usize) {
+        self.element = element;
+        let length = self.scene.bodies[self.body].spec.element_length(element);
+        if length != self.length {
+            self.length = length;
+            self.reaches.clear();
+            let all = [Interpolant::Position, Interpolant::SectionY, Interpolant::SectionZ];
+            self.grams = all.into_iter().filter_map(|of| self.gram(of)).collect();
+        }
     }
 
     fn gram(&self, of: Interpolant) -> Option<(Vec<usize>, Cholesky)> {
@@ -170,7 +181,9 @@ impl<'a> Reader<'a> {
         let spec = &self.scene.bodies[self.body].spec;
         let mut weights = vec![0.0; spec.nodal.len()];
         if spec.interpolates(of) {
-            self.scene.parts.shapes(self.body, of, order, xi, &mut weights);
+            self.scene
+                .parts
+                .shapes(self.body, self.element, of, order, xi, &mut weights);
         }
         weights
     }
@@ -220,7 +233,9 @@ impl<'a> Reader<'a> {
             forces = [forces[0], 0.0, 0.0];
         }
         let is_planar = self.normal.is_some();
-        let stress = |moments| largest_stress(&self.section, is_planar, forces, moments);
+        let x = spec.arclength(element, xi);
+        let section = self.scene.parts.section(self.body, x);
+        let stress = |moments| largest_stress(&section, is_planar, forces, moments);
         // Which way a centre line in space bends relative to its section is not known.
         let other = if self.is_line && !is_planar {
             [0.0, moments[2], 0.0]
@@ -228,7 +243,7 @@ impl<'a> Reader<'a> {
             moments
         };
         SectionState {
-            x: spec.line.length() * (element as f64 + xi) / spec.count as f64,
+            x,
             forces,
             moments,
             stress: stress(moments).zip(stress(other)).map(|(a, b)| a.max(b)),
@@ -273,7 +288,8 @@ impl<'a> Reader<'a> {
     /// What the section at the start of an element carries. The element is in equilibrium with what its nodes exert on
     /// it: its generalised forces (elastic ones and inertia less loads) on the vectors of its first node are what the
     /// part before exerts there. So sections, joints and loads balance as the discrete equations do, whatever the mesh.
-    fn begin(&self, element: usize) -> Element {
+    fn begin(&mut self, element: usize) -> Element {
+        self.begin_length(element);
         let body = &self.scene.bodies[self.body];
         let (spec, buffers) = (&body.spec, &self.scene.buffers);
         let (d, size) = (spec.dimension(), spec.element_size());
@@ -304,7 +320,7 @@ impl<'a> Reader<'a> {
         };
         let accelerations: Vec<Vector> = (0..spec.nodal.len()).map(acceleration).collect();
         let loads = vectors(&self.scene.densities_on(self.body, element)[..size]);
-        let inertia = body.mass.chunks_exact(spec.nodal.len());
+        let inertia = body.mass_of(element).chunks_exact(spec.nodal.len());
         let acting: Vec<Vector> = inertia
             .zip(&loads)
             .map(|(masses, &load)| subtract(sum(masses, &accelerations), load))
@@ -425,7 +441,7 @@ impl MeshScene {
 
     /// Whether the largest stress of a body's sections is known.
     pub(super) fn knows_stress(&self, body: usize) -> bool {
-        let (spec, section) = (&self.bodies[body].spec, self.parts.section(body));
+        let (spec, section) = (&self.bodies[body].spec, self.parts.section(body, 0.0));
         largest_stress(&section, spec.dimension() == 2, [0.0; 3], [0.0; 3]).is_some()
     }
 

@@ -299,7 +299,14 @@ fn mass(body: &MeshBody) -> f64 {
     let pairs = (0..nodal.len())
         .filter(positions)
         .flat_map(|a| (0..nodal.len()).filter(positions).map(move |b| (a, b)));
-    body.spec.count as f64 * pairs.map(|(a, b)| body.mass[a * nodal.len() + b]).sum::<f64>()
+    let of = |element: usize| {
+        let masses = body.mass_of(element);
+        pairs.clone().map(|(a, b)| masses[a * nodal.len() + b]).sum::<f64>()
+    };
+    if body.is_even() {
+        return body.spec.count as f64 * of(0);
+    }
+    (0..body.spec.count).map(of).sum()
 }
 
 /// Calls back with every entry of the mass matrices of all elements: components of both vectors from the body's first
@@ -307,12 +314,12 @@ fn mass(body: &MeshBody) -> f64 {
 pub(super) fn each_mass(body: &MeshBody, first: usize, mut each: impl FnMut(usize, usize, [bool; 2], f64)) {
     let (dimension, count) = (body.spec.dimension(), body.spec.nodal.len());
     for element in 0..body.spec.count {
-        let components = body.connectivity.element(element);
+        let (components, masses) = (body.connectivity.element(element), body.mass_of(element));
         for a in 0..count {
             for b in 0..count {
                 let [from, to] = [a, b].map(|vector| components[vector * dimension] - first);
                 let are_positions = [a, b].map(|vector| body.spec.nodal[vector].is_position());
-                each(from, to, are_positions, body.mass[a * count + b]);
+                each(from, to, are_positions, masses[a * count + b]);
             }
         }
     }

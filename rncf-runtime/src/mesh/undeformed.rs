@@ -9,20 +9,26 @@ use crate::vector::{Vector, add, apply, cross, dot, norm, perpendicular, scale, 
 impl BodySpec {
     /// Unit vectors along the section's y and z axes (1, frame axes) at the fraction `u` in [0, 1] of the
     /// stress-free axis; with the tangent they are a right-handed triad. On an arc they turn with the
-    /// tangent about the arc's normal, and then about the tangent by the stress-free twist. In a plane y is
+    /// tangent about the arc's normal; on a curve y is the declared direction made normal to the tangent at every place; then
+    /// both turn about the tangent by the stress-free twist. In a plane y is
     /// normal x tangent and z the plane's normal.
     pub fn section(&self, u: f64) -> [Vector; 2] {
         let (_, tangent) = self.line.at(u);
         if let Some(normal) = self.plane_normal() {
             return [cross(normal, tangent), normal];
         }
-        let start = self.line.at(0.0).1;
-        let across = self.across(start).unwrap_or_else(|| perpendicular(start));
-        let turned = apply(&Rotation::exp(self.line.turned(u)).matrix(), across);
+        let turned = match self.line.turned(u) {
+            Some(turned) => {
+                let start = self.line.at(0.0).1;
+                let across = self.across(start).unwrap_or_else(|| perpendicular(start));
+                apply(&Rotation::exp(turned).matrix(), across)
+            }
+            None => self.across(tangent).unwrap_or_else(|| perpendicular(tangent)),
+        };
         // Round-off of the turning must not tilt the axis.
         let turned = unit(subtract(turned, scale(dot(turned, tangent), tangent)));
         let side = cross(tangent, turned);
-        let (sine, cosine) = (self.twist * u).sin_cos();
+        let (sine, cosine) = self.twist.at(u).sin_cos();
         let y = add(scale(cosine, turned), scale(sine, side));
         [y, cross(tangent, y)]
     }
@@ -65,10 +71,10 @@ impl BodySpec {
                 "body `{name}`: `section_y` {wanted:?} has no part across the axis at its start: give a direction that is not along it"
             )));
         }
-        if !self.twist.is_finite() {
+        let twists = (0..=self.count).map(|node| self.twist.at(self.fraction(node, 0)));
+        if let Some(twist) = twists.into_iter().find(|twist| !twist.is_finite()) {
             return Err(ModelError::new(format!(
-                "body `{name}`: `twist` is {} rad: give it a finite value",
-                self.twist
+                "body `{name}`: `twist` is {twist} rad: give it a finite value"
             )));
         }
         Ok(())
@@ -76,7 +82,13 @@ impl BodySpec {
 
     /// Fraction of the axis where a nodal vector is: `node` is that of its element's start.
     pub(super) fn fraction(&self, node: usize, local: usize) -> f64 {
-        (node as f64 + self.nodal[local].xi) / self.count as f64
+        let xi = self.nodal[local].xi;
+        match self.stations.get(node..node + 2) {
+            Some([start, end]) => start + xi * (end - start),
+            // The last node.
+            None if !self.stations.is_empty() => 1.0,
+            _ => (node as f64 + xi) / self.count as f64,
+        }
     }
 
     /// A nodal vector of an element (`node` is that of its start) in the stress-free shape, frame axes.

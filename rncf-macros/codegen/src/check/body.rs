@@ -98,6 +98,8 @@ impl<'a> Check<'a> {
                 initial,
                 strain_energy: mesh.stuff.energy,
                 shape: mesh.stuff.shape,
+                law: mesh.law,
+                stations: mesh.stations,
                 section_y: axes.y,
                 twist: axes.twist,
             });

@@ -114,8 +114,8 @@ impl<'a> Check<'a> {
                 })
             }
             ExprKind::Name(name) => self.name(name, scope),
-            ExprKind::Member { .. } => match self.strain(expr) {
-                Some(strain) => strain,
+            ExprKind::Member { .. } => match self.strain(expr).or_else(|| self.column(expr)) {
+                Some(found) => found,
                 None => self.member(expr, scope),
             },
             ExprKind::Call(call) => self.call(call, scope),

@@ -1,6 +1,6 @@
 //! Constant values, and dependence on time.
 
-use crate::model::{Binary, Comparison, Expr, Function, Model};
+use crate::model::{Binary, Comparison, Expr, Function, Model, TableId};
 
 /// Value of an expression of numbers only.
 pub fn constant(expr: &Expr) -> Option<f64> {
@@ -31,6 +31,17 @@ pub fn of_repetition(model: &Model, expr: &Expr, t: f64, index: f64) -> Option<f
     })
 }
 
+/// Value at the arclength `x` of an axis with a length, with the parameters' defaults; not a number where it has none.
+pub fn along(model: &Model, expr: &Expr, x: f64, length: f64) -> f64 {
+    let found = value(expr, &|leaf| match leaf {
+        Expr::Param(id) => model.params.get(id.0).map(|param| param.default),
+        Expr::Arclength => Some(x),
+        Expr::Table { table, column } => Some(model.tables[table.0].value(*column, x, length)),
+        _ => None,
+    });
+    found.unwrap_or(f64::NAN)
+}
+
 /// How many times [`sampled`] is asked.
 pub const SAMPLES: usize = 3;
 
@@ -56,6 +67,7 @@ fn value(expr: &Expr, leaf: &dyn Fn(&Expr) -> Option<f64>) -> Option<f64> {
         Expr::Param(_)
         | Expr::Time
         | Expr::Arclength
+        | Expr::Table { .. }
         | Expr::Index
         | Expr::Local { .. }
         | Expr::EndTime
@@ -114,6 +126,7 @@ pub fn is_free_of_time(expr: &Expr) -> bool {
         Expr::Number(_)
         | Expr::Param(_)
         | Expr::Arclength
+        | Expr::Table { .. }
         | Expr::Index
         | Expr::Local { .. }
         | Expr::EndTime
@@ -130,7 +143,19 @@ pub fn is_free_of_time(expr: &Expr) -> bool {
 
 /// Whether the arclength of an axis stands in the expression.
 pub fn has_arclength(expr: &Expr) -> bool {
-    contains(expr, &|expr| matches!(expr, Expr::Arclength))
+    contains(expr, &|expr| matches!(expr, Expr::Arclength | Expr::Table { .. }))
+}
+
+/// The tables that stand in an expression.
+pub fn tables(expr: &Expr) -> Vec<TableId> {
+    let found = std::cell::RefCell::new(Vec::new());
+    contains(expr, &|expr| {
+        if let Expr::Table { table, .. } = expr {
+            found.borrow_mut().push(*table);
+        }
+        false
+    });
+    found.into_inner()
 }
 
 /// Whether the index of a loop stands in the expression.
@@ -165,6 +190,7 @@ fn contains(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
             | Expr::Param(_)
             | Expr::Time
             | Expr::Arclength
+            | Expr::Table { .. }
             | Expr::Index
             | Expr::Local { .. }
             | Expr::EndTime

@@ -16,7 +16,7 @@ use crate::elements::{Element, Library};
 use crate::errors::Mistake;
 use crate::model::{Body, Model, SectionShape, Space};
 use crate::parse::tree::{Call, Expr, Field, Fields, Item, ItemKind, Keyword, Tree};
-use crate::vocabulary::{BOTH_AXES, DERIVED};
+use crate::vocabulary::{BOTH_AXES, DERIVED, LAW};
 
 /// Warnings about a model without mistakes: items in the order of the declaration, then properties of materials and
 /// sections. A leading underscore silences them.
@@ -280,6 +280,9 @@ fn unread<'a>(fields: &'a Fields, bodies: &[&Body], library: &Library) -> Vec<&'
 
 /// Fields of material and section that a body reads.
 fn reads(body: &Body, library: &Library) -> Vec<&'static str> {
+    if body.law.is_some() {
+        return LAW.iter().map(|property| property.name).collect();
+    }
     let element = &library.elements[body.element.0];
     let is_planar = body.space != Space::Spatial;
     // `yield` and the extents are read by reports of stresses.

@@ -10,7 +10,7 @@ use crate::elements::Element;
 use crate::errors::Area;
 use crate::joints::algebra;
 use crate::model::{Expr as Value, Line, Space};
-use crate::parse::tree::{Expr, Item, Statement};
+use crate::parse::tree::{Expr, Item, Name, Statement};
 
 const FROM: Wanted = Wanted {
     what: "the start of the axis",
@@ -70,16 +70,19 @@ impl<'a> Check<'a> {
             item,
             statements,
             complete,
-            "`line` or `arc`",
+            "`line`, `arc` or `curve`",
             missing,
             |statement| match statement {
-                Statement::Line { area, .. } | Statement::Arc { area, .. } => Some(*area),
+                Statement::Line { area, .. } | Statement::Arc { area, .. } | Statement::Curve { area, .. } => {
+                    Some(*area)
+                }
                 _ => None,
             },
         )?;
         match statement {
             Statement::Line { area, from, to } => self.straight(*area, from, to, known),
             Statement::Arc { .. } => self.arc(statement, known),
+            Statement::Curve { table, .. } => self.curve(table, known),
             _ => None,
         }
     }
@@ -104,6 +107,35 @@ impl<'a> Check<'a> {
         Some(Line::Straight {
             from: from_vector.values,
             to: to_vector.values,
+        })
+    }
+
+    /// `curve through table;`
+    fn curve(&mut self, name: &Name, known: &Known) -> Option<Line> {
+        let id = self.table(name)?;
+        let table = &self.model.tables[id.0];
+        let coordinate = |word: &str| {
+            let column = table.columns.iter().find(|column| column.name == word)?;
+            (column.dimension == FROM.dimension).then(|| column.values.clone())
+        };
+        let Some([x, y, z]) = coordinate("x")
+            .zip(coordinate("y"))
+            .zip(coordinate("z"))
+            .map(|((x, y), z)| [x, y, z])
+        else {
+            self.errors.at(name.span, say::CURVE_TABLE);
+            return None;
+        };
+        if let Some(normal) = known.space.and_then(normal)
+            && let Some(&off) = [&x, &y, &z][normal].iter().find(|value| **value != 0.0)
+        {
+            let message = say::curve_off_plane(plane(normal), AXES[normal], off);
+            self.errors.at(name.span, message);
+            return None;
+        }
+        let point = |row: usize| [x[row], y[row], z[row]].map(Value::Number);
+        Some(Line::Curve {
+            points: (0..x.len()).map(point).collect(),
         })
     }
 
@@ -186,13 +218,15 @@ impl<'a> Check<'a> {
             return;
         }
         for statement in statements {
-            let Statement::Arc { area, normal, .. } = statement else {
-                continue;
+            let (area, normal) = match statement {
+                Statement::Arc { area, normal, .. } => (area, normal.is_some()),
+                Statement::Curve { area, .. } => (area, true),
+                _ => continue,
             };
             match (element.curved_in_space, normal) {
                 (Some(refusal), _) => self.errors.at(*area, refusal),
-                (None, None) => self.errors.at(*area, say::MISSING_NORMAL),
-                (None, Some(_)) => {}
+                (None, false) => self.errors.at(*area, say::MISSING_NORMAL),
+                (None, true) => {}
             }
         }
     }
@@ -226,7 +260,7 @@ impl<'a> Check<'a> {
             lines[which] = Some(area.line());
             is_whole &= self.may_lie(statements, word, area, space);
             if which == 1 {
-                match self.angle(value, Scope::Parameter, "the twist") {
+                match self.along_axis(|check| check.angle(value, Scope::Parameter, "the twist")) {
                     Some(twist) => axes.twist = twist,
                     None => is_whole = false,
                 }
@@ -245,6 +279,9 @@ impl<'a> Check<'a> {
                 std::array::from_fn(|axis| algebra::subtract(to[axis].clone(), from[axis].clone()))
             }
             Line::Arc { direction, .. } => direction.clone(),
+            Line::Curve { points } => {
+                std::array::from_fn(|axis| algebra::subtract(points[1][axis].clone(), points[0][axis].clone()))
+            }
         });
         let message = if is_zero(&vector.values) {
             say::ZERO_DIRECTION

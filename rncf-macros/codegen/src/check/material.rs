@@ -141,15 +141,11 @@ impl<'a> Check<'a> {
                 continue;
             }
             let Some(property) = property(name) else { continue };
-            let wanted = Wanted {
-                what: name,
-                dimension: property.dimension,
-                unit: property.unit,
-            };
             let area = field.value.area;
-            let value = self.quantity(&field.value, Scope::Parameter, wanted);
-            if let Some(constant) = value.as_ref().and_then(fold::constant) {
-                self.range(name, property.range, constant, area);
+            let value = self.along_axis(|check| check.field_value(name, &field.value, property));
+            if name == "damping" && value.as_ref().is_some_and(fold::has_arclength) {
+                self.errors.at(area, say::DAMPING_ALONG);
+                is_whole = false;
             }
             match value {
                 Some(value) => drop(values.insert(name, (value, area))),
@@ -159,17 +155,33 @@ impl<'a> Check<'a> {
         (values, is_whole)
     }
 
+    /// The value of a property, in its range where it is constant.
+    pub(super) fn field_value(&mut self, what: &'static str, value: &'a Expr, property: &Property) -> Option<Value> {
+        let wanted = Wanted {
+            what,
+            dimension: property.dimension,
+            unit: property.unit,
+        };
+        let found = self.quantity(value, Scope::Parameter, wanted);
+        if let Some(constant) = found.as_ref().and_then(fold::constant) {
+            self.range(what, property.range, constant, value.area);
+        }
+        found
+    }
+
     /// Whether a constant is in its range; reports where it is not.
     pub(super) fn range(&mut self, what: &str, range: Range, value: f64, area: Area) -> bool {
         let message = match range {
             Range::Positive if value > 0.0 => return true,
             Range::NonNegative if value >= 0.0 => return true,
             Range::Poisson if value > -1.0 && value < 0.5 => return true,
+            Range::Any if value.is_finite() => return true,
             Range::Part if value > 0.0 && value <= 1.0 => return true,
             Range::Positive => say::positive(what),
             Range::Part => say::part(what),
             Range::NonNegative => say::not_negative(what),
             Range::Poisson => say::POISSON.into(),
+            Range::Any => say::NOT_FINITE.into(),
         };
         self.errors.at(area, message);
         false
@@ -257,6 +269,9 @@ impl<'a> Check<'a> {
             if let Some(moment) = self.one_moment(&section_known, names, is_planar, section.span.into()) {
                 properties.insert("second_moment", moment);
             }
+        }
+        if material_known.energy.is_some() && properties.values().any(fold::has_arclength) {
+            self.errors.at(material.span, say::VARYING_ENERGY);
         }
         if material_known.energy.is_some() {
             self.integrated(used, call, (section, &section_known), material);

@@ -3,7 +3,8 @@
 use super::material::{Stuff, Used};
 use super::{Check, say};
 use crate::elements::Element;
-use crate::model::{ElementId, Evaluation, Expr as Value, Quadrature, Space};
+use crate::joints::algebra::multiply;
+use crate::model::{ElementId, Evaluation, Expr as Value, Law, Quadrature, SectionShape, Space, Stations, TableId};
 use crate::parse::tree::{Argument, Call, Expr, ExprKind, Item, Name, Statement};
 use crate::suggest;
 
@@ -15,6 +16,8 @@ pub struct Mesh {
     pub material_name: String,
     pub section_name: String,
     pub stuff: Stuff,
+    pub law: Option<Law>,
+    pub stations: Option<Stations>,
     pub quadrature: Quadrature,
     pub evaluation: Evaluation,
 }
@@ -36,22 +39,34 @@ impl<'a> Check<'a> {
             }
         })?;
         let Statement::Mesh {
-            count, element: call, ..
+            count,
+            stations,
+            element: call,
+            ..
         } = statement
         else {
             return None;
         };
         let count = self.count(count);
+        let stations = match stations {
+            Some(name) => Some(self.table(name)?),
+            None => None,
+        };
         let word = call.name.text.as_str();
         let Some(id) = self.library.find(word) else {
             let known = self
                 .library
                 .elements
                 .iter()
+                .filter(|element| !element.of_stiffness)
                 .flat_map(|element| element.names.iter().copied());
             self.errors.at(call.name.span, suggest::unknown("element", word, known));
             return None;
         };
+        if let Some(section) = self.lawful_section(call) {
+            let mesh = self.mesh_of_law(call, section, space?)?;
+            return Some(self.at_stations(mesh, count?, stations));
+        }
         let element = &self.library.elements[id];
         self.curved_in_space(element, statements, space);
         let (options, quadrature, evaluation) = self.options(element, call);
@@ -64,8 +79,10 @@ impl<'a> Check<'a> {
             options: options.as_ref().unwrap_or(&defaults),
         };
         let stuff = self.stuff(used, call, section, material);
-        Some(Mesh {
-            count: count?,
+        let mesh = Mesh {
+            count: Value::Number(1.0),
+            stations: None,
+            law: None,
             element: ElementId(id),
             options: options?,
             material_name: material.text.clone(),
@@ -73,6 +90,68 @@ impl<'a> Check<'a> {
             stuff: stuff?,
             quadrature: quadrature?,
             evaluation: evaluation?,
+        };
+        Some(self.at_stations(mesh, count?, stations))
+    }
+
+    /// A mesh with its number of elements, and its nodes at the rows of a table.
+    fn at_stations(&self, mesh: Mesh, count: Value, stations: Option<TableId>) -> Mesh {
+        let Some(table) = stations else {
+            return Mesh { count, ..mesh };
+        };
+        let spans = self.model.tables[table.0].stations() - 1;
+        Mesh {
+            count: multiply(Value::Number(spans as f64), count.clone()),
+            stations: Some(Stations { table, each: count }),
+            ..mesh
+        }
+    }
+
+    /// The first argument, where it is a section that says its stiffness by itself.
+    fn lawful_section(&self, call: &'a Call) -> Option<&'a Name> {
+        let first = call.arguments.iter().find(|argument| argument.name.is_none())?;
+        let ExprKind::Name(name) = &first.value.kind else {
+            return None;
+        };
+        self.sections.get(name.text.as_str())?.law.is_some().then_some(name)
+    }
+
+    /// `beam(section)` of such a section.
+    fn mesh_of_law(&mut self, call: &'a Call, section: &Name, space: Space) -> Option<Mesh> {
+        let (word, name) = (call.name.text.as_str(), section.text.as_str());
+        let Some(id) = self.library.find_of_stiffness(word) else {
+            self.errors.at(call.name.span, say::no_law_element(word, name));
+            return None;
+        };
+        if let Some(other) = call.arguments.iter().find(|argument| !is_name(&argument.value, name)) {
+            let message = match &other.name {
+                Some(option) => say::no_options(&option.text, word, name),
+                None => say::material_of_law(name, word),
+            };
+            self.errors.at(other.value.area, message);
+            return None;
+        }
+        if space != Space::Spatial {
+            self.errors.at(call.area, say::LAW_IN_PLANE);
+            return None;
+        }
+        let law = self.sections.get(name).filter(|section| section.is_whole)?.law.clone()?;
+        let damping = law.fields.get("damping").cloned().unwrap_or(Value::Number(0.0));
+        Some(Mesh {
+            count: Value::Number(1.0),
+            stations: None,
+            element: ElementId(id),
+            options: Vec::new(),
+            material_name: String::new(),
+            section_name: name.to_string(),
+            stuff: Stuff {
+                properties: [("damping", damping)].into(),
+                energy: None,
+                shape: SectionShape::default(),
+            },
+            law: Some(law),
+            quadrature: Quadrature::Exact,
+            evaluation: Evaluation::Automatic,
         })
     }
 
@@ -212,4 +291,9 @@ impl<'a> Check<'a> {
         };
         Some((section_name, material_name))
     }
+}
+
+/// Whether an expression is this name.
+fn is_name(expr: &Expr, name: &str) -> bool {
+    matches!(&expr.kind, ExprKind::Name(word) if word.text == name)
 }

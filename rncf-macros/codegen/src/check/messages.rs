@@ -1,5 +1,6 @@
 //! What is said about a declaration that makes no sense: what is wrong, and what would be right.
 
+pub use super::messages_along::*;
 pub use crate::messages::{not_a_number, not_ascii};
 
 pub const LONG_CHAIN: &str = "too many names are defined by each other: shorten the chain";

@@ -6,6 +6,7 @@ mod body;
 mod bushing;
 mod caution;
 mod constraint;
+mod curve;
 mod density;
 mod drive;
 mod eigen;
@@ -19,6 +20,7 @@ mod free;
 pub mod influence;
 mod initial;
 mod joint;
+mod law;
 mod line;
 mod load;
 mod loose;
@@ -26,6 +28,7 @@ mod marker;
 mod material;
 mod mesh;
 mod messages;
+mod messages_along;
 mod observe;
 mod output;
 mod param;
@@ -42,6 +45,7 @@ mod share;
 mod spinning;
 mod spring;
 mod start;
+mod table;
 mod thing;
 mod ties;
 mod unit;
@@ -56,7 +60,7 @@ use proc_macro2::Span;
 
 use crate::elements::Library;
 use crate::errors::{Area, Errors};
-use crate::model::{BodyId, Frame, FrameId, Model, MotionId};
+use crate::model::{BodyId, Frame, FrameId, Model, MotionId, TableId};
 use crate::parse::tree::{Argument, Call, Expr, Item, ItemKind, Keyword, Name, Tree};
 use crate::suggest;
 use balance::TOTAL;
@@ -93,6 +97,7 @@ pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Mode
     check.repeats();
     check.motions();
     check.frames();
+    check.tables();
     check.materials();
     check.sections();
     check.bodies();
@@ -124,6 +129,8 @@ struct Check<'a> {
     values: HashMap<&'a str, Option<Typed>>,
     motions: HashMap<&'a str, Option<(MotionId, Typed)>>,
     frames: HashMap<&'a str, Option<FrameId>>,
+    /// Tables; `None`: reported.
+    tables: HashMap<&'a str, Option<TableId>>,
     /// Readable sections and materials.
     sections: HashMap<&'a str, section::Section>,
     materials: HashMap<&'a str, material::Material>,
@@ -136,6 +143,8 @@ struct Check<'a> {
     locals: HashMap<&'static str, Typed>,
     /// Whether a density or a field is being checked.
     is_distributed: bool,
+    /// Whether what varies along an axis is being checked.
+    is_along: bool,
     /// Vectors of the particle that a density is checked for.
     particle: HashMap<&'static str, vector::Vectorial>,
     /// The loop or reduction that is being checked.
@@ -175,6 +184,7 @@ impl<'a> Check<'a> {
             values: HashMap::new(),
             motions: HashMap::new(),
             frames: HashMap::new(),
+            tables: HashMap::new(),
             sections: HashMap::new(),
             materials: HashMap::new(),
             bodies: HashMap::new(),
@@ -183,6 +193,7 @@ impl<'a> Check<'a> {
             tied: Some(Vec::new()),
             locals: HashMap::new(),
             is_distributed: false,
+            is_along: false,
             particle: HashMap::new(),
             turn: None,
             unknown: HashSet::new(),

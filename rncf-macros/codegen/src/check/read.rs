@@ -13,7 +13,7 @@ pub fn mentioned<'a>(tree: &'a Tree, item: &'a Item) -> Vec<&'a str> {
         ItemKind::Param { value, .. } => value.iter().for_each(|value| names(value, found)),
         ItemKind::Const(value) | ItemKind::Motion(value) | ItemKind::Constraint(value) => names(value, found),
         ItemKind::Output { value, .. } => names(value, found),
-        ItemKind::Material(fields) | ItemKind::Section(fields) => of_fields(fields, found),
+        ItemKind::Material(fields) | ItemKind::Section(fields) | ItemKind::Table(fields) => of_fields(fields, found),
         ItemKind::NamedSection(call)
         | ItemKind::Joint(call)
         | ItemKind::Spring(call)
@@ -39,7 +39,7 @@ pub fn mentioned<'a>(tree: &'a Tree, item: &'a Item) -> Vec<&'a str> {
             names(&caution.left, found);
             names(&caution.right, found);
         }
-        ItemKind::Broken => {}
+        ItemKind::FileTable { .. } | ItemKind::Broken => {}
     }
     std::mem::take(found)
 }
@@ -55,6 +55,7 @@ fn of_arguments<'a>(arguments: &'a [Argument], found: &mut Vec<&'a str>) {
 fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
     match statement {
         Statement::Space { .. } | Statement::FrameTie { .. } => {}
+        Statement::Curve { table, .. } => found.push(&table.text),
         Statement::Line { from, to, .. } => [from, to].into_iter().for_each(|expr| names(expr, found)),
         Statement::Arc {
             from,
@@ -72,8 +73,14 @@ fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
             names(value, found);
         }
         Statement::Fidelity { count, .. } => count.iter().for_each(|count| names(count, found)),
-        Statement::Mesh { count, element, .. } => {
+        Statement::Mesh {
+            count,
+            stations,
+            element,
+            ..
+        } => {
             names(count, found);
+            found.extend(stations.as_ref().map(|table| table.text.as_str()));
             of_arguments(&element.arguments, found);
         }
     }

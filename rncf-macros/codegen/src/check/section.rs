@@ -4,15 +4,16 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use super::expr::Scope;
+use super::law::{OF_TABLE, law_property};
 use super::material::Values;
 use super::quantity::Wanted;
 use super::{Arguments, Check, Shape, fold, say};
 use crate::errors::Area;
 use crate::joints::algebra::{add, call, divide, multiply, number, subtract};
-use crate::model::{Binary, Comparison, Expr as Value, Function, SectionShape};
+use crate::model::{Binary, Comparison, Expr as Value, Function, Law, SectionShape};
 use crate::parse::tree::{Call, Fields, Item, ItemKind, Keyword};
 use crate::suggest;
-use crate::vocabulary::{BOTH_AXES, Property, SECTION, SIZES};
+use crate::vocabulary::{BOTH_AXES, LAW, Property, SECTION, SIZES};
 
 /// Relative size of what counts as round-off of declared properties.
 const ROUND_OFF: f64 = 1e-6;
@@ -23,6 +24,8 @@ pub struct Section {
     pub shape: SectionShape,
     /// By their vocabulary names; of a circle or tube without shear factors, which depend on the material.
     pub properties: BTreeMap<&'static str, Value>,
+    /// Stiffness and mass, where it says them by itself.
+    pub law: Option<Law>,
     /// Whether all of it could be read: only then something can be missing.
     pub is_whole: bool,
 }
@@ -46,6 +49,14 @@ impl Section {
             }
         };
         Some(folded(factor))
+    }
+
+    /// A section that says its stiffness by itself and could not be read.
+    fn broken_law() -> Self {
+        Self {
+            law: Some(Law::default()),
+            ..Self::default()
+        }
     }
 
     /// Whether the shear factors depend on Poisson's ratio.
@@ -90,6 +101,9 @@ impl<'a> Check<'a> {
         for item in self.items(Keyword::Section) {
             let section = match &item.kind {
                 ItemKind::Section(fields) => Some(self.block(item, fields)),
+                ItemKind::NamedSection(call) if OF_TABLE.contains(&call.name.text.as_str()) => {
+                    Some(self.section_of_table(&item.name.text, call).unwrap_or_else(Section::broken_law))
+                }
                 ItemKind::NamedSection(call) => self.named_section(call),
                 _ => None,
             };
@@ -102,6 +116,19 @@ impl<'a> Check<'a> {
     /// `section odd { area = ..; .. }`
     fn block(&mut self, item: &Item, fields: &'a Fields) -> Section {
         let vocabulary = || SECTION.iter().filter(|property| !SIZES.contains(&property.name));
+        let is_law = |name: &str| law_property(name).is_some();
+        if let Some(law) = fields.fields.iter().find(|field| is_law(&field.name.text)) {
+            let is_size = |name: &str| property(name).is_some();
+            if let Some(size) = fields.fields.iter().find(|field| is_size(&field.name.text)) {
+                let message = say::mixed_section(&size.name.text, &law.name.text);
+                self.errors.at(size.name.span, message);
+                return Section::broken_law();
+            }
+            let words = LAW.iter().map(|property| property.name);
+            let (values, is_whole) = self.property_fields(item, fields, words.collect(), law_property);
+            let section = is_whole.then(|| self.stiffness_law(&item.name.text, values, item.name.span.into()));
+            return section.flatten().unwrap_or_else(Section::broken_law);
+        }
         let words = vocabulary().map(|property| property.name).chain(["shear_factor"]);
         let (values, is_whole) = self.property_fields(item, fields, words.collect(), property);
         let mut section = Section {
@@ -169,7 +196,7 @@ impl<'a> Check<'a> {
     fn named_section(&mut self, call: &'a Call) -> Option<Section> {
         let word = call.name.text.as_str();
         let Some(kind) = KINDS.iter().find(|kind| kind.word == word) else {
-            let kinds = KINDS.iter().map(|kind| kind.word);
+            let kinds = KINDS.iter().map(|kind| kind.word).chain(OF_TABLE);
             let message = suggest::unknown("shape of a section", word, kinds);
             self.errors.at(call.name.span, message);
             return None;
@@ -223,6 +250,7 @@ impl<'a> Check<'a> {
         Some(Section {
             shape,
             properties: values,
+            law: None,
             is_whole: true,
         })
     }
@@ -239,7 +267,7 @@ impl<'a> Check<'a> {
             dimension: [1, 0, 0, 0, 0, 0],
             unit: "m",
         };
-        let value = self.quantity(expr, Scope::Parameter, wanted)?;
+        let value = self.along_axis(|check| check.quantity(expr, Scope::Parameter, wanted))?;
         let property = property(name)?;
         match fold::constant(&value) {
             Some(constant) => self

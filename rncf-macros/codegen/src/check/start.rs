@@ -1,6 +1,7 @@
 //! The system at t = 0 with the defaults of the parameters: poses, places, markers.
 
-use crate::check::fold::of_repetition;
+use super::curve::Spline;
+use crate::check::fold::{self, of_repetition};
 use crate::lower::initial::along_axis;
 use crate::model::{BodyId, Expr, FrameId, INERTIAL, Line, Location, Marker, MarkerId, Model, Space};
 
@@ -193,6 +194,7 @@ impl<'m> Start<'m> {
                     add(scale(cosine, direction), scale(sine, inwards)),
                 )
             }
+            Line::Curve { points } => self.curve(points).at(x),
         }
     }
 
@@ -234,10 +236,16 @@ impl<'m> Start<'m> {
                 if norm(side) > PARALLEL { side } else { [0.0, 1.0, 0.0] }
             }
         };
+        // On a curve every section is oriented by itself.
+        let start = if matches!(body.line, Line::Curve { .. }) {
+            tangent
+        } else {
+            start
+        };
         let first = across(wanted, start).unwrap_or_else(|| normals(start)[0]);
         let part = self.arclength(id, at) / self.length(id);
         let turned = match &body.line {
-            Line::Straight { .. } => first,
+            Line::Straight { .. } | Line::Curve { .. } => first,
             Line::Arc {
                 direction,
                 normal,
@@ -249,7 +257,12 @@ impl<'m> Start<'m> {
             }
         };
         let side = cross(tangent, turned);
-        let (sine, cosine) = (part * self.value(&body.twist)).sin_cos();
+        let twist = if fold::has_arclength(&body.twist) {
+            fold::along(self.model, &body.twist, self.arclength(id, at), self.length(id))
+        } else {
+            part * self.value(&body.twist)
+        };
+        let (sine, cosine) = twist.sin_cos();
         let y = add(scale(cosine, turned), scale(sine, side));
         [y, cross(tangent, y)]
     }
@@ -278,11 +291,17 @@ impl<'m> Start<'m> {
         }
     }
 
+    fn curve(&self, points: &[[Expr; 3]]) -> Spline {
+        let points: Vec<Vector> = points.iter().map(|point| self.vector(point)).collect();
+        Spline::through(&points)
+    }
+
     /// Length of a body's axis.
     pub fn length(&self, body: BodyId) -> f64 {
         match &self.model.bodies[body.0].line {
             Line::Straight { from, to } => norm(subtract(self.vector(to), self.vector(from))),
             Line::Arc { radius, angle, .. } => (self.value(radius) * self.value(angle)).abs(),
+            Line::Curve { points } => self.curve(points).length(),
         }
     }
 

@@ -489,6 +489,7 @@ fn specialised(model: &Model, expr: &Expr) -> Option<Expr> {
         | Expr::Param(_)
         | Expr::Time
         | Expr::Arclength
+        | Expr::Table { .. }
         | Expr::Index
         | Expr::Local { .. }
         | Expr::EndTime

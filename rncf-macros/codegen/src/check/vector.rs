@@ -265,7 +265,7 @@ impl<'a> Check<'a> {
         })
     }
 
-    fn with_unit(&mut self, part: &Expr, unit: Compound, hertz: i8) -> Option<Typed> {
+    pub(super) fn with_unit(&mut self, part: &Expr, unit: Compound, hertz: i8) -> Option<Typed> {
         let value = self.scaled_literal(part, unit)?;
         let nature = Nature {
             angle: unit.dimension[5] != 0,

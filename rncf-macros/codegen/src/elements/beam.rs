@@ -9,39 +9,44 @@ use crate::symbolic::{Graph, Id};
 use crate::tensors::Polynomial;
 
 /// Gauss points of the strains of the axis: two leave spurious zero modes (THEORY 5.2.1).
-const AXIS_POINTS: usize = 3;
+pub(super) const AXIS_POINTS: usize = 3;
 
 /// Gauss points of the section's gradients: more lock in strong bending, one is singular.
-const GRADIENT_POINTS: usize = 2;
+pub(super) const GRADIENT_POINTS: usize = 2;
+
+/// Nodal vectors of a beam with a section.
+pub(super) const VECTORS: &[NodalVector] = &[
+    position("r0", Node::Start, 0, || Polynomial::whole(&[1, 0, -3, 2])),
+    position("r0x", Node::Start, 1, || Polynomial::whole(&[0, 1, -2, 1])),
+    director("r0y", Node::Start, Interpolant::SectionY, || {
+        Polynomial::whole(&[1, -3, 2])
+    }),
+    director("r0z", Node::Start, Interpolant::SectionZ, || {
+        Polynomial::whole(&[1, -3, 2])
+    }),
+    director("ry_half", Node::Middle, Interpolant::SectionY, || {
+        Polynomial::whole(&[0, 4, -4])
+    }),
+    director("rz_half", Node::Middle, Interpolant::SectionZ, || {
+        Polynomial::whole(&[0, 4, -4])
+    }),
+    position("r1", Node::End, 0, || Polynomial::whole(&[0, 0, 3, -2])),
+    position("r1x", Node::End, 1, || Polynomial::whole(&[0, 0, -1, 1])),
+    director("r1y", Node::End, Interpolant::SectionY, || {
+        Polynomial::whole(&[0, -1, 2])
+    }),
+    director("r1z", Node::End, Interpolant::SectionZ, || {
+        Polynomial::whole(&[0, -1, 2])
+    }),
+];
 
 /// The element behind the word `beam`.
 pub const BEAM: Element = Element {
     names: &["beam"],
+    kernel: "beam",
+    of_stiffness: false,
     doc: "Beam with a cross-section: axial strain, shear, bending, torsion",
-    vectors: &[
-        position("r0", Node::Start, 0, || Polynomial::whole(&[1, 0, -3, 2])),
-        position("r0x", Node::Start, 1, || Polynomial::whole(&[0, 1, -2, 1])),
-        director("r0y", Node::Start, Interpolant::SectionY, || {
-            Polynomial::whole(&[1, -3, 2])
-        }),
-        director("r0z", Node::Start, Interpolant::SectionZ, || {
-            Polynomial::whole(&[1, -3, 2])
-        }),
-        director("ry_half", Node::Middle, Interpolant::SectionY, || {
-            Polynomial::whole(&[0, 4, -4])
-        }),
-        director("rz_half", Node::Middle, Interpolant::SectionZ, || {
-            Polynomial::whole(&[0, 4, -4])
-        }),
-        position("r1", Node::End, 0, || Polynomial::whole(&[0, 0, 3, -2])),
-        position("r1x", Node::End, 1, || Polynomial::whole(&[0, 0, -1, 1])),
-        director("r1y", Node::End, Interpolant::SectionY, || {
-            Polynomial::whole(&[0, -1, 2])
-        }),
-        director("r1z", Node::End, Interpolant::SectionZ, || {
-            Polynomial::whole(&[0, -1, 2])
-        }),
-    ],
+    vectors: VECTORS,
     fields: &[
         field("a", Interpolant::Position, 1),
         field("b", Interpolant::SectionY, 0),
@@ -124,7 +129,7 @@ const fn director(name: &'static str, node: Node, of: Interpolant, shape: fn() -
     }
 }
 
-const fn field(name: &'static str, of: Interpolant, order: usize) -> Field {
+pub(super) const fn field(name: &'static str, of: Interpolant, order: usize) -> Field {
     Field { name, of, order }
 }
 

@@ -11,6 +11,8 @@ use crate::tensors::Polynomial;
 
 /// The element behind the words `cable` and `tether`.
 pub const CABLE: Element = Element {
+    kernel: "cable",
+    of_stiffness: false,
     names: &["cable", "tether"],
     doc: "Hermite centre-line element: axial strain and bending, no shear, no torsion",
     vectors: &[

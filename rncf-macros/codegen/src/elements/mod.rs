@@ -3,6 +3,7 @@
 
 mod beam;
 mod cable;
+mod full_beam;
 
 use std::collections::HashMap;
 
@@ -13,6 +14,7 @@ use crate::tensors::Polynomial;
 
 pub use beam::BEAM;
 pub use cable::{Axial, CABLE, thin_beam};
+pub use full_beam::FULL_BEAM;
 
 /// Where a nodal vector of an element lives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -206,6 +208,10 @@ pub struct Invariants {
 pub struct Element {
     /// Keywords of the language that mean this element.
     pub names: &'static [&'static str],
+    /// Its name in generated code.
+    pub kernel: &'static str,
+    /// Whether its section says stiffness and mass by itself, so that the mesh names no material.
+    pub of_stiffness: bool,
     /// What it is, for documentation.
     pub doc: &'static str,
     /// Nodal vectors in space; in a plane those of r_z are left out.
@@ -265,6 +271,16 @@ impl Element {
         (graph, terms)
     }
 
+    /// Coefficients of the strain energy, for the chosen values of the options.
+    pub fn elastic_coefficients(&self, dimension: usize, options: &[usize]) -> Vec<&'static Coefficient> {
+        if self.of_stiffness {
+            return self.coefficients.iter().collect();
+        }
+        let mut list = self.coefficients_in(dimension, options);
+        list.retain(|one| self.inertia.iter().all(|inertia| inertia.coefficient != one.name));
+        list
+    }
+
     /// Coefficients that the strain energy or the inertia uses, for the chosen values of the options.
     pub fn coefficients_in(&self, dimension: usize, options: &[usize]) -> Vec<&'static Coefficient> {
         let (_, terms) = self.terms_in(dimension, options);
@@ -287,7 +303,7 @@ impl Library {
     /// The elements of this crate.
     pub fn standard() -> Self {
         Self {
-            elements: vec![CABLE, BEAM],
+            elements: vec![CABLE, BEAM, FULL_BEAM],
         }
     }
 
@@ -296,6 +312,12 @@ impl Library {
     pub fn with(mut self, element: Element) -> Self {
         self.elements.push(element);
         self
+    }
+
+    /// Index of the element with this keyword, of a section that says its stiffness by itself.
+    pub fn find_of_stiffness(&self, name: &str) -> Option<usize> {
+        let is_it = |element: &Element| element.of_stiffness && element.names.contains(&name);
+        self.elements.iter().position(is_it)
     }
 
     /// Index of the element with this keyword.

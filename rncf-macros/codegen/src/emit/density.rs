@@ -133,10 +133,15 @@ impl Parts<'_> {
         let body = &self.model.bodies[density.body.0];
         let size = self.variant(density.body.0).variant.size(self.library);
         let length = match body.repeat {
+            Some(_) if body.varies() => format!(
+                "elements.map(|(body, element)| self.row_{}[self.kind(body).1][element].length)",
+                body.name
+            ),
             Some(_) => format!(
                 "elements.map(|(body, _)| self.row_{}[self.kind(body).1].length)",
                 body.name
             ),
+            None if body.varies() => format!("elements.map(|(_, element)| self.row_{}[element].length)", body.name),
             None => format!("[self.row_{}.length; 4]", body.name),
         };
         let results: Vec<&str> = results

@@ -72,18 +72,19 @@ pub(super) fn side_by_side(kernel: &Kernel) -> String {
 impl Parts<'_> {
     /// Constants of a body's elements, where `instance` is in scope if it is repeated.
     pub(super) fn row(&self, body: &Body) -> String {
+        let element = if body.varies() { "[element]" } else { "" };
         match body.repeat {
-            Some(_) => format!("self.row_{}[instance]", body.name),
-            None => format!("self.row_{}", body.name),
+            Some(_) => format!("self.row_{}[instance]{element}", body.name),
+            None => format!("self.row_{}{element}", body.name),
         }
     }
 
     /// Values of one element in the stress-free shape, as the argument of a kernel.
     pub(super) fn reference(&self, index: usize, body: &Body) -> String {
-        match &self.variant(index).elastic.reference {
-            Some(_) if body.repeat.is_some() => format!("&self.reference_{}[instance][element], ", body.name),
-            Some(_) => format!("&self.reference_{}[element], ", body.name),
-            None => String::new(),
+        match self.variant(index).elastic.kept {
+            0 => String::new(),
+            _ if body.repeat.is_some() => format!("&self.reference_{}[instance][element], ", body.name),
+            _ => format!("&self.reference_{}[element], ", body.name),
         }
     }
 
@@ -100,6 +101,10 @@ impl Parts<'_> {
     pub(super) fn element_functions(&self) -> String {
         let kind = self.kind();
         let mass = self.by_body(|index, body| {
+            if body.varies() {
+                let instance = if body.repeat.is_some() { "[instance]" } else { "" };
+                return format!("mass.copy_from_slice(&self.mass_{}{instance}[element]);", body.name);
+            }
             format!(
                 "{}_mass(&{}, ::rncf::mesh::array_mut(mass));",
                 self.variant(index).name,
@@ -126,12 +131,12 @@ impl Parts<'_> {
             });
             format!("match (of, order) {{\n{}_ => {{}}\n}}", arms.collect::<String>())
         });
-        let mut text = format!("fn mass(&self, body: usize, mass: &mut [f64]) {{\n{kind}{mass}}}\n");
+        let mut text = format!("fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {{\n{kind}{mass}}}\n");
         text += &self.elastic();
         text += &self.elastic_of_four();
         text + &format!(
             "fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {{\n{kind}let mut energy = 0.0;\n{energy}energy\n}}\n\
-             fn shapes(&self, body: usize, of: ::rncf::mesh::Interpolant, order: usize, xi: f64, weights: &mut [f64]) {{\n{kind}weights.fill(0.0);\n{shapes}}}\n"
+             fn shapes(&self, body: usize, element: usize, of: ::rncf::mesh::Interpolant, order: usize, xi: f64, weights: &mut [f64]) {{\n{kind}weights.fill(0.0);\n{shapes}}}\n"
         )
     }
 
@@ -183,11 +188,18 @@ impl Parts<'_> {
                 return one_by_one;
             }
             let rows = match body.repeat {
+                Some(_) if body.varies() => {
+                    format!(
+                        "elements.map(|(body, element)| &self.row_{}[self.kind(body).1][element])",
+                        body.name
+                    )
+                }
                 Some(_) => format!("elements.map(|(body, _)| &self.row_{}[self.kind(body).1])", body.name),
+                None if body.varies() => format!("elements.map(|(_, element)| &self.row_{}[element])", body.name),
                 None => format!("[&self.row_{}; 4]", body.name),
             };
             let mut fields = vec![format!("rows: {rows}")];
-            if variant.elastic.reference.is_some() {
+            if variant.elastic.kept > 0 {
                 let reference = self.reference(index, body);
                 let reference = reference.trim_end_matches(", ");
                 fields.push(match body.repeat {

@@ -184,10 +184,12 @@ impl Equations {
             }
             let mut add = |kernel: &Kernel| text += &function(kernel);
             add(&variant.elastic.energy);
-            if let Some((kernel, _)) = &variant.elastic.reference {
+            if let Some(kernel) = &variant.elastic.reference {
                 add(kernel);
             }
-            add(&variant.mass);
+            if !variant.variant.varying {
+                add(&variant.mass);
+            }
             variant.shapes.iter().flat_map(|(_, orders)| orders).for_each(&mut add);
             add(&variant.field_forces);
         }

@@ -1,6 +1,7 @@
 //! From a model and its kernels to Rust: one function for each kind of thing, text first, tokens at
 //! the end.
 
+mod along;
 mod conserving;
 pub mod declaration;
 mod density;
@@ -34,6 +35,7 @@ pub fn model(model: &Model, library: &Library) -> String {
         module_name(model),
     );
     text += &declaration::structure(model, library, &equations);
+    text += &along::tables(model);
     text += &equations.functions();
     text += &parts::parts(model, library, &equations);
     text + "}\n"

@@ -20,7 +20,8 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
         library,
         equations,
     };
-    let mut text = "/// Constants of all bodies.\n#[derive(Clone, Debug)]\npub struct Equations {\n".to_string();
+    let mut text = writer.along();
+    text += "/// Constants of all bodies.\n#[derive(Clone, Debug)]\npub struct Equations {\n";
     let _ = writeln!(text, "pub model: {},", model.name);
     text += &writer.numbering_fields();
     // Of a repeated body one for each repetition.
@@ -30,15 +31,19 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     };
     for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
         let variant = &equations.variants[variant];
-        let _ = writeln!(
-            text,
-            "pub row_{}: {},",
-            body.name,
-            each(body, camel_case(&variant.name))
-        );
-        if let Some((_, count)) = &variant.elastic.reference {
-            let reference = each(body, format!("::std::vec::Vec<[f64; {count}]>"));
+        let of_elements = |kind: String| match variant.variant.varying {
+            true => format!("::std::vec::Vec<{kind}>"),
+            false => kind,
+        };
+        let row = each(body, of_elements(camel_case(&variant.name)));
+        let _ = writeln!(text, "pub row_{}: {row},", body.name);
+        if variant.elastic.kept > 0 {
+            let reference = each(body, format!("::std::vec::Vec<[f64; {}]>", variant.elastic.kept));
             let _ = writeln!(text, "pub reference_{}: {reference},", body.name);
+        }
+        if variant.variant.varying {
+            let mass = each(body, "::std::vec::Vec<::std::vec::Vec<f64>>".to_string());
+            let _ = writeln!(text, "pub mass_{}: {mass},", body.name);
         }
     }
     let [statements, values] = writer.numbering_values();
@@ -49,8 +54,12 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     );
     for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
         let _ = writeln!(text, "row_{}: Default::default(),", body.name);
-        if equations.variants[variant].elastic.reference.is_some() {
+        let variant = &equations.variants[variant];
+        if variant.elastic.kept > 0 {
             let _ = writeln!(text, "reference_{}: ::std::vec::Vec::new(),", body.name);
+        }
+        if variant.variant.varying {
+            let _ = writeln!(text, "mass_{}: ::std::vec::Vec::new(),", body.name);
         }
     }
     let _ = write!(
@@ -62,6 +71,7 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     if has_bodies {
         text += &writer.bodies();
         text += &writer.prepare();
+        text += &writer.varies();
         text += &writer.element_functions();
         text += &writer.sections();
     }
@@ -127,7 +137,7 @@ impl Parts<'_> {
         }
     }
 
-    fn line(&self, body: &Body) -> String {
+    pub(super) fn line(&self, body: &Body) -> String {
         match &body.line {
             Line::Straight { from, to } => {
                 format!(
@@ -150,6 +160,13 @@ impl Parts<'_> {
                     self.vector(normal),
                     self.expr(radius),
                     self.expr(angle)
+                )
+            }
+            Line::Curve { points } => {
+                let points: Vec<String> = points.iter().map(|point| self.vector(point)).collect();
+                format!(
+                    "::rncf::mesh::Line::Curve(::rncf::mesh::Spline::through(&[{}]).into())",
+                    points.join(", ")
                 )
             }
         }
@@ -176,14 +193,18 @@ impl Parts<'_> {
                 Some(direction) => format!("Some({})", self.vector(direction)),
                 None => "None".to_string(),
             };
-            let count = self.count(&body.count);
+            let (stations, twist) = (self.stations(body), self.twist(body));
+            let count = match body.stations {
+                Some(_) => format!("{stations}.len() - 1"),
+                None => self.count(&body.count),
+            };
             let instance = if body.repeat.is_some() {
                 "Some(instance)"
             } else {
                 "None"
             };
             let entry = format!(
-                "::rncf::mesh::BodySpec {{ name: {:?}, kind: {index}, instance: {instance}, frame: {}, axes: &{:?}, line: {}, count: {count}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {}, fidelity: ::rncf::mesh::Fidelity::{}, tie: ::rncf::mesh::FrameTie::{:?}, normals: ::std::vec::Vec::new() }}",
+                "::rncf::mesh::BodySpec {{ name: {:?}, kind: {index}, instance: {instance}, frame: {}, axes: &{:?}, line: {}, count: {count}, stations: {stations}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {twist}, fidelity: ::rncf::mesh::Fidelity::{}, tie: ::rncf::mesh::FrameTie::{:?}, normals: ::std::vec::Vec::new() }}",
                 body.name,
                 body.frame.0,
                 body.space.axes(),
@@ -191,7 +212,6 @@ impl Parts<'_> {
                 connectivity.places,
                 connectivity.per_node,
                 connectivity.stride,
-                self.expr(&body.twist),
                 self.fidelity(body),
                 body.tie,
             );
@@ -458,8 +478,12 @@ impl Parts<'_> {
     fn prepare(&self) -> String {
         let arms = self.by_body(|index, body| {
             let variant = self.variant(index);
+            if variant.variant.varying {
+                return self.prepare_varying(index, body);
+            }
             let element = variant.variant.declaration(self.library);
-            let mut text = self.properties(body);
+            let mut text = "let length = nodes[1] - nodes[0];\n".to_string();
+            text += &self.properties(body);
             let mut fields = vec!["length".to_string()];
             for coefficient in variant.variant.coefficients(self.library) {
                 fields.push(format!("{}: {}", coefficient.name, super::section::coefficient(body, coefficient)));
@@ -473,10 +497,11 @@ impl Parts<'_> {
             }
             let row = format!("{} {{ {} }}", camel_case(&variant.name), fields.join(", "));
             text += &self.keep(body, "row", &row);
-            if let Some((kernel, count)) = &variant.elastic.reference {
+            if let Some(kernel) = &variant.elastic.reference {
                 let size = variant.variant.size(self.library);
                 let reference = format!(
-                    "shape.chunks_exact({size}).map(|shape| {{\nlet mut reference = [0.0; {count}];\n{}(&{}, ::rncf::mesh::array(shape), &mut reference);\nreference\n}}).collect()",
+                    "shape.chunks_exact({size}).map(|shape| {{\nlet mut reference = [0.0; {}];\n{}(&{}, ::rncf::mesh::array(shape), &mut reference);\nreference\n}}).collect()",
+                    variant.elastic.kept,
                     kernel.name,
                     self.row(body)
                 );
@@ -486,12 +511,12 @@ impl Parts<'_> {
         });
         let kind = self.kind();
         format!(
-            "fn prepare(&mut self, body: usize, length: f64, shape: &[f64]) -> ::std::result::Result<(), ::rncf::ModelError> {{\n{kind}let model = &self.model;\n{arms}Ok(())\n}}\n"
+            "fn prepare(&mut self, body: usize, nodes: &[f64], shape: &[f64]) -> ::std::result::Result<(), ::rncf::ModelError> {{\n{kind}let model = &self.model;\n{arms}Ok(())\n}}\n"
         )
     }
 
     /// Keeps constants of a body; bodies are prepared one repetition after the other.
-    fn keep(&self, body: &Body, what: &str, value: &str) -> String {
+    pub(super) fn keep(&self, body: &Body, what: &str, value: &str) -> String {
         let place = format!("self.{what}_{}", body.name);
         match body.repeat {
             Some(_) => format!("let {what} = {value};\n{place}.truncate(instance);\n{place}.push({what});\n"),

@@ -75,8 +75,22 @@ impl Parts<'_> {
         text
     }
 
-    /// Checks that some section has the declared properties, where they depend on params; constants are checked already.
+    /// Checks that some section has the declared properties, where they depend on params; constants are checked already, and
+    /// what varies along the axis where it is evaluated.
     pub fn section_checks(&self) -> String {
+        let mut text = String::new();
+        for body in self.model.bodies.iter().filter(|body| !body.varies()) {
+            let check = self.section_check(body);
+            // Several bodies have one section.
+            if !text.contains(&check) {
+                text += &check;
+            }
+        }
+        text
+    }
+
+    /// The check of one body's section.
+    pub(super) fn section_check(&self, body: &Body) -> String {
         const NAMES: [&str; 6] = [
             "area",
             "second_moment_y",
@@ -85,40 +99,32 @@ impl Parts<'_> {
             "extent_y",
             "extent_z",
         ];
-        let mut text = String::new();
-        for body in &self.model.bodies {
-            let SectionShape::General { extent } = &body.shape else {
-                continue;
-            };
-            let given = NAMES.map(|name| match name {
-                "extent_y" => extent[0].as_ref(),
-                "extent_z" => extent[1].as_ref(),
-                // Of a centre line in space both moments are equal; that of a planar body is about the normal of its plane.
-                "second_moment_y" if body.space == Space::Spatial => body
-                    .properties
-                    .get(name)
-                    .or_else(|| body.properties.get("second_moment")),
-                "second_moment_z" => body
-                    .properties
-                    .get(name)
-                    .or_else(|| body.properties.get("second_moment")),
-                _ => body.properties.get(name),
-            });
-            if given.iter().flatten().all(|value| fold::constant(value).is_some()) {
-                continue;
-            }
-            let values = given.map(|value| value.map_or("f64::NAN".to_string(), |value| self.expr(value)));
-            let check = format!(
-                "::rncf::mesh::section(\"section `{}`\", [{}])?;\n",
-                body.section_name,
-                values.join(", ")
-            );
-            // Several bodies have one section.
-            if !text.contains(&check) {
-                text += &check;
-            }
+        let SectionShape::General { extent } = &body.shape else {
+            return String::new();
+        };
+        let given = NAMES.map(|name| match name {
+            "extent_y" => extent[0].as_ref(),
+            "extent_z" => extent[1].as_ref(),
+            // Of a centre line in space both moments are equal; that of a planar body is about the normal of its plane.
+            "second_moment_y" if body.space == Space::Spatial => body
+                .properties
+                .get(name)
+                .or_else(|| body.properties.get("second_moment")),
+            "second_moment_z" => body
+                .properties
+                .get(name)
+                .or_else(|| body.properties.get("second_moment")),
+            _ => body.properties.get(name),
+        });
+        if given.iter().flatten().all(|value| fold::constant(value).is_some()) {
+            return String::new();
         }
-        text
+        let values = given.map(|value| value.map_or("f64::NAN".to_string(), |value| self.expr(value)));
+        format!(
+            "::rncf::mesh::section(\"section `{}`\", [{}])?;\n",
+            body.section_name,
+            values.join(", ")
+        )
     }
 
     /// Constants of a body's sections, its fields, and the forces on them.
@@ -140,17 +146,20 @@ impl Parts<'_> {
             } else {
                 String::new()
             };
+            let kernel = &variant.field_forces.name;
+            if variant.variant.varying {
+                return self.field_forces_varying(body, kernel, &rates);
+            }
             format!(
-                "{}(&{}, {array}(stress_free), {array}(fields), {rates}{array}_mut(forces));",
-                variant.field_forces.name,
+                "{kernel}(&{}, {array}(stress_free), {array}(fields), {rates}{array}_mut(forces));",
                 self.row(body)
             )
         });
         let kind = self.kind();
         format!(
-            "fn section(&self, body: usize) -> ::rncf::mesh::SectionSpec {{\n{kind}let model = &self.model;\n{section}}}\n\
+            "fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {{\n{kind}let model = &self.model;\n{section}}}\n\
              fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {{\n{kind}{fields}}}\n\
-             fn field_forces(&self, body: usize, stress_free: &[f64], fields: &[f64], rates: &[f64], forces: &mut [f64]) {{\n{kind}{forces}}}\n"
+             fn field_forces(&self, body: usize, x: f64, stress_free: &[f64], fields: &[f64], rates: &[f64], forces: &mut [f64]) {{\n{kind}{forces}}}\n"
         )
     }
 
@@ -179,8 +188,18 @@ impl Parts<'_> {
             SectionShape::Rectangle { sizes } => format!("Rectangle {{ sizes: {} }}", self.array(sizes)),
         };
         let yield_stress = option(&body.properties.get("yield").cloned());
+        let axis = if body.varies() {
+            let rows = if body.repeat.is_some() {
+                format!("self.row_{}[instance]", body.name)
+            } else {
+                format!("self.row_{}", body.name)
+            };
+            format!("let length: f64 = {rows}.iter().map(|row| row.length).sum();\n")
+        } else {
+            String::new()
+        };
         format!(
-            "::rncf::mesh::SectionSpec {{ shape: ::rncf::mesh::SectionShape::{shape}, area: {}, second_moments: [{}, {}], torsion_constant: {}, yield_stress: {yield_stress}, material: {:?} }}",
+            "{axis}::rncf::mesh::SectionSpec {{ shape: ::rncf::mesh::SectionShape::{shape}, area: {}, second_moments: [{}, {}], torsion_constant: {}, yield_stress: {yield_stress}, material: {:?} }}",
             property(&["area"]),
             property(&["second_moment_y", "second_moment"]),
             property(&["second_moment_z", "second_moment"]),
@@ -206,6 +225,7 @@ fn check(property: &Property, kind: &str, owner: &str, value: &str) -> String {
         Range::NonNegative => "non_negative",
         Range::Part => "part",
         Range::Poisson => "poisson",
+        Range::Any => "finite",
     };
     format!(
         "::rncf::mesh::{function}(\"{kind} `{owner}`\", \"{}\", {value}, \"{}\")?",

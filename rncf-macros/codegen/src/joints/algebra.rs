@@ -141,6 +141,7 @@ pub fn each_observable(expr: &Expr, of: &mut dyn FnMut(&Observable)) {
         | Expr::Param(_)
         | Expr::Time
         | Expr::Arclength
+        | Expr::Table { .. }
         | Expr::Index
         | Expr::Local { .. }
         | Expr::EndTime
@@ -178,6 +179,7 @@ pub fn has_time(expr: &Expr) -> bool {
         Expr::Number(_)
         | Expr::Param(_)
         | Expr::Arclength
+        | Expr::Table { .. }
         | Expr::Index
         | Expr::Local { .. }
         | Expr::EndTime

@@ -1,6 +1,6 @@
 //! The cheapest form of the elastic kernels by counted operations (DESIGN 2: measured limits).
 
-use super::elastic::{FieldKernels, Form, Quantity, field_kernels, kernel, rules};
+use super::elastic::{FieldKernels, Form, Quantity, field_kernels, kept, kernel, rules};
 use super::kernel::Kernel;
 use super::signature::Signature;
 use super::variant::Variant;
@@ -27,8 +27,10 @@ pub struct ElasticKernels {
     pub energy: Kernel,
     /// The kernels at a point that the others call, in the form by fields.
     pub fields: Option<FieldKernels>,
-    /// Values in the stress-free shape, for curved axes, and their number per element.
-    pub reference: Option<(Kernel, usize)>,
+    /// Values in the stress-free shape, for curved axes.
+    pub reference: Option<Kernel>,
+    /// Numbers that every element keeps: those values, and coefficients that vary.
+    pub kept: usize,
     /// The choice and what it was made from.
     pub choice: String,
 }
@@ -41,15 +43,19 @@ fn by_fields(variant: &Variant, library: &Library) -> ElasticKernels {
     let fields = field_kernels(variant, library);
     let reference = variant.curved.then(|| match variant.material {
         Some(_) => Signature::fields_before(variant, library, &fields),
-        None => {
-            kernel(variant, library, Form::Points, Quantity::Reference).map(|kernel| (kernel.outputs.len(), kernel))
-        }
+        None => kernel(variant, library, Form::Points, Quantity::Reference).map(|kernel| (0, kernel)),
     });
-    let reference = reference.flatten().map(|(count, kernel)| (kernel, count));
+    let reference = reference.flatten();
+    let kept = match &reference {
+        Some((count, _)) if variant.material.is_some() => *count,
+        _ if variant.has_references() => kept(variant, library),
+        _ => 0,
+    };
+    let reference = reference.map(|(_, kernel)| kernel);
     let signature = Signature {
         variant,
         library,
-        references: reference.as_ref().map_or(0, |(_, count)| *count),
+        references: kept,
     };
     let cost = |quantity| operations(fields.cost(quantity, variant.dimension));
     let choice = format!(
@@ -65,6 +71,7 @@ fn by_fields(variant: &Variant, library: &Library) -> ElasticKernels {
         energy: signature.by_fields(Quantity::Energy, &fields),
         fields: Some(fields),
         reference,
+        kept,
         choice,
     }
 }
@@ -128,9 +135,12 @@ pub fn elastic_kernels(variant: &Variant, library: &Library) -> ElasticKernels {
     let reference = variant
         .curved
         .then(|| kernel(variant, library, form, Quantity::Reference))
-        .flatten()
-        .map(|kernel| (kernel.outputs.len(), kernel))
-        .map(|(count, kernel)| (kernel, count));
+        .flatten();
+    let kept = match (&reference, form) {
+        (Some(kernel), Form::Tensor) => kernel.outputs.len(),
+        _ if variant.has_references() => kept(variant, library),
+        _ => 0,
+    };
     let energy = kernel(variant, library, form, Quantity::Energy).expect("a form that has a force has an energy");
     ElasticKernels {
         form,
@@ -139,6 +149,7 @@ pub fn elastic_kernels(variant: &Variant, library: &Library) -> ElasticKernels {
         energy,
         fields: None,
         reference,
+        kept,
         choice,
     }
 }

@@ -123,7 +123,7 @@ pub fn field_forces_kernel(variant: &Variant, library: &Library) -> Kernel {
     let terms = (element.energy)(&mut graph, &now, &variant.options);
     let mut forces = vec![graph.zero(); count * dimension];
     for term in terms {
-        let coefficient = graph.symbol(term.coefficient);
+        let coefficient = graph.input(term.coefficient);
         let (density, stress) = match term.density {
             Density::Energy(density) => (density, coefficient),
             Density::Measure(measure) | Density::Law { measure, .. } => {
@@ -146,6 +146,16 @@ pub fn field_forces_kernel(variant: &Variant, library: &Library) -> Kernel {
         references: 0,
     };
     let mut arguments = vec![format!("row: &{}", signature.row())];
+    let mut bindings = signature.bindings(true, &[]);
+    if variant.varying {
+        let names: Vec<&str> = variant
+            .varying_coefficients(library)
+            .iter()
+            .map(|one| one.name)
+            .collect();
+        arguments.push(format!("coefficients: &[f64; {}]", names.len()));
+        bindings.push(format!("let [{}] = *coefficients;", names.join(", ")));
+    }
     for name in ["stress_free", "fields", "rates"] {
         if name != "rates" || variant.damped {
             arguments.push(format!("{name}: &[f64; {}]", count * dimension));
@@ -161,7 +171,7 @@ pub fn field_forces_kernel(variant: &Variant, library: &Library) -> Kernel {
             names.join(", ")
         )],
         arguments,
-        bindings: signature.bindings(true, &[]),
+        bindings,
         outputs: super::kernel::values(&forces, "forces"),
         graph,
         points: None,

@@ -124,6 +124,7 @@ mod tests {
             evaluation: Evaluation::Automatic,
             damped: false,
             curved: false,
+            varying: false,
             material: None,
         };
         let closed = [

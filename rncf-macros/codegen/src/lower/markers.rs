@@ -14,6 +14,7 @@ pub fn localise(expr: &Expr, markers: &[MarkerId]) -> Expr {
         | Expr::Param(_)
         | Expr::Time
         | Expr::Arclength
+        | Expr::Table { .. }
         | Expr::Index
         | Expr::Local { .. }
         | Expr::EndTime

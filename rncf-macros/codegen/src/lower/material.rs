@@ -121,6 +121,7 @@ fn mentions(expr: &Expr, param: usize) -> bool {
         Expr::Number(_)
         | Expr::Time
         | Expr::Arclength
+        | Expr::Table { .. }
         | Expr::Index
         | Expr::Local { .. }
         | Expr::EndTime

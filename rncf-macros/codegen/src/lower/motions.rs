@@ -95,6 +95,10 @@ impl<'m> Time<'m> {
             Expr::Param(param) => self.params[param.0],
             Expr::Time => t,
             Expr::Arclength => self.x,
+            Expr::Table { table, column } => {
+                let text = self.model.tables[table.0].lookup(*column);
+                self.graph.input(text)
+            }
             Expr::Index => self.index,
             Expr::Local { order, component } => self.local(*order, *component),
             Expr::EndTime => self.end_time,

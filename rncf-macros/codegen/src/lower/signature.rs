@@ -84,7 +84,7 @@ impl Signature<'_> {
         let name = self.variant.name(self.library);
         let with_rates = self.variant.damped && matches!(quantity, Quantity::Force | Quantity::Tangent);
         let mut arguments = vec![format!("row: &{}", self.row())];
-        if self.variant.curved && quantity != Quantity::Reference {
+        if self.variant.has_references() && quantity != Quantity::Reference {
             arguments.push(format!("reference: &[f64; {}]", self.reference_count(form)));
         }
         arguments.push(format!("q: &[f64; {size}]"));
@@ -146,7 +146,7 @@ impl Signature<'_> {
     ) -> Kernel {
         let size = self.variant.size(self.library);
         let mut arguments = vec![format!("row: &{}", self.row())];
-        if self.variant.curved {
+        if self.variant.has_references() {
             arguments.push(format!("reference: &[f64; {}]", self.reference_count(form)));
         }
         arguments.extend(["start", "end"].map(|state| format!("{state}: &[f64; {size}]")));
@@ -191,7 +191,7 @@ impl Signature<'_> {
     ) -> Kernel {
         let (dimension, count) = (self.variant.dimension, names.len());
         let mut arguments = vec![format!("row: &{}", self.row())];
-        if self.variant.curved {
+        if self.variant.has_references() {
             arguments.push(format!("reference: &[f64; {}]", self.references));
         }
         let mut bindings = self.bindings(true, &[]);
@@ -238,7 +238,7 @@ impl Signature<'_> {
         let (dimension, count) = (self.variant.dimension, names.len());
         let with_rates = self.variant.damped && quantity != Quantity::Energy;
         let mut arguments = vec![format!("row: &{}", self.row())];
-        if self.variant.curved {
+        if self.variant.has_references() {
             arguments.push(format!("reference: &[f64; {}]", self.references));
         }
         let mut bindings = self.bindings(true, &[]);
@@ -386,7 +386,7 @@ impl Signature<'_> {
         for rule in &fields.rules {
             let (at, count) = (format!("{upper}_POINTS{}", rule.points), rule.references);
             let kernel = |word: &str| format!("{name}_points{}_{word}", rule.points);
-            let reference = if self.variant.curved {
+            let reference = if self.variant.has_references() {
                 format!("::rncf::mesh::array(&reference[{passed} + {count} * point..][..{count}]), ")
             } else {
                 String::new()

@@ -22,6 +22,9 @@ pub struct Variant {
     pub damped: bool,
     /// Whether the stress-free axis is curved, or its section twisted.
     pub curved: bool,
+    /// Whether coefficients or lengths differ from element to element: coefficients are then numbers at every point of
+    /// integration, beside the values in the stress-free shape.
+    pub varying: bool,
     /// Material that is given by its energy, integrated over the section; `None`: by the element's terms.
     pub material: Option<Material>,
 }
@@ -40,7 +43,8 @@ impl Variant {
             quadrature: body.quadrature,
             evaluation: body.evaluation,
             damped: damping.is_some_and(|value| *value != Expr::Number(0.0)),
-            curved: matches!(body.line, Line::Arc { .. }) || body.twist != Expr::Number(0.0),
+            curved: !matches!(body.line, Line::Straight { .. }) || body.twist != Expr::Number(0.0),
+            varying: body.varies(),
             material: Material::of(model, body),
         }
     }
@@ -53,6 +57,9 @@ impl Variant {
     /// Coefficients of the element that its kernels use.
     pub fn coefficients(&self, library: &Library) -> Vec<&'static Coefficient> {
         let element = self.declaration(library);
+        if self.varying {
+            return Vec::new();
+        }
         let mut list = element.coefficients_in(self.dimension, &self.options);
         if self.material.is_some() {
             list.retain(|one| element.inertia.iter().any(|inertia| inertia.coefficient == one.name));
@@ -70,7 +77,7 @@ impl Variant {
         let element = self.declaration(library);
         let mut name = format!(
             "{}_{}",
-            element.names[0],
+            element.kernel,
             if self.dimension == 2 { "planar" } else { "spatial" }
         );
         for (option, &choice) in element.options.iter().zip(&self.options) {
@@ -95,10 +102,27 @@ impl Variant {
         if self.curved {
             name += "_curved";
         }
+        if self.varying && !element.of_stiffness {
+            name += "_varying";
+        }
         if self.damped {
             name += "_damped";
         }
         name
+    }
+
+    /// Coefficients that are numbers at every point of integration.
+    pub fn varying_coefficients(&self, library: &Library) -> Vec<&'static Coefficient> {
+        if !self.varying {
+            return Vec::new();
+        }
+        self.declaration(library)
+            .elastic_coefficients(self.dimension, &self.options)
+    }
+
+    /// Whether elements have numbers of their own.
+    pub fn has_references(&self) -> bool {
+        self.curved || self.varying
     }
 
     /// Degrees of freedom of one element.

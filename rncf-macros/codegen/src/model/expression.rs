@@ -1,6 +1,6 @@
 //! Resolved expressions in SI, and what of the simulated system they observe.
 
-use super::{BodyId, ConstraintId, FrameId, JointId, MarkerId, MotionId, ParamId, RepeatId};
+use super::{BodyId, ConstraintId, FrameId, JointId, MarkerId, MotionId, ParamId, RepeatId, TableId};
 
 /// A resolved expression in SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,8 +23,15 @@ pub enum Expr {
     },
     /// End time of the run, s; in conditions of cautions only.
     EndTime,
-    /// Arclength of a body's stress-free axis from its start, m; in its initial shape only.
+    /// Arclength of a body's stress-free axis from its start, m; in what varies along it only.
     Arclength,
+    /// A column of a table at this arclength.
+    Table {
+        /// Which table.
+        table: TableId,
+        /// Number of the column.
+        column: usize,
+    },
     /// Component of the Green strain tensor, section axes with x along the body: xx, yy, zz, xy, xz, yz;
     /// in the energy density of a material only (THEORY 4.2).
     Strain(usize),

@@ -334,7 +334,27 @@ fn vector(cursor: &mut Cursor, group: &proc_macro2::Group, depth: usize) -> Pars
     components(cursor, group, depth, &[3])
 }
 
-/// Components of one of these numbers, and their unit.
+/// `[a, b, ..] unit`, as many as there are.
+pub fn list(cursor: &mut Cursor) -> Parsed<Expr> {
+    match cursor.eat_group(Delimiter::Bracket) {
+        Some(group) => components(cursor, &group, 0, &[]),
+        None => Err(cursor.expected("`[` and values")),
+    }
+}
+
+/// The number one, where nothing is written.
+pub fn one(cursor: &Cursor) -> Expr {
+    Expr {
+        kind: ExprKind::Number {
+            text: "1".to_string(),
+            unit: None,
+        },
+        area: cursor.here().into(),
+        height: 1,
+    }
+}
+
+/// Components of one of these numbers, of any where there are none, and their unit.
 fn components(cursor: &mut Cursor, group: &proc_macro2::Group, depth: usize, counts: &[usize]) -> Parsed<Expr> {
     let mut inner = Cursor::of(group);
     let mut components = Vec::new();
@@ -344,7 +364,7 @@ fn components(cursor: &mut Cursor, group: &proc_macro2::Group, depth: usize, cou
             return Err(inner.expected("`,` between components"));
         }
     }
-    if !counts.contains(&components.len()) {
+    if !counts.is_empty() && !counts.contains(&components.len()) {
         let message = if counts.contains(&6) {
             say::inertia_components(components.len())
         } else {
@@ -385,7 +405,7 @@ pub fn call(cursor: &mut Cursor, name: Name, depth: usize) -> Parsed<Call> {
 }
 
 /// Arguments; those that are vectors have one of these numbers of components.
-fn arguments(cursor: &mut Cursor, depth: usize, counts: &[usize]) -> Parsed<Vec<Argument>> {
+pub(super) fn arguments(cursor: &mut Cursor, depth: usize, counts: &[usize]) -> Parsed<Vec<Argument>> {
     let mut arguments = Vec::new();
     while !cursor.is_empty() {
         let is_named = cursor.word().is_some() && cursor.is_second_punct('=');

@@ -72,14 +72,14 @@
 //! and `slope`; joints have `force` and `moment`; without a component the output is a vector.
 
 pub mod ascii;
-mod cursor;
+pub(crate) mod cursor;
 mod expr;
 mod item;
 mod messages;
 mod repeat;
 mod source;
 pub mod tree;
-mod unit;
+pub(crate) mod unit;
 
 #[cfg(test)]
 mod tests;
@@ -137,6 +137,9 @@ fn head(cursor: &mut Cursor, errors: &mut Errors) -> Parsed<Tree> {
         runs,
         source: String::new(),
         complete: false,
+        folder: std::env::var_os("CARGO_MANIFEST_DIR")
+            .map(Into::into)
+            .unwrap_or_default(),
     })
 }
 

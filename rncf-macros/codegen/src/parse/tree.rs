@@ -34,6 +34,8 @@ pub struct Tree {
     pub source: String,
     /// Whether all of it could be read.
     pub complete: bool,
+    /// Where the files of tables begin: the folder of the crate's manifest.
+    pub folder: std::path::PathBuf,
 }
 
 impl Tree {
@@ -52,6 +54,7 @@ impl Tree {
 pub enum Keyword {
     Param,
     Const,
+    Table,
     Material,
     Section,
     Motion,
@@ -70,9 +73,10 @@ pub enum Keyword {
 
 impl Keyword {
     /// All of them, in the order a user needs them.
-    pub const ALL: [Keyword; 16] = [
+    pub const ALL: [Keyword; 17] = [
         Keyword::Param,
         Keyword::Const,
+        Keyword::Table,
         Keyword::Material,
         Keyword::Section,
         Keyword::Motion,
@@ -94,6 +98,7 @@ impl Keyword {
         match self {
             Keyword::Param => "param",
             Keyword::Const => "const",
+            Keyword::Table => "table",
             Keyword::Material => "material",
             Keyword::Section => "section",
             Keyword::Motion => "motion",
@@ -161,6 +166,17 @@ pub enum ItemKind {
     },
     /// `const name = value;`
     Const(Expr),
+    /// `table name { column = [..] unit; .. }`
+    Table(Fields),
+    /// `table name = file("path", interpolation = monotone);`
+    FileTable {
+        /// The path as written, and where.
+        path: String,
+        /// Where the path stands.
+        area: Area,
+        /// The arguments behind it.
+        arguments: Vec<Argument>,
+    },
     /// `material name { field = value; .. }`
     Material(Fields),
     /// `section name { field = value; .. }`
@@ -291,6 +307,13 @@ pub enum Statement {
         /// Subtended angle.
         angle: Box<Expr>,
     },
+    /// `curve through table;`
+    Curve {
+        /// The word `curve`.
+        area: Area,
+        /// The table with the points.
+        table: Name,
+    },
     /// `section_y [..];`
     SectionY {
         /// The word.
@@ -330,8 +353,10 @@ pub enum Statement {
     Mesh {
         /// The word `mesh`.
         area: Area,
-        /// Number of elements.
+        /// Number of elements; from one row of a table to the next where nodes stand at its rows.
         count: Expr,
+        /// The table that has the nodes.
+        stations: Option<Name>,
         /// Element with its arguments.
         element: Call,
     },

@@ -99,10 +99,24 @@ impl Graph {
         self.names.get(&id).map(String::as_str)
     }
 
+    /// The input with this text, a new one where there is none.
+    pub fn input(&mut self, text: impl Into<String>) -> Id {
+        let text = text.into();
+        match self.symbols.iter().position(|symbol| *symbol == text) {
+            Some(at) => self.intern(Node::Symbol(at as u32)),
+            None => self.symbol(text),
+        }
+    }
+
     /// A new input; its text is what generated code reads, e.g. `q[3]` or `length`.
     pub fn symbol(&mut self, text: impl Into<String>) -> Id {
         self.symbols.push(text.into());
         self.intern(Node::Symbol(self.symbols.len() as u32 - 1))
+    }
+
+    /// Whether a node is the input with this text.
+    pub fn is_input(&self, id: Id, text: &str) -> bool {
+        matches!(self.node(id), Node::Symbol(index) if self.symbols[index as usize] == text)
     }
 
     /// Text of a symbol.

@@ -74,7 +74,8 @@ impl Parts for Arm {
             vectors_per_node: 2,
             stride: 2,
             section_y: None,
-            twist: 0.0,
+            twist: Twist::even(0.0),
+            stations: Vec::new(),
             fidelity: self.fidelity,
             tie: FrameTie::Joints,
             normals: Vec::new(),
@@ -133,7 +134,7 @@ impl Parts for Arm {
     fn kinks(&self) -> Vec<f64> {
         Vec::new()
     }
-    fn prepare(&mut self, _body: usize, _length: f64, _shape: &[f64]) -> Result<(), ModelError> {
+    fn prepare(&mut self, _body: usize, _nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
         Ok(())
     }
     fn frames(&self, t: f64, motions: &mut [FrameMotion]) {
@@ -151,7 +152,7 @@ impl Parts for Arm {
         let plane = if self.d() == 2 { 0.0 } else { 1.0 };
         [[0.3, -9.81, 0.7 * plane], [0.2 * plane, 0.1 * plane, 0.5]][load]
     }
-    fn mass(&self, _body: usize, mass: &mut [f64]) {
+    fn mass(&self, _body: usize, _element: usize, mass: &mut [f64]) {
         mass.copy_from_slice(&element_mass(self.cable.length).concat());
     }
     fn elastic_force(&self, _body: usize, element: usize, q: &[f64], v: &[f64], force: &mut [f64]) {
@@ -171,7 +172,7 @@ impl Parts for Arm {
     fn energy(&self, _body: usize, _element: usize, _q: &[f64]) -> f64 {
         0.0
     }
-    fn shapes(&self, _body: usize, _of: Interpolant, order: usize, xi: f64, weights: &mut [f64]) {
+    fn shapes(&self, _body: usize, _element: usize, _of: Interpolant, order: usize, xi: f64, weights: &mut [f64]) {
         let l = self.cable.length;
         let (x2, x3) = (xi * xi, xi * xi * xi);
         let rows = [
@@ -196,7 +197,7 @@ impl Parts for Arm {
         ];
         weights.copy_from_slice(&rows[order]);
     }
-    fn section(&self, _body: usize) -> SectionSpec {
+    fn section(&self, _body: usize, _x: f64) -> SectionSpec {
         SectionSpec {
             shape: SectionShape::Circle { radius: 0.05 },
             area: 8e-3,
@@ -210,7 +211,7 @@ impl Parts for Arm {
         &[(Interpolant::Position, 1), (Interpolant::Position, 2)]
     }
     /// Of the strain energies EA (r_x . r_x - 1)^2 / 8 and EI r_xx . r_xx / 2 per unit length.
-    fn field_forces(&self, _body: usize, _free: &[f64], fields: &[f64], _rates: &[f64], forces: &mut [f64]) {
+    fn field_forces(&self, _body: usize, _x: f64, _free: &[f64], fields: &[f64], _rates: &[f64], forces: &mut [f64]) {
         let (slope, bend) = fields.split_at(fields.len() / 2);
         let strain = 0.5 * (slope.iter().map(|a| a * a).sum::<f64>() - 1.0);
         let stretch = slope.iter().map(|a| self.cable.axial * strain * a);

@@ -97,7 +97,7 @@ impl MeshScene {
                 sum[place(entry / count) * vectors + place(entry % count)] += value;
             }
         };
-        (0..spec.count).for_each(|element| add(&mut mass, element, &body.mass));
+        (0..spec.count).for_each(|element| add(&mut mass, element, body.mass_of(element)));
         for fixture in self.fixtures.iter().filter(|fixture| fixture.point.body == index) {
             add(&mut fixtures, fixture.point.element, fixture.mass());
         }

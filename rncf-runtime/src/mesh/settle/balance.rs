@@ -50,7 +50,7 @@ impl<'a> Balance<'a> {
             let mass = |element| Inertia {
                 body,
                 element,
-                mass: scene.bodies[body].mass.clone(),
+                mass: scene.bodies[body].mass_of(element).to_vec(),
             };
             inertias.extend((0..scene.bodies[body].spec.count).map(mass));
         }

@@ -240,9 +240,9 @@ impl Parts for Hand {
     fn kinks(&self) -> Vec<f64> {
         Vec::new()
     }
-    fn prepare(&mut self, body: usize, length: f64, _shape: &[f64]) -> Result<(), ModelError> {
+    fn prepare(&mut self, body: usize, nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
         self.lengths.resize(self.bodies.len(), 0.0);
-        self.lengths[body] = length;
+        self.lengths[body] = nodes[1] - nodes[0];
         Ok(())
     }
 
@@ -271,7 +271,7 @@ impl Parts for Hand {
     fn load(&self, load: usize, _t: f64) -> [f64; 3] {
         self.loads[load].1
     }
-    fn mass(&self, body: usize, mass: &mut [f64]) {
+    fn mass(&self, body: usize, _element: usize, mass: &mut [f64]) {
         mass.copy_from_slice(&self.masses(body));
     }
     fn elastic_force(&self, body: usize, _element: usize, q: &[f64], _v: &[f64], force: &mut [f64]) {
@@ -308,13 +308,13 @@ impl Parts for Hand {
             .map(|(k, form, zero)| 0.5 * k * self.strain(q, &form, zero).0.powi(2))
             .sum()
     }
-    fn shapes(&self, body: usize, of: Interpolant, order: usize, xi: f64, weights: &mut [f64]) {
+    fn shapes(&self, body: usize, _element: usize, of: Interpolant, order: usize, xi: f64, weights: &mut [f64]) {
         if self.bodies[body].has_section() {
             return sections::shapes(self.bodies[body].nodal, self.lengths[body], of, order, xi, weights);
         }
         weights.copy_from_slice(&hermite(self.lengths[body], order, xi));
     }
-    fn section(&self, _body: usize) -> SectionSpec {
+    fn section(&self, _body: usize, _x: f64) -> SectionSpec {
         SectionSpec {
             shape: SectionShape::Circle { radius: 0.1 },
             area: 0.03,
@@ -373,7 +373,7 @@ impl Parts for Hand {
     fn field_gradient(&self, load: usize, _t: f64, z: &[Vector], gradient: &mut [f64]) {
         density::field_gradient(self.loads[load].1, z, gradient);
     }
-    fn field_forces(&self, _body: usize, _free: &[f64], fields: &[f64], _rates: &[f64], forces: &mut [f64]) {
+    fn field_forces(&self, _body: usize, _x: f64, _free: &[f64], fields: &[f64], _rates: &[f64], forces: &mut [f64]) {
         let (slope, bend) = fields.split_at(fields.len() / 2);
         let strain = slope.iter().map(|a| a * a).sum::<f64>() - 1.0;
         let all = slope

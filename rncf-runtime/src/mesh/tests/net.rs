@@ -126,8 +126,8 @@ impl Parts for Net {
     fn kinks(&self) -> Vec<f64> {
         Vec::new()
     }
-    fn prepare(&mut self, body: usize, length: f64, _shape: &[f64]) -> Result<(), ModelError> {
-        self.lengths[body] = length;
+    fn prepare(&mut self, body: usize, nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
+        self.lengths[body] = nodes[1] - nodes[0];
         Ok(())
     }
     fn frames(&self, _t: f64, motions: &mut [FrameMotion]) {
@@ -146,7 +146,7 @@ impl Parts for Net {
     fn load(&self, _load: usize, _t: f64) -> [f64; 3] {
         [0.0; 3]
     }
-    fn mass(&self, body: usize, mass: &mut [f64]) {
+    fn mass(&self, body: usize, _element: usize, mass: &mut [f64]) {
         let l = self.lengths[body];
         let rows = [
             [156.0, 22.0 * l, 54.0, -13.0 * l],
@@ -210,10 +210,10 @@ impl Parts for Net {
     fn energy(&self, _body: usize, _element: usize, _q: &[f64]) -> f64 {
         0.0
     }
-    fn shapes(&self, body: usize, _of: Interpolant, order: usize, xi: f64, weights: &mut [f64]) {
+    fn shapes(&self, body: usize, _element: usize, _of: Interpolant, order: usize, xi: f64, weights: &mut [f64]) {
         weights.copy_from_slice(&hermite(self.lengths[body], order, xi));
     }
-    fn section(&self, _body: usize) -> SectionSpec {
+    fn section(&self, _body: usize, _x: f64) -> SectionSpec {
         SectionSpec {
             shape: SectionShape::Circle { radius: 0.1 },
             area: 0.03,
@@ -226,7 +226,7 @@ impl Parts for Net {
     fn fields(&self, _body: usize) -> &'static [(Interpolant, usize)] {
         &[(Interpolant::Position, 1)]
     }
-    fn field_forces(&self, _body: usize, _free: &[f64], _fields: &[f64], _rates: &[f64], forces: &mut [f64]) {
+    fn field_forces(&self, _body: usize, _x: f64, _free: &[f64], _fields: &[f64], _rates: &[f64], forces: &mut [f64]) {
         forces.fill(0.0);
     }
     fn moment(&self, _dimension: usize, _slope: &[f64], _moment: [f64; 3], _force: &mut [f64]) {}

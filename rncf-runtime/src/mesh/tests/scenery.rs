@@ -4,7 +4,7 @@ use super::super::free::{FreeSpec, Motions, RigidSpec};
 use super::super::parts::{
     BodySpec, Fidelity, FrameTie, Interpolant, JointKind, JointSpec, LoadKind, LoadSpec, NodalSpec, Place,
 };
-use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, When};
+use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, Twist, When};
 use super::law::Law;
 use super::model::{EVERY, Hand, PAIRS, Quadratic};
 use crate::vector::{Vector, scale};
@@ -56,7 +56,8 @@ pub fn body(name: &'static str, frame: usize, axes: &'static [usize], to: Vector
         vectors_per_node: 2,
         stride: 2,
         section_y: None,
-        twist: 0.0,
+        twist: Twist::even(0.0),
+        stations: Vec::new(),
         fidelity: Fidelity::Full,
         tie: FrameTie::Joints,
         normals: Vec::new(),

@@ -6,7 +6,7 @@ use super::super::parts::{
     BodySpec, FrameTie, Interpolant, JointKind, LoadKind, LoadSpec, NodalSpec, ObservedSpec, Parts, Place,
 };
 use super::super::scene::MeshScene;
-use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, Motions, SectionQuantity, When};
+use super::super::{ConstraintSpec, FixtureSpec, ForceSpec, Line, MarkerSpec, Motions, SectionQuantity, Twist, When};
 use super::law::Law;
 use super::model::{EVERY, Hand, PAIRS, Quadratic, hermite, table};
 use super::scenery::{DEAD, body, everything, free, hold, joint};
@@ -138,7 +138,7 @@ fn beam(name: &'static str, frame: usize, axes: &'static [usize], to: Vector) ->
             vectors_per_node: 4,
             stride: 6,
             section_y: Some([0.1, 0.2, 1.0]),
-            twist: 0.4,
+            twist: Twist::even(0.4),
             ..line
         }
     }
@@ -372,7 +372,7 @@ fn near(found: [Vector; 2], wanted: [Vector; 2]) {
 fn sections_turn_with_the_axis() {
     let straight = |to: Vector, section_y, twist| BodySpec {
         section_y,
-        twist,
+        twist: Twist::even(twist),
         ..beam("shaft", 0, &[0, 1, 2], to)
     };
     let [x, y, z]: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -443,7 +443,7 @@ fn mean_axes_tie_the_turning_of_a_straight_body_with_a_section() {
     let rod = BodySpec {
         tie: FrameTie::MeanAxes,
         section_y: None,
-        twist: 0.0,
+        twist: Twist::even(0.0),
         ..beam("rod", 1, &[0, 1, 2], [2.0, 0.0, 0.0])
     };
     let hand = Hand {
@@ -501,7 +501,7 @@ fn a_centre_line_carries_what_its_nodes_exert() {
     // Nothing accelerates or acts within the first element: what its first node exerts on it, and the lever of it.
     let mut force = [0.0; 8];
     let mut hand = hand;
-    hand.prepare(0, 1.0, &[]).unwrap();
+    hand.prepare(0, &[0.0, 1.0], &[]).unwrap();
     hand.elastic_force(0, 0, &state.x[..8], &[0.0; 8], &mut force);
     let slope = 1.0f64.hypot(0.5 * c);
     let axial = -(force[0] + force[1] * 0.5 * c) / slope;

@@ -1,3 +1,4 @@
+mod along;
 mod density;
 mod free;
 mod influence;

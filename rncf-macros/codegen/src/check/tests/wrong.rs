@@ -1,7 +1,8 @@
-//! Wrong models, listed in wrong.txt, free.txt, joints.txt, sections.txt, repeat.txt, meaning.txt and space.txt: what is underlined, and what is said.
+//! Wrong models, listed in wrong.txt, free.txt, joints.txt, sections.txt, along.txt, repeat.txt, meaning.txt and space.txt: what is underlined, and what is said.
 //!
 //! `BLESS=1 cargo test -p rncf-codegen wrong` rewrites the expectations; read the difference.
 
+use super::along::ALONG;
 use super::free::FREE;
 use super::joints::JOINTS;
 use super::meaning::{MEANING, SPACE};
@@ -73,6 +74,11 @@ fn wrong_loops_say_what_would_be_right() {
 fn texts_that_mean_nothing_are_refused() {
     check(include_str!("meaning.txt"), "meaning.txt", MEANING);
     check(include_str!("space.txt"), "space.txt", SPACE);
+}
+
+#[test]
+fn wrong_tables_and_sections_along_an_axis_say_what_would_be_right() {
+    check(include_str!("along.txt"), "along.txt", ALONG);
 }
 
 fn check(list: &str, name: &str, model: &str) {

@@ -193,7 +193,7 @@ fn calls(
     let mut passed = 0;
     for rule in rules {
         let (at, count) = (format!("{upper}_POINTS{}", rule.points), rule.references);
-        let reference = if variant.curved {
+        let reference = if variant.has_references() {
             format!("::rncf::mesh::array(&reference[{passed} + {count} * point..][..{count}]), ")
         } else {
             String::new()

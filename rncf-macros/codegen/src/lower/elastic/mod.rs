@@ -75,6 +75,51 @@ pub fn rules(variant: &Variant, element: &Element) -> Vec<usize> {
     rules
 }
 
+/// Numbers that every element keeps for its points: values of the measures in the stress-free shape, and coefficients that
+/// vary. Of a material that is given by its energy the fields are kept.
+pub fn kept(variant: &Variant, library: &Library) -> usize {
+    let element = variant.declaration(library);
+    let (_, terms) = element.terms_in(variant.dimension, &variant.options);
+    let default = points(element, variant.quadrature);
+    let coefficients = variant.varying_coefficients(library).len();
+    let of_rule = |rule: usize| {
+        let of_it =
+            |term: &&crate::elements::Term| term.density.measure().is_some() && term.points.unwrap_or(default) == rule;
+        let measures = if variant.curved {
+            terms.iter().filter(of_it).count()
+        } else {
+            0
+        };
+        rule * (measures + coefficients)
+    };
+    rules(variant, element).into_iter().map(of_rule).sum()
+}
+
+/// Where coefficients that vary stand among the numbers that an element keeps: first place and point in [0, 1], one pair for
+/// each point of each rule.
+pub fn coefficient_places(variant: &Variant, library: &Library) -> Vec<(usize, f64)> {
+    let element = variant.declaration(library);
+    let (_, terms) = element.terms_in(variant.dimension, &variant.options);
+    let default = points(element, variant.quadrature);
+    let coefficients = variant.varying_coefficients(library).len();
+    let mut places = Vec::new();
+    let mut passed = 0;
+    for rule in rules(variant, element) {
+        let of_it =
+            |term: &&crate::elements::Term| term.density.measure().is_some() && term.points.unwrap_or(default) == rule;
+        let measures = if variant.curved {
+            terms.iter().filter(of_it).count()
+        } else {
+            0
+        };
+        for xi in crate::tensors::gauss_rule(rule).points {
+            places.push((passed + measures, xi));
+            passed += measures + coefficients;
+        }
+    }
+    places
+}
+
 /// The kernel of one quantity in one form; `None` where the form does not exist (a tensor of an
 /// energy that is not quadratic; one loop over points of several rules; the form by
 /// fields, see [`field_kernels`]).
@@ -86,6 +131,9 @@ pub fn kernel(variant: &Variant, library: &Library, form: Form, quantity: Quanti
         form
     };
     if form == Form::Loop && rules(variant, variant.declaration(library)).len() > 1 {
+        return None;
+    }
+    if form == Form::Tensor && variant.varying {
         return None;
     }
     let mut builder = Builder::new(variant, library, form, quantity);
@@ -151,7 +199,7 @@ impl<'a> Builder<'a> {
         let coefficients = element
             .coefficients
             .iter()
-            .map(|c| (c.name, graph.symbol(c.name)))
+            .map(|c| (c.name, graph.input(c.name)))
             .collect();
         let mut builder = Self {
             variant,
@@ -254,6 +302,7 @@ impl<'a> Builder<'a> {
                 .iter()
                 .enumerate()
                 .map(|(index, &id)| (format!("reference[{index}]"), id))
+                .filter(|(name, id)| !self.graph.is_input(*id, name))
                 .collect(),
             Quantity::Force => self.nodal_force(),
             Quantity::Tangent => {

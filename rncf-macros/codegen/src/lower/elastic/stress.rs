@@ -23,6 +23,12 @@ struct Symbols {
     is_damped: bool,
 }
 
+/// What an element keeps for a point.
+struct Kept {
+    /// Numbers: values of the measures in the stress-free shape, then coefficients.
+    slots: usize,
+}
+
 /// Stress on every invariant and energy, as expressions of the symbols.
 struct Response {
     stress: Vec<Id>,
@@ -32,9 +38,10 @@ struct Response {
 impl Builder<'_> {
     /// Stress on the invariants of the fields, times the weight.
     pub(super) fn field_state(&mut self, fields: &[Vector], rates: &[Vector], weight: Id) -> State {
-        let (symbols, mut terms) = self.point_symbols(fields, rates);
+        let (mut symbols, mut terms) = self.point_symbols(fields, rates);
         let default = points(self.element, self.variant.quadrature);
         terms.retain(|term| term.points.unwrap_or(default) == self.rule);
+        let before = self.bind_coefficients(&mut symbols, &terms);
         if self.quantity == Quantity::Reference {
             self.add_references(&symbols, &terms);
         }
@@ -53,7 +60,7 @@ impl Builder<'_> {
                         .position(|other| std::ptr::eq(*other, term))
                         .unwrap_or(0);
                     let reference = if self.variant.curved && self.quantity != Quantity::Reference {
-                        self.point_reference(measures.len(), index)
+                        self.point_reference(before.slots, index)
                     } else {
                         self.graph.substitute(measure, &symbols.straight)
                     };
@@ -62,7 +69,7 @@ impl Builder<'_> {
                 Density::Energy(density) => self.add_energy(&symbols, density, factor, &mut response),
             }
         }
-        self.passed += measures.len();
+        self.passed += before.slots;
         self.replace(&symbols, &response)
     }
 
@@ -99,6 +106,26 @@ impl Builder<'_> {
         (symbols, terms)
     }
 
+    /// Lets coefficients that vary stand for what an element keeps of them, behind the values of the measures at a point.
+    fn bind_coefficients(&mut self, symbols: &mut Symbols, terms: &[Term]) -> Kept {
+        let measures = terms.iter().filter(|term| term.density.measure().is_some()).count();
+        let measures = if self.variant.curved { measures } else { 0 };
+        let coefficients = self.variant.varying_coefficients(self.library);
+        let slots = measures + coefficients.len();
+        for (place, coefficient) in coefficients.iter().enumerate() {
+            let kept = if self.quantity == Quantity::Reference {
+                self.graph
+                    .symbol(format!("reference[{}]", self.passed + measures + place))
+            } else {
+                self.point_reference(slots, measures + place)
+            };
+            let symbol = self.coefficients[coefficient.name];
+            symbols.real.insert(symbol, kept);
+            symbols.straight.insert(symbol, kept);
+        }
+        Kept { slots }
+    }
+
     /// Values of the measures at the point: what the other kernels subtract.
     fn add_references(&mut self, symbols: &Symbols, terms: &[Term]) {
         for term in terms {
@@ -107,16 +134,21 @@ impl Builder<'_> {
                 self.references.push(value);
             }
         }
+        // What is kept of coefficients is there already.
+        for coefficient in self.variant.varying_coefficients(self.library) {
+            let kept = symbols.real[&self.coefficients[coefficient.name]];
+            self.references.push(kept);
+        }
     }
 
     /// Reference value of measure `index` at a point.
-    fn point_reference(&mut self, measures: usize, index: usize) -> Id {
+    fn point_reference(&mut self, slots: usize, index: usize) -> Id {
         if self.form != Form::Loop {
             return self.reference_symbol(self.passed + index);
         }
         while self.references.len() <= index {
             let next = self.references.len();
-            let symbol = self.graph.symbol(format!("reference[point * {measures} + {next}]"));
+            let symbol = self.graph.symbol(format!("reference[point * {slots} + {next}]"));
             self.references.push(symbol);
         }
         self.references[index]

@@ -1,0 +1,147 @@
+//! Sections that say their stiffness and mass by themselves, field by field or from the columns of a table.
+
+use std::collections::BTreeMap;
+
+use super::material::Values;
+use super::section::Section;
+use super::{Check, fold, say};
+use crate::errors::Area;
+use crate::model::{Expr as Value, Law};
+use crate::parse::tree::{Call, ExprKind};
+use crate::suggest;
+use crate::vocabulary::{CENTRES, LAW, MASS_ENTRIES, MASSES, Property, STIFFNESS_ENTRIES, from_beamdyn};
+
+/// Words before parentheses that make a section of a table.
+pub const OF_TABLE: [&str; 2] = ["columns", "beamdyn"];
+
+/// A field of such a section.
+pub fn law_property(name: &str) -> Option<&'static Property> {
+    LAW.iter().find(|property| property.name == name)
+}
+
+impl<'a> Check<'a> {
+    /// `section name = columns(table);` or `= beamdyn(table, damping = ..);`
+    pub(super) fn section_of_table(&mut self, name: &str, call: &'a Call) -> Option<Section> {
+        let is_beamdyn = call.name.text == OF_TABLE[1];
+        let mut values = Values::new();
+        let mut table = None;
+        for argument in &call.arguments {
+            match (&argument.name, &argument.value.kind) {
+                (None, ExprKind::Name(word)) if table.is_none() => table = Some(self.table(word)?),
+                (Some(word), _) => {
+                    let Some(property) = law_property(&word.text) else {
+                        let known = LAW.iter().map(|property| property.name);
+                        let message = suggest::unknown("field of `section`", &word.text, known);
+                        self.errors.at(word.span, message);
+                        return None;
+                    };
+                    let value = self.along_axis(|check| check.field_value(property.name, &argument.value, property));
+                    values.insert(property.name, (value?, argument.value.area));
+                }
+                _ => {
+                    let usage = format!("{}(blade, damping = 2 ms)", call.name.text);
+                    self.errors.at(call.area, say::usage(&call.name.text, &usage));
+                    return None;
+                }
+            }
+        }
+        let Some(table) = table else {
+            let usage = format!("{}(blade)", call.name.text);
+            self.errors.at(call.area, say::usage(&call.name.text, &usage));
+            return None;
+        };
+        let columns = self.model.tables[table.0].columns.clone();
+        for (at, column) in columns.iter().enumerate() {
+            let own = if is_beamdyn {
+                from_beamdyn(&column.name).and_then(law_property)
+            } else {
+                law_property(&column.name)
+            };
+            let Some(property) = own else {
+                let is_place = ["x", "y", "z", "eta", "twist"].contains(&column.name.as_str());
+                if is_place || is_beamdyn {
+                    continue;
+                }
+                self.errors.at(call.area, say::column_is_no_field(&column.name, name));
+                return None;
+            };
+            if column.dimension != property.dimension {
+                let message = say::column_dimension(&column.name, property.name, property.unit);
+                self.errors.at(call.area, message);
+                return None;
+            }
+            for (row, &value) in column.values.iter().enumerate() {
+                if !self.is_in_range(property, value) {
+                    let place = self.model.tables[table.0].places[row];
+                    let message = say::row_out_of_range(row + 1, place, &column.name, value);
+                    self.errors.at(call.area, message);
+                    return None;
+                }
+            }
+            let value = self.column_at(table, at).value;
+            values.entry(property.name).or_insert((value, call.area));
+        }
+        self.stiffness_law(name, values, call.area)
+    }
+
+    fn is_in_range(&self, property: &Property, value: f64) -> bool {
+        use crate::vocabulary::Range;
+        match property.range {
+            Range::Positive => value > 0.0,
+            Range::NonNegative => value >= 0.0,
+            _ => value.is_finite(),
+        }
+    }
+
+    /// The law that fields are, checked for what is missing and what contradicts.
+    pub(super) fn stiffness_law(&mut self, name: &str, values: Values, area: Area) -> Option<Section> {
+        let has = |list: &[&str]| list.iter().any(|field| values.contains_key(field));
+        let mut fields: BTreeMap<&'static str, Value> = BTreeMap::new();
+        for (field, (value, area)) in &values {
+            if *field == "damping" && fold::has_arclength(value) {
+                self.errors.at(*area, say::DAMPING_ALONG);
+                return None;
+            }
+            fields.insert(field, value.clone());
+        }
+        let (is_matrix, has_mass_matrix) = (has(STIFFNESS_ENTRIES), has(MASS_ENTRIES));
+        for (matrix, constants) in [(STIFFNESS_ENTRIES, CENTRES), (MASS_ENTRIES, MASSES)] {
+            if has(matrix) && has(constants) {
+                let first = |list: &[&'static str]| {
+                    list.iter()
+                        .copied()
+                        .find(|field| values.contains_key(field))
+                        .unwrap_or("")
+                };
+                let message = say::two_laws(first(matrix), first(constants));
+                self.errors.at(values[first(constants)].1, message);
+                return None;
+            }
+        }
+        let needed = [
+            if is_matrix { STIFFNESS_ENTRIES } else { CENTRES },
+            if has_mass_matrix { MASS_ENTRIES } else { MASSES },
+        ];
+        let missing: Vec<&str> = needed
+            .into_iter()
+            .flatten()
+            .copied()
+            .filter(|field| !fields.contains_key(field))
+            .filter(|field| law_property(field).is_some_and(|property| property.default.is_none()))
+            .collect();
+        if !missing.is_empty() {
+            self.errors
+                .at(area, say::missing_of_law(name, &missing));
+            return None;
+        }
+        Some(Section {
+            law: Some(Law {
+                is_matrix,
+                has_mass_matrix,
+                fields,
+            }),
+            is_whole: true,
+            ..Section::default()
+        })
+    }
+}

@@ -1,0 +1,107 @@
+//! What is said about tables, curves, and sections that say their stiffness by themselves.
+
+pub const COLUMN: &str = "a column is a list of values with one unit: `EI = [2, 1.5, 1] N*m^2;`";
+pub const COLUMN_ELSEWHERE: &str = "a column of a table has a value at a place along an axis: it stands in fields of sections and materials, and in `twist`";
+pub const STEP_AT_END: &str = "the first two or last two rows are at one place: a step stands between other rows";
+pub const DAMPING_ALONG: &str = "`damping` is the same along the whole body: leave out `x` and columns of tables";
+pub const CURVE_TABLE: &str = "a curve goes through points: its table needs the columns `x`, `y` and `z` in m";
+pub const VARYING_ENERGY: &str =
+    "a material with an `energy` has one section along the whole body: leave out `x` and columns of tables";
+pub const LAW_IN_PLANE: &str = "a section with its own stiffness bends and twists in space: write `spatial;`";
+
+pub fn rows_differ(column: &str, count: usize, first: &str, rows: usize) -> String {
+    format!("`{column}` has {count} values, and `{first}` has {rows}: give every column one value for each row")
+}
+
+pub fn unreadable_file(path: &str, error: &str) -> String {
+    format!("`{path}` cannot be read: {error}; a path begins at the folder of the crate's Cargo.toml")
+}
+
+pub fn empty_file(path: &str) -> String {
+    format!("`{path}` has no header: its first line names the columns, e.g. `x[m], EI[N*m^2]`")
+}
+
+pub fn cells_of_line(path: &str, line: usize, cells: usize, columns: usize) -> String {
+    format!("line {line} of `{path}` has {cells} cells, and the header names {columns} columns")
+}
+
+pub fn cell_of_line(path: &str, line: usize, column: &str, cell: &str) -> String {
+    let cell = if cell.is_empty() {
+        "nothing".to_string()
+    } else {
+        format!("`{cell}`")
+    };
+    format!("line {line} of `{path}`, column `{column}`: {cell} is no number")
+}
+
+pub fn unit_of_column(path: &str, column: &str, unit: &str) -> String {
+    format!("`{path}`, column `{column}`: `{unit}` is no unit; write e.g. `N*m^2`, or `-` for a plain number")
+}
+
+pub fn column_twice(column: &str) -> String {
+    format!("there are two columns `{column}`: give each a name of its own")
+}
+
+pub fn table_without_places(table: &str) -> String {
+    format!(
+        "table `{table}` does not say where its rows are: it needs a column `x` (m, along the axis) or `eta` (parts of its length), or the coordinates `x`, `y` and `z` (m) of points"
+    )
+}
+
+pub fn table_of_one_row(table: &str) -> String {
+    format!("table `{table}` has fewer than two rows, and values between rows need two")
+}
+
+pub fn rows_do_not_ascend(row: &str, place: f64, before: f64) -> String {
+    format!("{row}: {place} does not come after {before}; rows ascend along the axis, two at one place are a step")
+}
+
+pub fn column_is_no_field(column: &str, section: &str) -> String {
+    format!(
+        "column `{column}` is no field of a section: name the fields one by one, `section {section} {{ EA = table.EA; .. }}`, or leave the column out"
+    )
+}
+
+pub fn column_dimension(column: &str, field: &str, unit: &str) -> String {
+    format!("column `{column}` becomes `{field}` and has another dimension than {unit}: look at the unit in its header")
+}
+
+pub fn row_out_of_range(row: usize, place: f64, column: &str, value: f64) -> String {
+    format!("row {row} (at {place}): `{column}` is {value}, it must be greater than zero")
+}
+
+pub fn two_laws(matrix: &str, constant: &str) -> String {
+    format!(
+        "`{constant}` stands beside `{matrix}`: a stiffness or mass is given by its matrix or by constants, not by both"
+    )
+}
+
+pub fn missing_of_law(section: &str, missing: &[&str]) -> String {
+    let quoted: Vec<String> = missing.iter().map(|field| format!("`{field}`")).collect();
+    let list = quoted.join(", ");
+    format!("section `{section}` says its stiffness by itself and lacks {list}")
+}
+
+pub fn no_options(option: &str, element: &str, section: &str) -> String {
+    format!("`{element}({section})` has no options: leave `{option}` out")
+}
+
+pub fn mixed_section(field: &str, law: &str) -> String {
+    format!(
+        "`{field}` is a size of a section, and `{law}` says its stiffness or mass by itself: a section has the one or the other"
+    )
+}
+
+pub fn material_of_law(section: &str, element: &str) -> String {
+    format!("section `{section}` says stiffness and mass by itself: leave the material out, `{element}({section})`")
+}
+
+pub fn no_law_element(element: &str, section: &str) -> String {
+    format!(
+        "`{element}` takes a section and a material, and section `{section}` says its stiffness by itself: take `beam({section})`"
+    )
+}
+
+pub fn curve_off_plane(plane: &str, axis: &str, value: f64) -> String {
+    format!("the body stays in the plane {plane}, and a point of its curve has {axis} = {value} m")
+}

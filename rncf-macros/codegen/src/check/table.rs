@@ -1,0 +1,395 @@
+//! Tables of numbers along an axis: columns in the declaration, or a file beside the crate's manifest.
+
+use proc_macro2::TokenStream;
+
+use super::expr::Scope;
+use super::quantity::Typed;
+use super::{Check, fold, say};
+use crate::errors::Area;
+use crate::model::{Column, Expr as Value, Table, TableId};
+use crate::parse::cursor::Cursor;
+use crate::parse::tree::{Argument, Expr, ExprKind, Fields, Item, ItemKind, Keyword, Name};
+use crate::parse::unit;
+use crate::suggest;
+use crate::units::{self, Compound, Dimension};
+
+/// Columns that are places along the axis: m, or parts of the length.
+const PLACES: [(&str, [i8; 6]); 2] = [("x", [1, 0, 0, 0, 0, 0]), ("eta", [0; 6])];
+/// Columns that are the coordinates of points, m.
+const COORDINATES: [&str; 3] = ["x", "y", "z"];
+
+impl<'a> Check<'a> {
+    /// Checks all tables, also those that nothing reads.
+    pub(super) fn tables(&mut self) {
+        for item in self.items(Keyword::Table) {
+            let id = match &item.kind {
+                ItemKind::Table(fields) => self.table_of_columns(item, fields),
+                ItemKind::FileTable { path, area, arguments } => self.table_of_file(item, path, *area, arguments),
+                _ => None,
+            };
+            self.tables.insert(item.name.text.as_str(), id);
+        }
+    }
+
+    fn table_of_columns(&mut self, item: &Item, fields: &'a Fields) -> Option<TableId> {
+        let (mut columns, mut is_smooth, mut is_whole) = (Vec::new(), Some(false), fields.complete);
+        for field in &fields.fields {
+            if field.name.text == "interpolation" {
+                is_smooth = self.interpolation(&field.value);
+                continue;
+            }
+            match self.column_values(&field.value) {
+                Some((values, dimension)) => columns.push(Column {
+                    name: field.name.text.clone(),
+                    dimension,
+                    values,
+                }),
+                None => is_whole = false,
+            }
+        }
+        let rows = columns.first().map_or(0, |column| column.values.len());
+        for (column, field) in columns
+            .iter()
+            .zip(fields.fields.iter().filter(|field| field.name.text != "interpolation"))
+        {
+            if is_whole && column.values.len() != rows {
+                let message = say::rows_differ(&column.name, column.values.len(), &columns[0].name, rows);
+                self.errors.at(field.name.span, message);
+                return None;
+            }
+        }
+        if !is_whole {
+            return None;
+        }
+        self.add_table(item, columns, is_smooth?, None, &|row| format!("value {}", row + 1))
+    }
+
+    /// Values of a column in SI, and their dimension.
+    fn column_values(&mut self, list: &'a Expr) -> Option<(Vec<f64>, [i8; 6])> {
+        let ExprKind::Vector { components, unit } = &list.kind else {
+            self.errors.at(list.area, say::COLUMN);
+            return None;
+        };
+        let compound = unit.as_ref().map(|unit| self.unit(unit));
+        let mut values = Vec::new();
+        let mut dimension: Option<Dimension> = None;
+        for part in components {
+            let typed = match compound {
+                Some(compound) => self.with_unit(part, compound?, 0),
+                None => self.expr(part, Scope::Constant),
+            }?;
+            let first = *dimension.get_or_insert(typed.dimension);
+            if typed.dimension != first {
+                self.errors
+                    .at(part.area, say::unlike(&typed.describe(), &first.describe(false)));
+                return None;
+            }
+            let Some(value) = fold::constant(&typed.value).filter(|value| value.is_finite()) else {
+                self.errors.at(part.area, say::NOT_FINITE);
+                return None;
+            };
+            values.push(value);
+        }
+        let dimension = match compound.flatten() {
+            Some(compound) => Some(compound.dimension),
+            None => dimension.map_or(Some([0; 6]), |dimension| dimension.exponents(false)),
+        };
+        let Some(dimension) = dimension else {
+            self.errors.at(list.area, say::WHOLE_EXPONENTS);
+            return None;
+        };
+        Some((values, dimension))
+    }
+
+    fn interpolation(&mut self, value: &Expr) -> Option<bool> {
+        let word = match &value.kind {
+            ExprKind::Name(name) => name.text.as_str(),
+            _ => "",
+        };
+        let found = ["linear", "monotone"].iter().position(|known| *known == word);
+        if found.is_none() {
+            self.errors
+                .at(value.area, say::choices("interpolation", "`linear` or `monotone`"));
+        }
+        found.map(|found| found == 1)
+    }
+
+    fn table_of_file(&mut self, item: &Item, path: &str, area: Area, arguments: &[Argument]) -> Option<TableId> {
+        let mut is_smooth = Some(false);
+        let mut places = None;
+        for argument in arguments {
+            match (&argument.name, &argument.value.kind) {
+                (Some(name), ExprKind::Name(column)) if name.text == "at" => places = Some(column.text.clone()),
+                (Some(name), _) if name.text == "interpolation" => is_smooth = self.interpolation(&argument.value),
+                (Some(name), _) => {
+                    let message = suggest::unknown("argument of `file`", &name.text, ["at", "interpolation"]);
+                    self.errors.at(name.span, message);
+                    return None;
+                }
+                (None, _) => {
+                    let usage = "file(\"blade.csv\", at = span, interpolation = monotone)";
+                    self.errors.at(argument.value.area, say::usage("file", usage));
+                    return None;
+                }
+            }
+        }
+        let text = match std::fs::read_to_string(self.tree.folder.join(path)) {
+            Ok(text) => text,
+            Err(error) => {
+                self.errors.at(area, say::unreadable_file(path, &error.to_string()));
+                return None;
+            }
+        };
+        let mut lines = text.lines().enumerate().filter(|(_, line)| {
+            let line = line.trim();
+            !line.is_empty() && !line.starts_with('#')
+        });
+        let Some((_, header)) = lines.next() else {
+            self.errors.at(area, say::empty_file(path));
+            return None;
+        };
+        let mut columns = Vec::new();
+        let mut factors = Vec::new();
+        for cell in header.trim_start_matches('\u{feff}').split(',') {
+            let (column, compound) = self.header(cell.trim(), path, area)?;
+            columns.push(column);
+            factors.push(compound);
+        }
+        let mut numbers = Vec::new();
+        for (number, line) in lines {
+            let cells: Vec<&str> = line.split(',').map(str::trim).collect();
+            numbers.push(number + 1);
+            if cells.len() != columns.len() {
+                let message = say::cells_of_line(path, number + 1, cells.len(), columns.len());
+                self.errors.at(area, message);
+                return None;
+            }
+            for ((cell, column), compound) in cells.into_iter().zip(&mut columns).zip(&factors) {
+                let (sign, digits) = match cell.strip_prefix('-') {
+                    Some(rest) => (-1.0, rest),
+                    None => (1.0, cell.strip_prefix('+').unwrap_or(cell)),
+                };
+                let value = units::scale(&digits.to_lowercase().replace("e+", "e"), *compound).ok();
+                let Some(value) = value.filter(|value| value.is_finite()) else {
+                    self.errors
+                        .at(area, say::cell_of_line(path, number + 1, &column.name, cell));
+                    return None;
+                };
+                column.values.push(sign * value);
+            }
+        }
+        let row = |row: usize| format!("line {} of `{path}`", numbers[row]);
+        if let Some(places) = places {
+            // Under its own name, and as the places.
+            let Some(column) = columns.iter().find(|column| column.name == places) else {
+                let known: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
+                self.errors.at(area, suggest::unknown("column", &places, known));
+                return None;
+            };
+            let name = if column.dimension == PLACES[0].1 {
+                PLACES[0].0
+            } else {
+                PLACES[1].0
+            };
+            let column = Column {
+                name: name.to_string(),
+                ..column.clone()
+            };
+            columns.retain(|column| column.name != name);
+            columns.push(column);
+        }
+        self.add_table(item, columns, is_smooth?, Some((path, area)), &row)
+    }
+
+    /// `name[unit]`, or `name` of a plain number; `[-]` is one, too.
+    fn header(&mut self, cell: &str, path: &str, area: Area) -> Option<(Column, Compound)> {
+        let (name, unit) = match cell.split_once('[') {
+            Some((name, rest)) => (name.trim(), rest.trim_end_matches(']').trim()),
+            None => (cell, ""),
+        };
+        let compound = if ["", "-", "1"].contains(&unit) {
+            Some(Compound::ONE)
+        } else {
+            // `in` is a word of Rust, and the usual sign of the inch.
+            let words: Vec<&str> = unit.split_inclusive(|c: char| !c.is_alphanumeric()).collect();
+            let spelled = |word: &str| {
+                let symbol = word.trim_end_matches(|c: char| !c.is_alphanumeric());
+                if symbol == "in" {
+                    word.replacen("in", "inch", 1)
+                } else {
+                    word.to_string()
+                }
+            };
+            let text: String = words.into_iter().map(spelled).collect();
+            let tokens: Option<TokenStream> = text.parse().ok();
+            let parsed = tokens.and_then(|tokens| {
+                let mut cursor = Cursor::new(tokens, proc_macro2::Span::call_site());
+                unit::compound(&mut cursor).ok().filter(|_| cursor.is_empty())
+            });
+            parsed.and_then(|parsed| {
+                let factors = parsed
+                    .factors
+                    .iter()
+                    .map(|(name, exponent)| Some((units::find(&name.text)?, *exponent)));
+                let factors: Option<Vec<_>> = factors.collect();
+                factors?
+                    .into_iter()
+                    .try_fold(Compound::ONE, |all, (unit, exponent)| all.times(unit, exponent))
+            })
+        };
+        let Some(compound) = compound else {
+            self.errors.at(area, say::unit_of_column(path, name, unit));
+            return None;
+        };
+        let column = Column {
+            name: name.to_string(),
+            dimension: compound.dimension,
+            values: Vec::new(),
+        };
+        Some((column, compound))
+    }
+
+    /// Finds the places, and checks their order.
+    fn add_table(
+        &mut self,
+        item: &Item,
+        columns: Vec<Column>,
+        is_smooth: bool,
+        file: Option<(&str, Area)>,
+        row: &dyn Fn(usize) -> String,
+    ) -> Option<TableId> {
+        let area = file.map_or(item.name.span.into(), |(_, area)| area);
+        let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
+        if let Some(twice) = (1..names.len()).find(|&at| names[..at].contains(&names[at])) {
+            self.errors.at(area, say::column_twice(names[twice]));
+            return None;
+        }
+        let find = |name: &str| columns.iter().find(|column| column.name == name);
+        let coordinates = COORDINATES.map(|name| find(name).filter(|column| column.dimension == PLACES[0].1));
+        let (places, is_relative, is_points) = if let [Some(x), Some(y), Some(z)] = coordinates {
+            (chords([&x.values, &y.values, &z.values]), true, true)
+        } else {
+            let found = PLACES.iter().enumerate().find_map(|(at, (name, dimension))| {
+                Some((at, find(name).filter(|column| column.dimension == *dimension)?))
+            });
+            let Some((at, column)) = found else {
+                self.errors.at(area, say::table_without_places(&item.name.text));
+                return None;
+            };
+            (column.values.clone(), at == 1, false)
+        };
+        if places.len() < 2 {
+            self.errors.at(area, say::table_of_one_row(&item.name.text));
+            return None;
+        }
+        for at in 1..places.len() {
+            let is_step = places[at] == places[at - 1] && !is_points && (at < 2 || places[at] > places[at - 2]);
+            if !(places[at] > places[at - 1] || is_step) {
+                let message = say::rows_do_not_ascend(&row(at), places[at], places[at - 1]);
+                self.errors.at(area, message);
+                return None;
+            }
+        }
+        if places[0] == places[1] || places[places.len() - 1] == places[places.len() - 2] {
+            self.errors.at(area, say::STEP_AT_END);
+            return None;
+        }
+        let id = TableId(self.model.tables.len());
+        self.model.tables.push(Table {
+            name: item.name.text.clone(),
+            file: file.map(|(path, _)| path.to_string()),
+            places,
+            is_relative,
+            is_smooth,
+            columns,
+        });
+        Some(id)
+    }
+
+    /// The table with this name; `None`: reported.
+    pub(super) fn table(&mut self, name: &Name) -> Option<TableId> {
+        let item = self.item(name, Keyword::Table)?;
+        self.tables.get(item.name.text.as_str()).copied().flatten()
+    }
+
+    /// `table.column` where the place along an axis is known; `None`: something else.
+    pub(super) fn column(&mut self, expr: &Expr) -> Option<Option<Typed>> {
+        let ExprKind::Member { base, field, arguments } = &expr.kind else {
+            return None;
+        };
+        let ExprKind::Name(name) = &base.kind else {
+            return None;
+        };
+        let Some(item) = self.names.get(name.text.as_str()) else {
+            let tables = self.known(&[Keyword::Table]);
+            if !self.is_along || tables.is_empty() || !self.is_news(&name.text) {
+                return None;
+            }
+            self.errors.at(name.span, suggest::unknown("table", &name.text, tables));
+            return Some(None);
+        };
+        if item.keyword != Keyword::Table {
+            return None;
+        }
+        let Some(id) = self.tables.get(name.text.as_str()).copied().flatten() else {
+            return Some(None);
+        };
+        let table = &self.model.tables[id.0];
+        let Some(column) = table.columns.iter().position(|column| column.name == field.text) else {
+            let known: Vec<String> = table.columns.iter().map(|column| column.name.clone()).collect();
+            let message = suggest::unknown(
+                &format!("column of `{}`", name.text),
+                &field.text,
+                known.iter().map(String::as_str),
+            );
+            self.errors.at(field.span, message);
+            return Some(None);
+        };
+        if arguments.is_some() || !self.is_along {
+            self.errors.at(expr.area, say::COLUMN_ELSEWHERE);
+            return Some(None);
+        }
+        Some(Some(self.column_at(id, column)))
+    }
+
+    /// A column as a value along the axis.
+    pub(super) fn column_at(&self, table: TableId, column: usize) -> Typed {
+        let dimension = self.model.tables[table.0].columns[column].dimension;
+        let mut typed = Typed::new(Value::Table { table, column }, Dimension::of(dimension));
+        typed.nature.angle = dimension[5] != 0;
+        typed
+    }
+
+    /// Resolves what may depend on the place along an axis: `x`, unless something declared has this name, and columns of
+    /// tables.
+    pub(super) fn along_axis<T>(&mut self, resolve: impl FnOnce(&mut Self) -> T) -> T {
+        let is_free = !self.names.contains_key("x");
+        if is_free {
+            let length = Dimension::of(PLACES[0].1);
+            self.locals.insert("x", Typed::new(Value::Arclength, length));
+        }
+        self.is_along = true;
+        let result = resolve(self);
+        self.is_along = false;
+        if is_free {
+            self.locals.remove("x");
+        }
+        result
+    }
+}
+
+/// Sums of the chords between points, as parts of the whole.
+fn chords([x, y, z]: [&[f64]; 3]) -> Vec<f64> {
+    let mut places = vec![0.0];
+    for at in 1..x.len() {
+        let chord = (x[at] - x[at - 1]).hypot(y[at] - y[at - 1]).hypot(z[at] - z[at - 1]);
+        places.push(places[at - 1] + chord);
+    }
+    let whole = places[places.len() - 1];
+    let last = places.len() - 1;
+    for place in &mut places {
+        *place /= whole;
+    }
+    places[last] = 1.0;
+    places
+}

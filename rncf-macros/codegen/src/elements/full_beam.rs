@@ -1,0 +1,144 @@
+//! Ten-vector beam whose section has a full matrix of stiffness: strains of a geometrically exact rod, written as inner products
+//! of r_x, r_y, r_z and their derivatives (docs/theory.md, 5.2.2).
+
+use super::beam::{AXIS_POINTS, GRADIENT_POINTS, VECTORS, field};
+use super::{Coefficient, Density, Element, Interpolant, Invariants, Term, axial_strain};
+use crate::model::Function;
+use crate::symbolic::{Graph, Id};
+
+/// The element behind the word `beam` where the section says its stiffness itself.
+pub const FULL_BEAM: Element = Element {
+    names: &["beam"],
+    kernel: "full_beam",
+    doc: "Beam with a full matrix of stiffness: axial strain, shear, torsion, bending, all coupled",
+    of_stiffness: true,
+    vectors: VECTORS,
+    fields: &[
+        field("a", Interpolant::Position, 1),
+        field("b", Interpolant::SectionY, 0),
+        field("c", Interpolant::SectionZ, 0),
+        field("db", Interpolant::SectionY, 1),
+        field("dc", Interpolant::SectionZ, 1),
+    ],
+    coefficients: &[
+        pivot("D1", "N m^2"),
+        pivot("D2", "N m^2"),
+        pivot("D3", "N m^2"),
+        pivot("D4", "N"),
+        pivot("D5", "N"),
+        pivot("D6", "N"),
+        pivot("L21", "1"),
+        pivot("L31", "1"),
+        pivot("L32", "1"),
+        pivot("L41", "1/m"),
+        pivot("L42", "1/m"),
+        pivot("L43", "1/m"),
+        pivot("L51", "1/m"),
+        pivot("L52", "1/m"),
+        pivot("L53", "1/m"),
+        pivot("L54", "1"),
+        pivot("L61", "1/m"),
+        pivot("L62", "1/m"),
+        pivot("L63", "1/m"),
+        pivot("L64", "1"),
+        pivot("L65", "1"),
+        pivot("held", "N"),
+        pivot("half_held", "N"),
+        pivot("smooth", "N m^2"),
+        pivot("half_smooth", "N m^2"),
+    ],
+    inertia: &[],
+    damping: "damping",
+    options: &[],
+    energy: |graph, fields, _| energy(graph, fields),
+    default_points: AXIS_POINTS,
+    least_points: AXIS_POINTS,
+    curved_in_space: None,
+    own_rule: true,
+};
+
+const fn pivot(name: &'static str, unit: &'static str) -> Coefficient {
+    Coefficient {
+        name,
+        unit,
+        factors: &[],
+    }
+}
+
+/// With the strains of the rod `g1 = n . r_x - 1, g2 = r_y . r_x, g3 = r_z . r_x`, the curvatures `k1 = r_z . r_y', k2 = n . r_z',
+/// k3 = -n . r_y'`, n normal to r_y and r_z, and the factorization `L D L^T` of the stiffness in the order k1, k2, k3, g1, g2, g3:
+/// `W = 1/2 sum_i D_i (e_i + sum_(j > i) L_ji e_j)^2`. The first three terms are integrated with the points of the
+/// gradients, the others with those of the axis, so that each part is positive by itself. What the section does in its own
+/// plane has no stiffness of its own in a rod: it is held by further terms, which the strains above do not excite.
+fn energy(graph: &mut Graph, fields: &Invariants) -> Vec<Term> {
+    let (a, b, c, db, dc) = (0, 1, 2, 3, 4);
+    let dots = &fields.dots;
+    let [half, one] = [graph.number(0.5), graph.one()];
+    let widening = [b, c].map(|axis| axial_strain(graph, dots[axis][axis], false));
+    // Of unit vectors r_y and r_z: r_x = (1 + g1) n + g2 r_y + g3 r_z.
+    let [y, z] = [dots[a][b], dots[a][c]];
+    let squares = [y, z].map(|shear| graph.power(shear, 2));
+    let across = graph.add(squares[0], squares[1]);
+    let square = graph.subtract(dots[a][a], across);
+    let stretch = graph.call(Function::Sqrt, square);
+    let axial = graph.subtract(stretch, one);
+    let difference = graph.subtract(dots[db][c], dots[dc][b]);
+    let turn = graph.multiply(half, difference);
+    let narrower = widening.map(|strain| graph.subtract(one, strain));
+    let torsion = {
+        let both = graph.multiply(narrower[0], narrower[1]);
+        graph.multiply(turn, both)
+    };
+    let mut bending = |along: Id, shear: Id, adds: bool, narrower: Id| {
+        let turned = graph.multiply(shear, turn);
+        let whole = if adds {
+            graph.add(along, turned)
+        } else {
+            graph.subtract(along, turned)
+        };
+        let per_stretch = graph.divide(whole, stretch);
+        graph.multiply(per_stretch, narrower)
+    };
+    let about_y = bending(dots[a][dc], y, true, narrower[1]);
+    let about_z = bending(dots[a][db], z, false, narrower[0]);
+    let about_z = graph.negate(about_z);
+    let strains = [torsion, about_y, about_z, axial, y, z];
+    let names = [
+        ("torsion", "D1"),
+        ("bending about y", "D2"),
+        ("bending about z", "D3"),
+        ("axial strain", "D4"),
+        ("shear along y", "D5"),
+        ("shear along z", "D6"),
+    ];
+    let mut terms = Vec::new();
+    for (i, (name, coefficient)) in names.into_iter().enumerate() {
+        let mut measure = strains[i];
+        for (j, &strain) in strains.iter().enumerate().skip(i + 1) {
+            let factor = graph.input(format!("L{}{}", j + 1, i + 1));
+            let part = graph.multiply(factor, strain);
+            measure = graph.add(measure, part);
+        }
+        let points = if i < 3 { GRADIENT_POINTS } else { AXIS_POINTS };
+        terms.push(term(name, coefficient, measure, points));
+    }
+    for (name, strain) in ["strain along y", "strain along z"].into_iter().zip(widening) {
+        terms.push(term(name, "held", strain, AXIS_POINTS));
+    }
+    terms.push(term("shear of the section", "half_held", dots[b][c], AXIS_POINTS));
+    terms.push(term("gradient along y", "smooth", dots[b][db], GRADIENT_POINTS));
+    terms.push(term("gradient along z", "smooth", dots[c][dc], GRADIENT_POINTS));
+    let distortion = graph.add(dots[db][c], dots[dc][b]);
+    let name = "gradient of the section's shear";
+    terms.push(term(name, "half_smooth", distortion, GRADIENT_POINTS));
+    terms
+}
+
+fn term(name: &'static str, coefficient: &'static str, measure: Id, points: usize) -> Term {
+    Term {
+        name,
+        coefficient,
+        density: Density::Measure(measure),
+        points: Some(points),
+    }
+}

@@ -1,0 +1,251 @@
+//! Bodies whose properties vary along the axis: tables, coefficients at points, masses element by element.
+
+use std::fmt::Write;
+
+use super::number::number;
+use super::parts::Parts;
+use super::section::coefficient;
+use crate::check::fold;
+use crate::lower::camel_case;
+use crate::lower::elastic::coefficient_places;
+use crate::model::{Body, Law, Model, Stations};
+use crate::vocabulary::{CENTRES, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES};
+
+/// Statics with the tables of a model.
+pub fn tables(model: &Model) -> String {
+    let list = |values: &[f64]| values.iter().map(|&value| number(value)).collect::<Vec<_>>().join(", ");
+    let mut text = String::new();
+    for table in &model.tables {
+        let columns: Vec<String> = table
+            .columns
+            .iter()
+            .map(|column| format!("&[{}]", list(&column.values)))
+            .collect();
+        let names: Vec<&str> = table.columns.iter().map(|column| column.name.as_str()).collect();
+        let _ = writeln!(
+            text,
+            "/// Table `{}`: {}.\npub static {}: ::rncf::mesh::Table = ::rncf::mesh::Table {{ name: {:?}, places: &[{}], is_relative: {}, is_smooth: {}, columns: &[{}] }};",
+            table.name,
+            names.join(", "),
+            table.constant(),
+            table.name,
+            list(&table.places),
+            table.is_relative,
+            table.is_smooth,
+            columns.join(", ")
+        );
+    }
+    text
+}
+
+impl Parts<'_> {
+    /// Fractions of the axis at the nodes.
+    pub(super) fn stations(&self, body: &Body) -> String {
+        match &body.stations {
+            None => "::std::vec::Vec::new()".to_string(),
+            Some(Stations { table, each }) => format!(
+                "{}.stations({}.length(), {} as usize)",
+                self.model.tables[table.0].constant(),
+                self.line(body),
+                self.expr(each)
+            ),
+        }
+    }
+
+    /// Twist of the section along the axis.
+    pub(super) fn twist(&self, body: &Body) -> String {
+        let twist = self.expr(&body.twist);
+        if !fold::has_arclength(&body.twist) {
+            return format!("::rncf::mesh::Twist::even({twist})");
+        }
+        format!(
+            "{{ let (model, length) = (model.clone(), {}.length()); ::rncf::mesh::Twist::along(move |u| {{ let x = u * length; {twist} }}) }}",
+            self.line(body)
+        )
+    }
+
+    /// Functions that give coefficients and masses per length of a section at an arclength.
+    pub(super) fn along(&self) -> String {
+        let mut text = String::new();
+        for (index, body) in self.model.bodies.iter().enumerate().filter(|(_, body)| body.varies()) {
+            let variant = &self.variant(index).variant;
+            let coefficients = variant.varying_coefficients(self.library);
+            let (statements, values) = match &body.law {
+                Some(law) => (self.law(body, law), "(law.coefficients(), law.masses())".to_string()),
+                None => {
+                    let element = variant.declaration(self.library);
+                    let values: Vec<String> = coefficients.iter().map(|one| coefficient(body, one)).collect();
+                    let mass = |name: &str| {
+                        let found = element
+                            .inertia_in(variant.dimension)
+                            .find(|one| format!("{:?}", one.of) == name);
+                        let found = found
+                            .and_then(|one| element.coefficients.iter().find(|other| other.name == one.coefficient));
+                        found.map_or("0.0".to_string(), |one| coefficient(body, one))
+                    };
+                    let masses = [
+                        mass("Position"),
+                        "0.0".into(),
+                        "0.0".into(),
+                        mass("SectionY"),
+                        mass("SectionZ"),
+                        "0.0".into(),
+                    ];
+                    (
+                        self.properties(body) + &self.section_check(body),
+                        format!("([{}], [{}])", values.join(", "), masses.join(", ")),
+                    )
+                }
+            };
+            let _ = writeln!(
+                text,
+                "/// Coefficients of body `{0}` at the arclength x (m) of its axis, and its masses per length that move with r r, r r_y, r r_z, r_y r_y, r_z r_z, r_y r_z.\n\
+                 pub fn along_{0}(model: &{1}, x: f64, length: f64, index: f64) -> ::std::result::Result<([f64; {2}], [f64; 6]), ::rncf::ModelError> {{\n\
+                 {statements}Ok({values})\n}}",
+                body.name,
+                self.model.name,
+                coefficients.len()
+            );
+        }
+        text
+    }
+
+    fn law(&self, body: &Body, law: &Law) -> String {
+        let values = |names: &[&'static str]| {
+            let value = |name: &&'static str| law.fields.get(name).map_or("0.0".to_string(), |value| self.expr(value));
+            names.iter().map(value).collect::<Vec<_>>().join(", ")
+        };
+        let stiffness = if law.is_matrix {
+            format!("Stiffness::Matrix([{}])", values(STIFFNESS_ENTRIES))
+        } else {
+            format!("Stiffness::Centres([{}])", values(CENTRES))
+        };
+        let mass = if law.has_mass_matrix {
+            format!("Mass::Matrix([{}])", values(MASS_ENTRIES))
+        } else {
+            format!("Mass::Centre([{}])", values(MASSES))
+        };
+        format!(
+            "let law = ::rncf::mesh::SectionLaw::new({:?}, ::rncf::mesh::{stiffness}, ::rncf::mesh::{mass})?;\n",
+            body.section_name
+        )
+    }
+
+    /// The tables that a body reads.
+    fn tables_of(&self, body: &Body) -> Vec<usize> {
+        let values = body
+            .properties
+            .values()
+            .chain(body.law.iter().flat_map(|law| law.fields.values()));
+        let mut tables: Vec<usize> = values
+            .chain([&body.twist])
+            .flat_map(fold::tables)
+            .map(|table| table.0)
+            .collect();
+        tables.extend(body.stations.iter().map(|stations| stations.table.0));
+        tables.sort_unstable();
+        tables.dedup();
+        tables
+    }
+
+    /// Constants of a body whose elements differ.
+    pub(super) fn prepare_varying(&self, index: usize, body: &Body) -> String {
+        let kernels = self.variant(index);
+        let variant = &kernels.variant;
+        let (row, size) = (camel_case(&kernels.name), variant.size(self.library));
+        let coefficients = variant.varying_coefficients(self.library).len();
+        let places = coefficient_places(variant, self.library);
+        let mut text = "let length = nodes[nodes.len() - 1];\n".to_string();
+        for table in self.tables_of(body) {
+            let _ = writeln!(
+                text,
+                "{}.check({:?}, length)?;",
+                self.model.tables[table].constant(),
+                body.name
+            );
+        }
+        let number_of = if body.repeat.is_some() {
+            "instance as f64"
+        } else {
+            "0.0"
+        };
+        let _ = writeln!(
+            text,
+            "let at = |x: f64| along_{}(model, x, length, {number_of}).map_err(|error| ::rncf::ModelError::new(format!(\"{{error}}; at x = {{x:.6}} m of body `{}`\")));",
+            body.name, body.name
+        );
+        let damping = if variant.damped {
+            let value = body
+                .properties
+                .get("damping")
+                .or_else(|| body.law.as_ref()?.fields.get("damping"));
+            format!(
+                ", damping: {}",
+                value.map_or("0.0".to_string(), |value| self.expr(value))
+            )
+        } else {
+            String::new()
+        };
+        let reference = match &kernels.elastic.reference {
+            Some(kernel) => format!("{}(&row, ::rncf::mesh::array(shape), &mut reference);\n", kernel.name),
+            None => String::new(),
+        };
+        let shapes = kernels.shapes.iter().filter_map(|(of, orders)| {
+            let kernel = &orders.first()?.name;
+            Some(format!(
+                "::rncf::mesh::Interpolant::{of:?} => {kernel}(row.length, xi, ::rncf::mesh::array_mut(weights)),\n"
+            ))
+        });
+        let shapes: String = shapes.collect();
+        let points: Vec<String> = places
+            .iter()
+            .map(|(place, xi)| format!("({place}, {})", number(*xi)))
+            .collect();
+        let vectors = variant.vectors(self.library).len();
+        let _ = write!(
+            text,
+            "let (mut rows, mut references, mut masses) = (::std::vec::Vec::new(), ::std::vec::Vec::new(), ::std::vec::Vec::new());\n\
+             for (nodes, shape) in nodes.windows(2).zip(shape.chunks_exact({size})) {{\n\
+             let row = {row} {{ length: nodes[1] - nodes[0]{damping} }};\n\
+             let mut reference = [0.0; {kept}];\n\
+             for (place, xi) in [{points}] {{\n\
+             let (coefficients, _) = at(nodes[0] + xi * row.length)?;\n\
+             reference[place..place + {coefficients}].copy_from_slice(&coefficients);\n}}\n\
+             {reference}\
+             masses.push(::rncf::mesh::mass_along({vectors}, row.length, |xi| Ok(at(nodes[0] + xi * row.length)?.1), |of, xi, weights| match of {{\n{shapes}\
+             #[allow(unreachable_patterns)]\n_ => {{}}\n}})?);\n\
+             rows.push(row);\nreferences.push(reference);\n}}\n",
+            kept = kernels.elastic.kept,
+            points = points.join(", "),
+        );
+        for (what, list) in [("row", "rows"), ("reference", "references"), ("mass", "masses")] {
+            text += &self.keep(body, what, list);
+        }
+        text
+    }
+
+    /// Which bodies have elements that differ.
+    pub(super) fn varies(&self) -> String {
+        if !self.model.bodies.iter().any(Body::varies) {
+            return String::new();
+        }
+        let kind = self.kind();
+        let arms = self.by_body(|_, body| format!("{}", body.varies()));
+        format!("fn varies(&self, body: usize) -> bool {{\n{kind}{arms}}}\n")
+    }
+
+    /// Forces on the fields of a body whose coefficients vary.
+    pub(super) fn field_forces_varying(&self, body: &Body, kernel: &str, rates: &str) -> String {
+        let (rows, index) = match body.repeat {
+            Some(_) => (format!("self.row_{}[instance]", body.name), "instance as f64"),
+            None => (format!("self.row_{}", body.name), "0.0"),
+        };
+        let array = "::rncf::mesh::array";
+        format!(
+            "let length = {rows}.iter().map(|row| row.length).sum();\n\
+             if let Ok((coefficients, _)) = along_{}(&self.model, x, length, {index}) {{\n\
+             {kernel}(&{rows}[0], &coefficients, {array}(stress_free), {array}(fields), {rates}{array}_mut(forces));\n}}",
+            body.name
+        )
+    }
+}

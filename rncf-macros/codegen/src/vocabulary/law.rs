@@ -1,0 +1,135 @@
+//! Fields of a section that says its stiffness and mass by itself.
+
+use std::sync::LazyLock;
+
+use super::{Property, Range};
+
+/// Stiffness by constants about the centres, in the order of the runtime's `Stiffness::Centres`.
+pub const CENTRES: &[&str] = &[
+    "EA",
+    "GAy",
+    "GAz",
+    "GJ",
+    "EIy",
+    "EIz",
+    "tension_y",
+    "tension_z",
+    "shear_y",
+    "shear_z",
+    "principal",
+];
+
+/// Upper triangle of the matrix of stiffness, row by row: axial, shear along y and z, torsion, bending about y and z.
+pub const STIFFNESS_ENTRIES: &[&str] = &[
+    "K11", "K12", "K13", "K14", "K15", "K16", "K22", "K23", "K24", "K25", "K26", "K33", "K34", "K35", "K36", "K44",
+    "K45", "K46", "K55", "K56", "K66",
+];
+
+/// Mass by constants, in the order of the runtime's `Mass::Centre`.
+pub const MASSES: &[&str] = &["mass", "mass_y", "mass_z", "inertia_y", "inertia_z", "inertia_yz"];
+
+/// Upper triangle of the matrix of mass in the same order.
+pub const MASS_ENTRIES: &[&str] = &[
+    "M11", "M12", "M13", "M14", "M15", "M16", "M22", "M23", "M24", "M25", "M26", "M33", "M34", "M35", "M36", "M44",
+    "M45", "M46", "M55", "M56", "M66",
+];
+
+const FORCE: [i8; 6] = [1, 1, -2, 0, 0, 0];
+const MOMENT: [i8; 6] = [2, 1, -2, 0, 0, 0];
+const BENDING: [i8; 6] = [3, 1, -2, 0, 0, 0];
+const LENGTH: [i8; 6] = [1, 0, 0, 0, 0, 0];
+const MASS: [i8; 6] = [-1, 1, 0, 0, 0, 0];
+const FIRST: [i8; 6] = [0, 1, 0, 0, 0, 0];
+const SECOND: [i8; 6] = [1, 1, 0, 0, 0, 0];
+const ANGLE: [i8; 6] = [0, 0, 0, 0, 0, 1];
+const TIME: [i8; 6] = [0, 0, 1, 0, 0, 0];
+
+/// All of these fields.
+pub static LAW: LazyLock<Vec<Property>> = LazyLock::new(|| {
+    let field = |name, dimension, unit, range, default| Property {
+        name,
+        dimension,
+        unit,
+        range,
+        default,
+    };
+    let mut list: Vec<Property> = Vec::new();
+    for name in CENTRES {
+        let (dimension, unit) = match *name {
+            "EA" | "GAy" | "GAz" => (FORCE, "N"),
+            "GJ" | "EIy" | "EIz" => (BENDING, "N m^2"),
+            "principal" => (ANGLE, "rad"),
+            _ => (LENGTH, "m"),
+        };
+        let is_stiffness = matches!(dimension, FORCE | BENDING);
+        list.push(if is_stiffness {
+            field(name, dimension, unit, Range::Positive, None)
+        } else {
+            field(name, dimension, unit, Range::Any, Some(0.0))
+        });
+    }
+    for (names, dimensions, units) in [
+        (STIFFNESS_ENTRIES, [FORCE, MOMENT, BENDING], ["N", "N m", "N m^2"]),
+        (MASS_ENTRIES, [MASS, FIRST, SECOND], ["kg/m", "kg", "kg m"]),
+    ] {
+        for name in names {
+            let digits = &name.as_bytes()[1..];
+            let turns = digits.iter().filter(|digit| **digit > b'3').count();
+            let is_diagonal = digits[0] == digits[1];
+            let (range, default) = if is_diagonal {
+                (Range::Positive, None)
+            } else {
+                (Range::Any, Some(0.0))
+            };
+            list.push(field(name, dimensions[turns], units[turns], range, default));
+        }
+    }
+    list.push(field("mass", MASS, "kg/m", Range::Positive, None));
+    list.push(field("mass_y", LENGTH, "m", Range::Any, Some(0.0)));
+    list.push(field("mass_z", LENGTH, "m", Range::Any, Some(0.0)));
+    list.push(field("inertia_y", SECOND, "kg m", Range::Positive, None));
+    list.push(field("inertia_z", SECOND, "kg m", Range::Positive, None));
+    list.push(field("inertia_yz", SECOND, "kg m", Range::Any, Some(0.0)));
+    list.push(field("damping", TIME, "s", Range::NonNegative, Some(0.0)));
+    list
+});
+
+/// The place of an entry, counted from 1, of BeamDyn's matrices (shear x, shear y, axial z, bending x, bending y, torsion z)
+/// in the order of this program: its x is BeamDyn's z, its y is x, its z is y.
+pub fn from_beamdyn(name: &str) -> Option<&'static str> {
+    const OWN: [usize; 6] = [2, 3, 1, 5, 6, 4];
+    let all = match name.as_bytes().first()? {
+        b'K' => STIFFNESS_ENTRIES,
+        b'M' => MASS_ENTRIES,
+        _ => return None,
+    };
+    let digit = |at: usize| {
+        let digit = (*name.as_bytes().get(at)?).checked_sub(b'1')?;
+        OWN.get(usize::from(digit)).copied()
+    };
+    let (row, column) = (digit(1)?, digit(2)?);
+    let wanted = format!("{}{}{}", &name[..1], row.min(column), row.max(column));
+    all.iter().copied().find(|entry| *entry == wanted && name.len() == 3)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_of_beamdyn_are_turned_into_the_axes_of_this_program() {
+        // Edgewise bending (about BeamDyn's x) is bending about this program's y; axial with bending about x.
+        for (theirs, own) in [
+            ("K33", "K11"),
+            ("K44", "K55"),
+            ("K55", "K66"),
+            ("K66", "K44"),
+            ("K34", "K15"),
+            ("M16", "M24"),
+        ] {
+            assert_eq!(from_beamdyn(theirs), Some(own));
+        }
+        assert_eq!(from_beamdyn("K71"), None);
+        assert_eq!(from_beamdyn("eta"), None);
+    }
+}
