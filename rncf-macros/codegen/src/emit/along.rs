@@ -100,7 +100,7 @@ impl Parts<'_> {
             let _ = writeln!(
                 text,
                 "/// Coefficients of body `{0}` at the arclength x (m) of its axis, and its masses per length that move with r r, r r_y, r r_z, r_y r_y, r_z r_z, r_y r_z.\n\
-                 pub fn along_{0}(model: &{1}, x: f64, length: f64, index: f64) -> ::std::result::Result<([f64; {2}], [f64; 6]), ::rncf::ModelError> {{\n\
+                 pub fn along_{0}(model: &{1}, x: f64, length: f64) -> ::std::result::Result<([f64; {2}], [f64; 6]), ::rncf::ModelError> {{\n\
                  {statements}Ok({values})\n}}",
                 body.name,
                 self.model.name,
@@ -164,14 +164,9 @@ impl Parts<'_> {
                 body.name
             );
         }
-        let number_of = if body.repeat.is_some() {
-            "instance as f64"
-        } else {
-            "0.0"
-        };
         let _ = writeln!(
             text,
-            "let at = |x: f64| along_{}(model, x, length, {number_of}).map_err(|error| ::rncf::ModelError::new(format!(\"{{error}}; at x = {{x:.6}} m of body `{}`\")));",
+            "let at = |x: f64| along_{}(model, x, length).map_err(|error| ::rncf::ModelError::new(format!(\"{{error}}; at x = {{x:.6}} m of body `{}`\")));",
             body.name, body.name
         );
         let damping = if variant.damped {
@@ -236,14 +231,12 @@ impl Parts<'_> {
 
     /// Forces on the fields of a body whose coefficients vary.
     pub(super) fn field_forces_varying(&self, body: &Body, kernel: &str, rates: &str) -> String {
-        let (rows, index) = match body.repeat {
-            Some(_) => (format!("self.row_{}[instance]", body.name), "instance as f64"),
-            None => (format!("self.row_{}", body.name), "0.0"),
-        };
+        let instance = if body.repeat.is_some() { "[instance]" } else { "" };
+        let rows = format!("self.row_{}{instance}", body.name);
         let array = "::rncf::mesh::array";
         format!(
             "let length = {rows}.iter().map(|row| row.length).sum();\n\
-             if let Ok((coefficients, _)) = along_{}(&self.model, x, length, {index}) {{\n\
+             if let Ok((coefficients, _)) = along_{}(&self.model, x, length) {{\n\
              {kernel}(&{rows}[0], &coefficients, {array}(stress_free), {array}(fields), {rates}{array}_mut(forces));\n}}",
             body.name
         )
