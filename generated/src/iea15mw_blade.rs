@@ -51,7 +51,7 @@ impl ::rncf::Model for Iea15mwBlade {
     const NOTES: &'static [&'static str] = &[
         "Body `blade` uses `full_beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1872 and 15955).",
         "Body `blade` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
-        "Body `blade`: its material has no damping: no rates of strain and no damping matrix.",
+        "Body `blade`: its section has no damping: no rates of strain and no damping matrix.",
         "Body `blade` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
         "Joint `hub`: its conditions are linear in the nodal vectors of `blade` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
         "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
@@ -164,7 +164,7 @@ pub mod iea15mw_blade_equations {
     ///
     /// * Body `blade` uses `full_beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1872 and 15955).
     /// * Body `blade` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
-    /// * Body `blade`: its material has no damping: no rates of strain and no damping matrix.
+    /// * Body `blade`: its section has no damping: no rates of strain and no damping matrix.
     /// * Body `blade` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
     /// * Joint `hub`: its conditions are linear in the nodal vectors of `blade` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
     /// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
@@ -3756,7 +3756,6 @@ pub mod iea15mw_blade_equations {
         model: &Iea15mwBlade,
         x: f64,
         length: f64,
-        index: f64,
     ) -> ::std::result::Result<([f64; 25], [f64; 6]), ::rncf::ModelError> {
         let law = ::rncf::mesh::SectionLaw::new(
             "layup",
@@ -4155,6 +4154,7 @@ pub mod iea15mw_blade_equations {
                     },
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
+                    normals: ::std::vec::Vec::new(),
                 },
             ])
         }
@@ -4169,7 +4169,7 @@ pub mod iea15mw_blade_equations {
             TABLE_SECTIONS.check("blade", length)?;
             TABLE_POINTS.check("blade", length)?;
             let at = |x: f64| {
-                along_blade(model, x, length, 0.0)
+                along_blade(model, x, length)
                     .map_err(|error| ::rncf::ModelError::new(
                         format!("{error}; at x = {x:.6} m of body `blade`"),
                     ))
@@ -4376,7 +4376,7 @@ pub mod iea15mw_blade_equations {
             forces: &mut [f64],
         ) {
             let length = self.row_blade.iter().map(|row| row.length).sum();
-            if let Ok((coefficients, _)) = along_blade(&self.model, x, length, 0.0) {
+            if let Ok((coefficients, _)) = along_blade(&self.model, x, length) {
                 full_beam_spatial_curved_field_forces(
                     &self.row_blade[0],
                     &coefficients,

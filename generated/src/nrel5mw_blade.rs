@@ -6430,7 +6430,6 @@ pub mod nrel5mw_blade_equations {
         model: &Nrel5mwBlade,
         x: f64,
         length: f64,
-        index: f64,
     ) -> ::std::result::Result<([f64; 25], [f64; 6]), ::rncf::ModelError> {
         let law = ::rncf::mesh::SectionLaw::new(
             "layup",
@@ -6617,6 +6616,7 @@ pub mod nrel5mw_blade_equations {
                     },
                     fidelity: ::rncf::mesh::Fidelity::Full,
                     tie: ::rncf::mesh::FrameTie::Joints,
+                    normals: ::std::vec::Vec::new(),
                 },
             ])
         }
@@ -6631,7 +6631,7 @@ pub mod nrel5mw_blade_equations {
             TABLE_SECTIONS.check("blade", length)?;
             TABLE_POINTS.check("blade", length)?;
             let at = |x: f64| {
-                along_blade(model, x, length, 0.0)
+                along_blade(model, x, length)
                     .map_err(|error| ::rncf::ModelError::new(
                         format!("{error}; at x = {x:.6} m of body `blade`"),
                     ))
@@ -6842,7 +6842,7 @@ pub mod nrel5mw_blade_equations {
             forces: &mut [f64],
         ) {
             let length = self.row_blade.iter().map(|row| row.length).sum();
-            if let Ok((coefficients, _)) = along_blade(&self.model, x, length, 0.0) {
+            if let Ok((coefficients, _)) = along_blade(&self.model, x, length) {
                 full_beam_spatial_curved_damped_field_forces(
                     &self.row_blade[0],
                     &coefficients,

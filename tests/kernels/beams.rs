@@ -181,6 +181,7 @@ fn variant(dimension: usize, coupling: usize, damped: bool, curved: bool) -> Var
         evaluation: Evaluation::Automatic,
         damped,
         curved,
+        varying: false,
         material: None,
     }
 }

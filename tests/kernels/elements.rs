@@ -18,6 +18,7 @@ const PER_DEFORMED_LENGTH: Element = Element {
         thin_beam(graph, fields, 3.0, (strain, Axial::Linear))
     },
     options: &[],
+    kernel: "rope",
     ..CABLE
 };
 
@@ -34,6 +35,7 @@ fn another_exponent_is_one_line() {
             evaluation: Evaluation::Automatic,
             damped: false,
             curved: false,
+            varying: false,
             material: None,
         };
         let kernels = elastic_kernels(&variant, &library);

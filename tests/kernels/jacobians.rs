@@ -120,6 +120,7 @@ fn variant(dimension: usize, exact: usize, quadrature: Quadrature, damped: bool,
         evaluation,
         damped,
         curved,
+        varying: false,
         material: None,
     }
 }

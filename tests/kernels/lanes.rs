@@ -50,7 +50,9 @@ fn assert_same_bits(what: &str, four: &[[f64; LANES]], lane: usize, one: &[f64])
 fn compare(what: &str, mut parts: impl Parts, size: usize, damped: bool) {
     let mut random = Random(5);
     let undeformed: Vec<f64> = (0..3).flat_map(|_| shape(size, &mut random)).collect();
-    parts.prepare(0, LENGTH, &undeformed).unwrap();
+    parts
+        .prepare(0, &[0.0, LENGTH, 2.0 * LENGTH, 3.0 * LENGTH], &undeformed)
+        .unwrap();
     let elements = [(0, 2), (0, 0), (0, 1), (0, 2)];
     for _ in 0..20 {
         let q: Vec<Vec<f64>> = elements.iter().map(|_| shape(size, &mut random)).collect();

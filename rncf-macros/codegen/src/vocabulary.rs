@@ -2,7 +2,7 @@
 
 mod law;
 
-pub use law::{CENTRES, LAW, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES, from_beamdyn};
+pub use law::{CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES, from_beamdyn};
 
 /// Which values of a property make sense.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

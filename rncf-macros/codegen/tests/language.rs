@@ -27,13 +27,14 @@ const WORDS: &[&str] = &[
     "clamp", "clamp_full", "pin", "at", "start", "end", "gravity", "force", "moment", "density",
     "position", "velocity", "slope", "acceleration", "angular_velocity", "center", "ex", "ey", "ez", "slide", "multiplier",
     "weld", "spherical", "revolute", "universal", "cylindrical", "prismatic", "distance", "hold", "drive", "cross", "length",
+    "curve", "through", "file", "columns", "beamdyn", "eta", "interpolation", "monotone",
     "linear", "law", "torsional", "torsional_law", "stiffness", "rate", "follower", "dot", "norm",
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "min", "max",
     "atan2", "for", "share", "merge", "sum", "mean", "spinning", "slack", "true", "false",
 ];
 
 /// Items that end with their braces; all others, and sections with a `=`, end with a semicolon.
-const BRACED: &[&str] = &["material", "section", "body", "rigid", "fixture", "run", "for"];
+const BRACED: &[&str] = &["material", "table", "section", "body", "rigid", "fixture", "run", "for"];
 
 fn document(path: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);

@@ -106,6 +106,24 @@ impl SectionLaw {
         out
     }
 
+    /// The same, followed by the square roots of the dampings (s) of the strains (in the order of the matrix: axial, shear along y
+    /// and z, torsion, bending about y and z) and the factors times them, in the order of the factors.
+    pub fn viscous_coefficients(&self, damping: [f64; 6]) -> [f64; 46] {
+        const ORDER: [usize; 6] = [3, 4, 5, 0, 1, 2];
+        let roots = ORDER.map(|strain| damping[strain].sqrt());
+        let mut out = [0.0; 46];
+        out[..25].copy_from_slice(&self.coefficients());
+        out[25..31].copy_from_slice(&roots);
+        let mut place = 6;
+        for row in 1..6 {
+            for _ in 0..row {
+                out[25 + place] = roots[row] * out[place];
+                place += 1;
+            }
+        }
+        out
+    }
+
     /// The matrix of stiffness about the axis.
     pub fn stiffness(&self) -> &Matrix6 {
         &self.stiffness
@@ -301,7 +319,7 @@ mod tests {
         }
         let text = refused(Stiffness::Matrix(upper), BAR);
         assert!(
-            text.contains("row 4 (torsion)") && text.contains("eigenvalue"),
+            text.contains("bending about y") && text.contains("eigenvalue"),
             "{text}"
         );
         upper[16] = 10.0;

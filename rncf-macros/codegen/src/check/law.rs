@@ -9,7 +9,7 @@ use crate::errors::Area;
 use crate::model::{Expr as Value, Law};
 use crate::parse::tree::{Call, ExprKind};
 use crate::suggest;
-use crate::vocabulary::{CENTRES, LAW, MASS_ENTRIES, MASSES, Property, STIFFNESS_ENTRIES, from_beamdyn};
+use crate::vocabulary::{CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, Property, STIFFNESS_ENTRIES, from_beamdyn};
 
 /// Words before parentheses that make a section of a table.
 pub const OF_TABLE: [&str; 2] = ["columns", "beamdyn"];
@@ -98,7 +98,7 @@ impl<'a> Check<'a> {
         let has = |list: &[&str]| list.iter().any(|field| values.contains_key(field));
         let mut fields: BTreeMap<&'static str, Value> = BTreeMap::new();
         for (field, (value, area)) in &values {
-            if *field == "damping" && fold::has_arclength(value) {
+            if field.starts_with("damping") && fold::has_arclength(value) {
                 self.errors.at(*area, say::DAMPING_ALONG);
                 return None;
             }
@@ -118,6 +118,12 @@ impl<'a> Check<'a> {
                 return None;
             }
         }
+        if let Some(own) = DAMPINGS.iter().find(|own| values.contains_key(**own))
+            && let Some((_, area)) = values.get("damping")
+        {
+            self.errors.at(*area, say::two_dampings(own));
+            return None;
+        }
         let needed = [
             if is_matrix { STIFFNESS_ENTRIES } else { CENTRES },
             if has_mass_matrix { MASS_ENTRIES } else { MASSES },
@@ -130,8 +136,7 @@ impl<'a> Check<'a> {
             .filter(|field| law_property(field).is_some_and(|property| property.default.is_none()))
             .collect();
         if !missing.is_empty() {
-            self.errors
-                .at(area, say::missing_of_law(name, &missing));
+            self.errors.at(area, say::missing_of_law(name, &missing));
             return None;
         }
         Some(Section {

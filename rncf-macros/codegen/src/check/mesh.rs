@@ -7,6 +7,7 @@ use crate::joints::algebra::multiply;
 use crate::model::{ElementId, Evaluation, Expr as Value, Law, Quadrature, SectionShape, Space, Stations, TableId};
 use crate::parse::tree::{Argument, Call, Expr, ExprKind, Item, Name, Statement};
 use crate::suggest;
+use crate::vocabulary::DAMPINGS;
 
 /// What a mesh statement says.
 pub struct Mesh {
@@ -119,7 +120,11 @@ impl<'a> Check<'a> {
     /// `beam(section)` of such a section.
     fn mesh_of_law(&mut self, call: &'a Call, section: &Name, space: Space) -> Option<Mesh> {
         let (word, name) = (call.name.text.as_str(), section.text.as_str());
-        let Some(id) = self.library.find_of_stiffness(word) else {
+        let law = self.sections.get(name).filter(|section| section.is_whole);
+        let is_viscous = law
+            .and_then(|section| section.law.as_ref())
+            .is_some_and(Law::is_viscous);
+        let Some(id) = self.library.find_of_stiffness(word, is_viscous) else {
             self.errors.at(call.name.span, say::no_law_element(word, name));
             return None;
         };
@@ -135,8 +140,18 @@ impl<'a> Check<'a> {
             self.errors.at(call.area, say::LAW_IN_PLANE);
             return None;
         }
-        let law = self.sections.get(name).filter(|section| section.is_whole)?.law.clone()?;
-        let damping = law.fields.get("damping").cloned().unwrap_or(Value::Number(0.0));
+        let law = self
+            .sections
+            .get(name)
+            .filter(|section| section.is_whole)?
+            .law
+            .clone()?;
+        // With dampings of strains that of all is read by what holds the section alone.
+        let damping = match law.fields.get("damping") {
+            Some(damping) => damping.clone(),
+            None if is_viscous => law.fields[DAMPINGS.iter().find(|own| law.fields.contains_key(**own))?].clone(),
+            None => Value::Number(0.0),
+        };
         Some(Mesh {
             count: Value::Number(1.0),
             stations: None,

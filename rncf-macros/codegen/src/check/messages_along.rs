@@ -82,6 +82,10 @@ pub fn missing_of_law(section: &str, missing: &[&str]) -> String {
     format!("section `{section}` says its stiffness by itself and lacks {list}")
 }
 
+pub fn two_dampings(own: &str) -> String {
+    format!("`damping` is that of all strains, and `{own}` stands beside it: give one for all, or each its own")
+}
+
 pub fn no_options(option: &str, element: &str, section: &str) -> String {
     format!("`{element}({section})` has no options: leave `{option}` out")
 }

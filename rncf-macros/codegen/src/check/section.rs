@@ -101,9 +101,10 @@ impl<'a> Check<'a> {
         for item in self.items(Keyword::Section) {
             let section = match &item.kind {
                 ItemKind::Section(fields) => Some(self.block(item, fields)),
-                ItemKind::NamedSection(call) if OF_TABLE.contains(&call.name.text.as_str()) => {
-                    Some(self.section_of_table(&item.name.text, call).unwrap_or_else(Section::broken_law))
-                }
+                ItemKind::NamedSection(call) if OF_TABLE.contains(&call.name.text.as_str()) => Some(
+                    self.section_of_table(&item.name.text, call)
+                        .unwrap_or_else(Section::broken_law),
+                ),
                 ItemKind::NamedSection(call) => self.named_section(call),
                 _ => None,
             };

@@ -20,42 +20,103 @@ pub const FULL_BEAM: Element = Element {
         field("db", Interpolant::SectionY, 1),
         field("dc", Interpolant::SectionZ, 1),
     ],
-    coefficients: &[
-        pivot("D1", "N m^2"),
-        pivot("D2", "N m^2"),
-        pivot("D3", "N m^2"),
-        pivot("D4", "N"),
-        pivot("D5", "N"),
-        pivot("D6", "N"),
-        pivot("L21", "1"),
-        pivot("L31", "1"),
-        pivot("L32", "1"),
-        pivot("L41", "1/m"),
-        pivot("L42", "1/m"),
-        pivot("L43", "1/m"),
-        pivot("L51", "1/m"),
-        pivot("L52", "1/m"),
-        pivot("L53", "1/m"),
-        pivot("L54", "1"),
-        pivot("L61", "1/m"),
-        pivot("L62", "1/m"),
-        pivot("L63", "1/m"),
-        pivot("L64", "1"),
-        pivot("L65", "1"),
-        pivot("held", "N"),
-        pivot("half_held", "N"),
-        pivot("smooth", "N m^2"),
-        pivot("half_smooth", "N m^2"),
-    ],
+    coefficients: COEFFICIENTS,
     inertia: &[],
     damping: "damping",
     options: &[],
-    energy: |graph, fields, _| energy(graph, fields),
+    energy: |graph, fields, _| energy(graph, fields, false),
     default_points: AXIS_POINTS,
     least_points: AXIS_POINTS,
     curved_in_space: None,
     own_rule: true,
 };
+
+/// The same with a damping of its own for each strain: the stress of the rates is `sqrt(c_i c_j) K_ij e_j'`.
+pub const VISCOUS_FULL_BEAM: Element = Element {
+    kernel: "full_beam_viscous",
+    coefficients: VISCOUS_COEFFICIENTS,
+    energy: |graph, fields, _| energy(graph, fields, true),
+    ..FULL_BEAM
+};
+
+/// Pivots and factors of the stiffness, and what holds the section.
+const COEFFICIENTS: &[Coefficient] = &[
+    pivot("D1", "N m^2"),
+    pivot("D2", "N m^2"),
+    pivot("D3", "N m^2"),
+    pivot("D4", "N"),
+    pivot("D5", "N"),
+    pivot("D6", "N"),
+    pivot("L21", "1"),
+    pivot("L31", "1"),
+    pivot("L32", "1"),
+    pivot("L41", "1/m"),
+    pivot("L42", "1/m"),
+    pivot("L43", "1/m"),
+    pivot("L51", "1/m"),
+    pivot("L52", "1/m"),
+    pivot("L53", "1/m"),
+    pivot("L54", "1"),
+    pivot("L61", "1/m"),
+    pivot("L62", "1/m"),
+    pivot("L63", "1/m"),
+    pivot("L64", "1"),
+    pivot("L65", "1"),
+    pivot("held", "N"),
+    pivot("half_held", "N"),
+    pivot("smooth", "N m^2"),
+    pivot("half_smooth", "N m^2"),
+];
+
+/// The same, then the factors of the strains' rates.
+const VISCOUS_COEFFICIENTS: &[Coefficient] = &[
+    pivot("D1", "N m^2"),
+    pivot("D2", "N m^2"),
+    pivot("D3", "N m^2"),
+    pivot("D4", "N"),
+    pivot("D5", "N"),
+    pivot("D6", "N"),
+    pivot("L21", "1"),
+    pivot("L31", "1"),
+    pivot("L32", "1"),
+    pivot("L41", "1/m"),
+    pivot("L42", "1/m"),
+    pivot("L43", "1/m"),
+    pivot("L51", "1/m"),
+    pivot("L52", "1/m"),
+    pivot("L53", "1/m"),
+    pivot("L54", "1"),
+    pivot("L61", "1/m"),
+    pivot("L62", "1/m"),
+    pivot("L63", "1/m"),
+    pivot("L64", "1"),
+    pivot("L65", "1"),
+    pivot("held", "N"),
+    pivot("half_held", "N"),
+    pivot("smooth", "N m^2"),
+    pivot("half_smooth", "N m^2"),
+    pivot("V1", "s^(1/2)"),
+    pivot("V2", "s^(1/2)"),
+    pivot("V3", "s^(1/2)"),
+    pivot("V4", "s^(1/2)"),
+    pivot("V5", "s^(1/2)"),
+    pivot("V6", "s^(1/2)"),
+    pivot("W21", "s^(1/2)"),
+    pivot("W31", "s^(1/2)"),
+    pivot("W32", "s^(1/2)"),
+    pivot("W41", "s^(1/2)/m"),
+    pivot("W42", "s^(1/2)/m"),
+    pivot("W43", "s^(1/2)/m"),
+    pivot("W51", "s^(1/2)/m"),
+    pivot("W52", "s^(1/2)/m"),
+    pivot("W53", "s^(1/2)/m"),
+    pivot("W54", "s^(1/2)"),
+    pivot("W61", "s^(1/2)/m"),
+    pivot("W62", "s^(1/2)/m"),
+    pivot("W63", "s^(1/2)/m"),
+    pivot("W64", "s^(1/2)"),
+    pivot("W65", "s^(1/2)"),
+];
 
 const fn pivot(name: &'static str, unit: &'static str) -> Coefficient {
     Coefficient {
@@ -70,7 +131,7 @@ const fn pivot(name: &'static str, unit: &'static str) -> Coefficient {
 /// `W = 1/2 sum_i D_i (e_i + sum_(j > i) L_ji e_j)^2`. The first three terms are integrated with the points of the
 /// gradients, the others with those of the axis, so that each part is positive by itself. What the section does in its own
 /// plane has no stiffness of its own in a rod: it is held by further terms, which the strains above do not excite.
-fn energy(graph: &mut Graph, fields: &Invariants) -> Vec<Term> {
+fn energy(graph: &mut Graph, fields: &Invariants, is_viscous: bool) -> Vec<Term> {
     let (a, b, c, db, dc) = (0, 1, 2, 3, 4);
     let dots = &fields.dots;
     let [half, one] = [graph.number(0.5), graph.one()];
@@ -113,14 +174,29 @@ fn energy(graph: &mut Graph, fields: &Invariants) -> Vec<Term> {
     ];
     let mut terms = Vec::new();
     for (i, (name, coefficient)) in names.into_iter().enumerate() {
-        let mut measure = strains[i];
-        for (j, &strain) in strains.iter().enumerate().skip(i + 1) {
-            let factor = graph.input(format!("L{}{}", j + 1, i + 1));
-            let part = graph.multiply(factor, strain);
-            measure = graph.add(measure, part);
-        }
+        let own = graph.input(format!("V{}", i + 1));
+        let own = graph.multiply(own, strains[i]);
+        let mut with = |mut measure: Id, letter: char| {
+            for (j, &strain) in strains.iter().enumerate().skip(i + 1) {
+                let factor = graph.input(format!("{letter}{}{}", j + 1, i + 1));
+                let part = graph.multiply(factor, strain);
+                measure = graph.add(measure, part);
+            }
+            measure
+        };
+        let measure = with(strains[i], 'L');
         let points = if i < 3 { GRADIENT_POINTS } else { AXIS_POINTS };
-        terms.push(term(name, coefficient, measure, points));
+        if !is_viscous {
+            terms.push(term(name, coefficient, measure, points));
+            continue;
+        }
+        let rate = with(own, 'W');
+        for density in [Density::Undamped(measure), Density::Viscous(rate)] {
+            terms.push(Term {
+                density,
+                ..term(name, coefficient, measure, points)
+            });
+        }
     }
     for (name, strain) in ["strain along y", "strain along z"].into_iter().zip(widening) {
         terms.push(term(name, "held", strain, AXIS_POINTS));

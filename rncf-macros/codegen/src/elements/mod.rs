@@ -14,7 +14,7 @@ use crate::tensors::Polynomial;
 
 pub use beam::BEAM;
 pub use cable::{Axial, CABLE, thin_beam};
-pub use full_beam::FULL_BEAM;
+pub use full_beam::{FULL_BEAM, VISCOUS_FULL_BEAM};
 
 /// Where a nodal vector of an element lives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,6 +147,10 @@ pub enum Density {
         /// Energy W and stress S = dW/de as expressions of e.
         law: fn(&mut Graph, Id) -> [Id; 2],
     },
+    /// `1/2 (s - s0)^2` without damping.
+    Undamped(Id),
+    /// No energy: the stress is the rate s' of a measure, the dissipation `s'^2`; where the body is damped.
+    Viscous(Id),
     /// The expression itself; zero in the stress-free shape, not damped.
     Energy(Id),
 }
@@ -155,8 +159,8 @@ impl Density {
     /// The measure whose value in the stress-free shape is subtracted.
     pub fn measure(self) -> Option<Id> {
         match self {
-            Density::Measure(measure) | Density::Law { measure, .. } => Some(measure),
-            Density::Energy(_) => None,
+            Density::Measure(measure) | Density::Undamped(measure) | Density::Law { measure, .. } => Some(measure),
+            Density::Energy(_) | Density::Viscous(_) => None,
         }
     }
 
@@ -172,7 +176,7 @@ impl Density {
             }
             _ => (change, graph.one()),
         };
-        let Some([rate, damping]) = damped else {
+        let Some([rate, damping]) = damped.filter(|_| !matches!(self, Density::Undamped(_))) else {
             return stress;
         };
         let viscosity = graph.multiply(damping, stiffness);
@@ -303,7 +307,7 @@ impl Library {
     /// The elements of this crate.
     pub fn standard() -> Self {
         Self {
-            elements: vec![CABLE, BEAM, FULL_BEAM],
+            elements: vec![CABLE, BEAM, FULL_BEAM, VISCOUS_FULL_BEAM],
         }
     }
 
@@ -314,9 +318,13 @@ impl Library {
         self
     }
 
-    /// Index of the element with this keyword, of a section that says its stiffness by itself.
-    pub fn find_of_stiffness(&self, name: &str) -> Option<usize> {
-        let is_it = |element: &Element| element.of_stiffness && element.names.contains(&name);
+    /// Index of the element with this keyword, of a section that says its stiffness by itself, and whether each strain has a
+    /// damping of its own.
+    pub fn find_of_stiffness(&self, name: &str, is_viscous: bool) -> Option<usize> {
+        let is_it = |element: &Element| {
+            let is_alike = (element.kernel == VISCOUS_FULL_BEAM.kernel) == is_viscous;
+            element.of_stiffness && is_alike && element.names.contains(&name)
+        };
         self.elements.iter().position(is_it)
     }
 

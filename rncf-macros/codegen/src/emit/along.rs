@@ -9,7 +9,7 @@ use crate::check::fold;
 use crate::lower::camel_case;
 use crate::lower::elastic::coefficient_places;
 use crate::model::{Body, Law, Model, Stations};
-use crate::vocabulary::{CENTRES, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES};
+use crate::vocabulary::{CENTRES, DAMPINGS, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES};
 
 /// Statics with the tables of a model.
 pub fn tables(model: &Model) -> String {
@@ -71,7 +71,14 @@ impl Parts<'_> {
             let variant = &self.variant(index).variant;
             let coefficients = variant.varying_coefficients(self.library);
             let (statements, values) = match &body.law {
-                Some(law) => (self.law(body, law), "(law.coefficients(), law.masses())".to_string()),
+                Some(law) => {
+                    let coefficients = if law.is_viscous() {
+                        format!("law.viscous_coefficients([{}])", self.law_values(law, DAMPINGS))
+                    } else {
+                        "law.coefficients()".to_string()
+                    };
+                    (self.law(body, law), format!("({coefficients}, law.masses())"))
+                }
                 None => {
                     let element = variant.declaration(self.library);
                     let values: Vec<String> = coefficients.iter().map(|one| coefficient(body, one)).collect();
@@ -110,11 +117,14 @@ impl Parts<'_> {
         text
     }
 
+    /// Values of fields of a law, those that are not given being zero.
+    fn law_values(&self, law: &Law, names: &[&'static str]) -> String {
+        let value = |name: &&'static str| law.fields.get(name).map_or("0.0".to_string(), |value| self.expr(value));
+        names.iter().map(value).collect::<Vec<_>>().join(", ")
+    }
+
     fn law(&self, body: &Body, law: &Law) -> String {
-        let values = |names: &[&'static str]| {
-            let value = |name: &&'static str| law.fields.get(name).map_or("0.0".to_string(), |value| self.expr(value));
-            names.iter().map(value).collect::<Vec<_>>().join(", ")
-        };
+        let values = |names: &[&'static str]| self.law_values(law, names);
         let stiffness = if law.is_matrix {
             format!("Stiffness::Matrix([{}])", values(STIFFNESS_ENTRIES))
         } else {

@@ -42,10 +42,13 @@ pub fn notes(model: &Model, library: &Library, equations: &Equations) -> Vec<Str
 fn plain(body: &Body, variant: &VariantKernels) -> Option<String> {
     let mut without = Vec::new();
     if !variant.variant.damped {
-        without.push("its material has no damping: no rates of strain and no damping matrix");
+        let owner = if body.law.is_some() { "section" } else { "material" };
+        without.push(format!(
+            "its {owner} has no damping: no rates of strain and no damping matrix"
+        ));
     }
     if !variant.variant.curved {
-        without.push("its axis is straight: no stress-free curvature for each element");
+        without.push("its axis is straight: no stress-free curvature for each element".to_string());
     }
     (!without.is_empty()).then(|| format!("Body `{}`: {}.", body.name, without.join("; ")))
 }

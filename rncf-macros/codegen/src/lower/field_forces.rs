@@ -126,7 +126,14 @@ pub fn field_forces_kernel(variant: &Variant, library: &Library) -> Kernel {
         let coefficient = graph.input(term.coefficient);
         let (density, stress) = match term.density {
             Density::Energy(density) => (density, coefficient),
-            Density::Measure(measure) | Density::Law { measure, .. } => {
+            Density::Viscous(measure) => {
+                if !variant.damped {
+                    continue;
+                }
+                let rate = graph.differentiate(measure, &rates);
+                (measure, graph.multiply(coefficient, rate))
+            }
+            Density::Measure(measure) | Density::Undamped(measure) | Density::Law { measure, .. } => {
                 let reference = graph.substitute(measure, &before);
                 let change = graph.subtract(measure, reference);
                 let rate = variant.damped.then(|| [graph.differentiate(measure, &rates), damping]);

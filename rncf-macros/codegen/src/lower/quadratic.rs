@@ -122,7 +122,7 @@ fn tensor_term(
                 true,
             )
         }
-        Density::Law { .. } => return None,
+        Density::Law { .. } | Density::Undamped(_) | Density::Viscous(_) => return None,
         Density::Energy(energy) => {
             let mut weights = Vec::new();
             for &(_, symbol) in symbols {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Body, Expr, TableId};
+use crate::vocabulary::DAMPINGS;
 
 /// Numbers along an axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,6 +77,13 @@ pub struct Law {
     pub has_mass_matrix: bool,
     /// Fields by their vocabulary names.
     pub fields: BTreeMap<&'static str, Expr>,
+}
+
+impl Law {
+    /// Whether each strain has a damping of its own.
+    pub fn is_viscous(&self) -> bool {
+        DAMPINGS.iter().any(|name| self.fields.contains_key(name))
+    }
 }
 
 impl Body {

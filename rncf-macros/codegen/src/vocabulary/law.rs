@@ -34,6 +34,9 @@ pub const MASS_ENTRIES: &[&str] = &[
     "M45", "M46", "M55", "M56", "M66",
 ];
 
+/// A damping of its own for each strain.
+pub const DAMPINGS: &[&str] = &["damping1", "damping2", "damping3", "damping4", "damping5", "damping6"];
+
 const FORCE: [i8; 6] = [1, 1, -2, 0, 0, 0];
 const MOMENT: [i8; 6] = [2, 1, -2, 0, 0, 0];
 const BENDING: [i8; 6] = [3, 1, -2, 0, 0, 0];
@@ -90,7 +93,9 @@ pub static LAW: LazyLock<Vec<Property>> = LazyLock::new(|| {
     list.push(field("inertia_y", SECOND, "kg m", Range::Positive, None));
     list.push(field("inertia_z", SECOND, "kg m", Range::Positive, None));
     list.push(field("inertia_yz", SECOND, "kg m", Range::Any, Some(0.0)));
-    list.push(field("damping", TIME, "s", Range::NonNegative, Some(0.0)));
+    for name in ["damping"].iter().chain(DAMPINGS) {
+        list.push(field(name, TIME, "s", Range::NonNegative, Some(0.0)));
+    }
     list
 });
 

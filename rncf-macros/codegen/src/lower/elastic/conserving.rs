@@ -68,8 +68,8 @@ fn is_quadratic(variant: &Variant, library: &Library) -> bool {
     let terms = (element.energy)(&mut graph, &fields, &variant.options);
     let symbols: Vec<Id> = symbols.into_iter().map(|(_, symbol)| symbol).collect();
     terms.iter().all(|term| match term.density {
-        Density::Measure(measure) => slopes(&mut graph, measure, &symbols).is_some(),
-        Density::Law { .. } => false,
+        Density::Measure(measure) | Density::Undamped(measure) => slopes(&mut graph, measure, &symbols).is_some(),
+        Density::Law { .. } | Density::Viscous(_) => false,
         Density::Energy(energy) => symbols.iter().all(|&symbol| {
             let slope = graph.partial(energy, symbol);
             slopes(&mut graph, slope, &symbols).is_some()

@@ -54,7 +54,8 @@ impl Builder<'_> {
         for term in &terms {
             let factor = self.graph.multiply(self.coefficients[term.coefficient], weight);
             match term.density {
-                Density::Measure(measure) | Density::Law { measure, .. } => {
+                Density::Viscous(measure) => self.add_viscous(&symbols, measure, factor, &mut response),
+                Density::Measure(measure) | Density::Undamped(measure) | Density::Law { measure, .. } => {
                     let index = measures
                         .iter()
                         .position(|other| std::ptr::eq(*other, term))
@@ -183,6 +184,27 @@ impl Builder<'_> {
         }
         let part = density.energy(graph, change, factor);
         response.energy = graph.add(response.energy, part);
+    }
+
+    /// Stress `factor s' ds/dI` of the rate of a measure.
+    fn add_viscous(&mut self, symbols: &Symbols, measure: Id, factor: Id, response: &mut Response) {
+        if !symbols.is_damped {
+            return;
+        }
+        let graph = &mut self.graph;
+        let chain = symbols
+            .values
+            .iter()
+            .copied()
+            .zip(symbols.rates.iter().copied())
+            .collect();
+        let rate = graph.differentiate(measure, &chain);
+        let scaled = graph.multiply(factor, rate);
+        for (stress, &symbol) in response.stress.iter_mut().zip(&symbols.values) {
+            let slope = graph.partial(measure, symbol);
+            let part = graph.multiply(scaled, slope);
+            *stress = graph.add(*stress, part);
+        }
     }
 
     fn add_energy(&mut self, symbols: &Symbols, density: Id, factor: Id, response: &mut Response) {
