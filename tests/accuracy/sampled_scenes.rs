@@ -32,7 +32,7 @@ fn agrees(seed: u64, original: Compiled, copy: Option<Compiled>, refused: &[&str
     for (name, verdict) in &verdicts {
         match verdict {
             Verdict::Agrees(_) => {}
-            Verdict::Differs(by) => panic!("seed {seed}, {name}: {by}"),
+            Verdict::Differs(by) | Verdict::Unresolved(by) => panic!("seed {seed}, {name}: {by}"),
             Verdict::Refused(why) => {
                 assert!(refused.contains(name), "seed {seed}, {name}: {why}");
                 names.push(*name);

@@ -253,3 +253,52 @@ fn a_tether_in_orbit_is_as_exact_as_at_the_origin() {
         }
     }
 }
+
+rncf::model! {
+    /// A rod on a hinge; its own frame is tied to the section that the hinge holds.
+    pub model Followed {
+        /// Unit of length.
+        param long = 1 m;
+        /// Unit of time.
+        param while_ = 1 s;
+        /// Unit of mass.
+        param heavy = 1 kg;
+        material soft { density = 2700 * heavy / long^3; young = 7e8 * heavy / (long * while_^2); poisson = 0.3; damping = 1e-4 * while_; }
+        section round = circle(radius = 0.0144 * long);
+        frame own = free(origin = [0.1 * long, 0.2 * long, 0], axis = [0, -0.7, -0.7], angle = 0.4 rad);
+        body rod in own { spatial; line from [0, 0, 0] to [0.8 * long, 0.4 * long, 0.3 * long]; mesh 2 * beam(round, soft); }
+        joint _tie = clamp(rod.start, own);
+        joint hinge = revolute(inertial.at([0.1 * long, 0.2 * long, 0]), rod.start, axis = [0.1, 0.6, 0.8]);
+        load weight = gravity([0, 0, -9.81 * long / while_^2]);
+        output tip = rod.end.in(inertial).position;
+    }
+}
+
+#[test]
+fn a_frame_that_follows_a_section_on_a_hinge_is_regular_in_all_units() {
+    for formulation in [Formulation::Rncf, Formulation::Ancf] {
+        let runs = [
+            (1.0, 1.0, 1.0),
+            (1.0 / 1024.0, 1.0 / 16.0, 1.0 / 65536.0),
+            (1024.0, 16.0, 65536.0),
+        ]
+        .map(|(long, while_, heavy)| {
+            let model = Followed { long, while_, heavy };
+            let mut scene = model.build(formulation, Joints::Eliminated).unwrap();
+            let (state, steps) = run(scene.as_mut(), Method::Radau, 1e-6, 0.05 * while_).unwrap();
+            let tip = outputs(scene.as_mut(), &state)
+                .iter()
+                .map(|x| x / long)
+                .collect::<Vec<_>>();
+            (steps, tip)
+        });
+        for (steps, tip) in &runs[1..] {
+            assert_eq!(*steps, runs[0].0, "{formulation:?}");
+            assert!(
+                tip.iter().zip(&runs[0].1).all(|(a, b)| (a - b).abs() < 1e-7),
+                "{tip:?} {:?}",
+                runs[0].1
+            );
+        }
+    }
+}

@@ -262,10 +262,16 @@ pub(super) fn untied<S: System + ?Sized>(system: &mut S, state: &State) -> Optio
     if system.constraints() > 0 {
         system.constraint_jacobian(state, &mut border);
     }
+    let own = |i: usize| pattern.find(i, i).map_or(0.0, |place| mass[place]);
+    // What an unknown without inertia would need to count as much as the others: of no unit.
+    let most = (0..n)
+        .map(|i| own(i) * system.sizes()[i].powi(2))
+        .fold(f64::MIN_POSITIVE, f64::max);
     let scale: Vec<f64> = (0..n)
-        .map(|i| pattern.find(i, i).map_or(0.0, |place| mass[place]))
-        .zip(system.sizes())
-        .map(|(mass, size)| if mass > 0.0 { 1.0 / mass.sqrt() } else { *size })
+        .map(|i| match own(i) {
+            mass if mass > 0.0 => 1.0 / mass.sqrt(),
+            _ => system.sizes()[i] / most.sqrt(),
+        })
         .collect();
     scale_entries(&pattern, &mut mass, |row, column| scale[row] * scale[column]);
     scale_entries(&border_pattern, &mut border, |row, _| scale[row]);

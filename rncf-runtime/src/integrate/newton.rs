@@ -217,7 +217,11 @@ impl Newton {
             },
             bearable: BEARABLE,
             rtol,
-            saddle: Saddle::new(pattern, system.border(), &constraint_pattern),
+            saddle: Saddle::new(pattern, system.border(), &constraint_pattern).sized(
+                system.sizes(),
+                pattern,
+                &constraint_pattern,
+            ),
             tangent: Tangent {
                 mass: vec![0.0; entries],
                 stiffness: vec![0.0; entries],

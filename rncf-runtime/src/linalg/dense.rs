@@ -59,6 +59,23 @@ impl<T: Scalar> Dense<T> {
     /// # Errors
     /// The row that follows from rows before it up to round-off (or is empty, or not finite).
     pub fn factor(&mut self) -> Result<(), usize> {
+        self.row_scale.fill(1.0);
+        self.column_scale.fill(1.0);
+        self.factor_scaled()
+    }
+
+    /// [`Dense::factor`], with the equilibration begun from the given scales of rows and columns. Blocks of zeros leave more
+    /// than one equilibrium of scales, in which pivots differ.
+    ///
+    /// # Errors
+    /// As of [`Dense::factor`].
+    pub fn factor_from(&mut self, scales: &[f64]) -> Result<(), usize> {
+        self.row_scale.copy_from_slice(scales);
+        self.column_scale.copy_from_slice(scales);
+        self.factor_scaled()
+    }
+
+    fn factor_scaled(&mut self) -> Result<(), usize> {
         self.equilibrate()?;
         let n = self.size;
         for k in 0..n {
@@ -95,8 +112,6 @@ impl<T: Scalar> Dense<T> {
     /// without any is the error.
     fn equilibrate(&mut self) -> Result<(), usize> {
         let n = self.size;
-        self.row_scale.fill(1.0);
-        self.column_scale.fill(1.0);
         for _ in 0..ROUNDS {
             for i in 0..n {
                 let row = &self.terms[i * n..(i + 1) * n];

@@ -43,6 +43,11 @@ pub struct Saddle<T> {
     corner_constraints: Vec<(usize, usize, usize)>,
     columns: Columns<T>,
     rows: Rows<T>,
+    /// Entries on the diagonal of K with the sizes of their unknowns; all sizes; those of the rows of the Schur complement.
+    diagonal: Vec<(usize, f64)>,
+    sizes: Vec<f64>,
+    scales: Vec<f64>,
+    constraint_entries: Vec<(usize, usize, usize)>,
     schur: Dense<T>,
     /// Right sides and solution of the Schur complement; what of it multiplies the responses.
     work: Vec<T>,
@@ -118,9 +123,50 @@ impl<T: Scalar> Saddle<T> {
             rows: Rows::new(&rows, border, inner, columns.numbers.len()),
             known: vec![T::default(); columns.numbers.len()],
             columns,
+            diagonal: Vec::new(),
+            sizes: Vec::new(),
+            scales: vec![1.0; border + m],
+            constraint_entries: Vec::new(),
             schur: Dense::new(border + m),
             work: vec![T::default(); border + m],
         }
+    }
+
+    /// With the sizes of the unknowns, in which a matrix may be regular that is not in other units. The patterns are
+    /// those of [`Saddle::new`].
+    pub fn sized(mut self, sizes: &[f64], block: &Pattern, constraint_transposed: &Pattern) -> Self {
+        self.diagonal = (0..sizes.len())
+            .filter_map(|i| Some((block.find(i, i)?, sizes[i])))
+            .collect();
+        self.sizes = sizes.to_vec();
+        self.constraint_entries = entries(constraint_transposed).collect();
+        self
+    }
+
+    /// Scales with unknowns in parts of their sizes: the largest entry on the diagonal of K is 1 then, and the largest of
+    /// every constraint. False where sizes are not known.
+    fn begin_scales(&mut self, block: &[T], constraint_transposed: &[f64]) -> bool {
+        let most = self
+            .diagonal
+            .iter()
+            .map(|&(entry, size)| block[entry].size() * size * size)
+            .fold(0.0, f64::max)
+            .sqrt();
+        if !(most > 0.0 && most.is_finite()) {
+            return false;
+        }
+        for (scale, size) in self.scales.iter_mut().zip(&self.sizes[self.inner..]) {
+            *scale = size / most;
+        }
+        let rows = &mut self.scales[self.border..];
+        rows.fill(0.0);
+        for &(entry, unknown, row) in &self.constraint_entries {
+            rows[row] = rows[row].max(constraint_transposed[entry].abs() * self.sizes[unknown]);
+        }
+        for row in rows {
+            *row = if *row > 0.0 { most / *row } else { 1.0 };
+        }
+        true
     }
 
     /// Factors `[[K, C^T], [C, 0]]`: as [`Saddle::factor`] with B = `C^T`.
@@ -146,7 +192,13 @@ impl<T: Scalar> Saddle<T> {
         }
         self.rows.load(block, constraint_transposed, self.border);
         self.fill_schur(block, forces, constraint_transposed);
-        self.schur.factor().map_err(|index| {
+        let mut factored = self.schur.factor();
+        if factored.is_err() && self.begin_scales(block, constraint_transposed) {
+            // What is regular in its own units is not singular in others.
+            self.fill_schur(block, forces, constraint_transposed);
+            factored = self.schur.factor_from(&self.scales);
+        }
+        factored.map_err(|index| {
             if index < self.border {
                 Singular::Unknown(self.inner + index)
             } else {

@@ -31,6 +31,8 @@ const ROWS: usize = 11;
 const MOST: u64 = 700;
 /// Tolerance of the reference and of all that must equal it.
 const TIGHT: f64 = 1e-7;
+/// Tolerance with which fast vibrations are followed.
+const FINE: f64 = 1e-9;
 /// Tolerance of the runs that must come near it.
 const LOOSE: f64 = 1e-5;
 /// Tolerance of the local error of methods of order 2.
@@ -46,6 +48,8 @@ const ALPHA: Method = Method::GeneralizedAlpha { rho_inf: 0.8 };
 pub enum Verdict {
     /// Within its limits; the largest difference of positions over the size.
     Agrees(f64),
+    /// Beyond them with the tight tolerance, within them with one that is a hundred times smaller.
+    Unresolved(String),
     /// Beyond them: by how much what is off.
     Differs(String),
     /// The program said why not, or the run was given up.
@@ -123,6 +127,38 @@ impl Case<'_> {
         run(scene.as_mut(), way, t_end, ROWS, MOST, (&self.observed, columns))
     }
 
+    /// What two runs with the tight tolerance differ by may be fast vibrations that their steps do not follow, of which velocities
+    /// and forces hold more than positions: then it vanishes where they are followed.
+    fn resolved(
+        &self,
+        verdict: Verdict,
+        (maker, columns, values): (Maker, &Columns, &[f64]),
+        way: Way,
+        (copy, odd): (&Copy, f64),
+    ) -> Verdict {
+        let Verdict::Differs(by) = &verdict else {
+            return verdict;
+        };
+        if way.rtol != TIGHT {
+            return verdict;
+        }
+        let go = |maker: Maker, columns: &Columns, values: &[f64], way: Way| {
+            let finer = Way { rtol: FINE, ..way };
+            let mut scene = maker(values, way.formulation, way.joints)?;
+            let observed = (self.observed.as_slice(), columns);
+            run(scene.as_mut(), finer, self.tree.t_end, ROWS, 20 * MOST, observed)
+        };
+        let own = super::study::way(Formulation::Rncf, Joints::Eliminated, way.method, FINE);
+        let reference = go(self.entry.original.0, &self.columns, &self.values, own);
+        match (reference, go(maker, columns, values, way)) {
+            (Ok(reference), Ok(other)) => match judge(&compare(&self.observed, &reference, &other, copy, odd), EQUAL) {
+                Verdict::Agrees(_) => Verdict::Unresolved(by.clone()),
+                _ => verdict,
+            },
+            _ => verdict,
+        }
+    }
+
     fn own(&self, way: Way) -> Result<History, String> {
         self.go(
             (self.entry.original.0, &self.columns),
@@ -171,8 +207,9 @@ pub fn checks(entry: &Entry, draw: u64) -> Vec<(&'static str, Verdict)> {
     };
     verdicts.push(("runs", Verdict::Agrees(0.0)));
     balances(&case, &reference, DERIVATIVES, &mut verdicts);
-    if let Some((change, kinetic)) = reference.energy.filter(|(_, kinetic)| *kinetic > 0.0) {
-        let relative = change / kinetic;
+    if let Some((change, kinetic)) = reference.energy {
+        // What rests has round-off alone.
+        let relative = change / kinetic.max(1e-6);
         verdicts.push((
             "energy is kept",
             if relative <= 1e-3 {
@@ -205,7 +242,9 @@ pub fn checks(entry: &Entry, draw: u64) -> Vec<(&'static str, Verdict)> {
             }
             Err(error) => Verdict::Refused(error),
         };
-        verdicts.push((name, verdict));
+        let original = (entry.original.0, &case.columns, case.values.as_slice());
+        let as_is = (&Copy::AS_IS, 1.0);
+        verdicts.push((name, case.resolved(verdict, original, at, as_is)));
     }
     if draw == 0 {
         convergence(&case, &reference, &mut verdicts);
@@ -213,17 +252,14 @@ pub fn checks(entry: &Entry, draw: u64) -> Vec<(&'static str, Verdict)> {
     let copy = copy_of(&case.tree);
     if let Some((maker, columns)) = entry.copy {
         let copied = text(&case.tree, &copy, "M");
-        let result = case.go((maker, &columns()), &copied.values, tight, case.tree.t_end);
-        verdicts.push((
-            "copy",
-            match result {
-                Ok(history) => judge(
-                    &compare(&case.observed, &reference, &history, &copy, odd(&case.tree, &copy)),
-                    EQUAL,
-                ),
-                Err(error) => Verdict::Refused(error),
-            },
-        ));
+        let columns = columns();
+        let odd = odd(&case.tree, &copy);
+        let verdict = match case.go((maker, &columns), &copied.values, tight, case.tree.t_end) {
+            Ok(history) => judge(&compare(&case.observed, &reference, &history, &copy, odd), EQUAL),
+            Err(error) => Verdict::Refused(error),
+        };
+        let copied = (maker, &columns, copied.values.as_slice());
+        verdicts.push(("copy", case.resolved(verdict, copied, tight, (&copy, odd))));
     }
     let (length, mass, time) = (1.0 / 1024.0, 1.0 / 65536.0, 1.0 / 16.0);
     let small = in_units(&case.tree, length, mass, time);
@@ -491,7 +527,7 @@ pub fn told(tree: &Tree) -> String {
 
 /// Runs all scenes of the table with these draws; prints what differs, and a table of all checks at the end.
 pub fn study(table: &[Entry], draws: std::ops::Range<u64>) {
-    let mut counts: BTreeMap<&str, ([u32; 3], f64)> = BTreeMap::new();
+    let mut counts: BTreeMap<&str, ([u32; 4], f64)> = BTreeMap::new();
     let clock = Instant::now();
     let mut scenes = 0;
     for draw in draws {
@@ -516,6 +552,10 @@ pub fn study(table: &[Entry], draws: std::ops::Range<u64>) {
                         count[1] += 1;
                         println!("    {name} DIFFERS: {by}");
                     }
+                    Verdict::Unresolved(by) => {
+                        count[3] += 1;
+                        println!("    {name} is not resolved: {by}");
+                    }
                     Verdict::Refused(why) => {
                         count[2] += 1;
                         println!("    {name} stops: {why}");
@@ -525,8 +565,10 @@ pub fn study(table: &[Entry], draws: std::ops::Range<u64>) {
         }
     }
     println!("\n{scenes} scenes in {:.0} s", clock.elapsed().as_secs_f64());
-    println!("| check | agree | largest difference of these | differ | stopped |\n|---|---|---|---|---|");
-    for (name, ([agree, differ, stopped], worst)) in counts {
-        println!("| {name} | {agree} | {worst:.1e} | {differ} | {stopped} |");
+    println!(
+        "| check | agree | largest difference of these | agree with rtol 1e-9 | differ | stopped |\n|---|---|---|---|---|---|"
+    );
+    for (name, ([agree, differ, stopped, finer], worst)) in counts {
+        println!("| {name} | {agree} | {worst:.1e} | {finer} | {differ} | {stopped} |");
     }
 }

@@ -56,7 +56,11 @@ impl Newton {
         Self {
             charts: Charts::new(system.turns(), pattern),
             inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
-            saddle: Saddle::new(pattern, system.border(), &constraint_pattern),
+            saddle: Saddle::new(pattern, system.border(), &constraint_pattern).sized(
+                system.sizes(),
+                pattern,
+                &constraint_pattern,
+            ),
             block: vec![0.0; pattern.entries()],
             jacobian: vec![0.0; constraint_pattern.entries()],
             forces: vec![0.0; constraint_pattern.entries()],
