@@ -4243,6 +4243,9 @@ pub mod iea15mw_blade_equations {
         fn varies(&self, body: usize) -> bool {
             true
         }
+        fn tables(&self, body: usize) -> ::std::vec::Vec<&'static ::rncf::mesh::Table> {
+            ::std::vec::Vec::from([&TABLE_SECTIONS, &TABLE_POINTS])
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             mass.copy_from_slice(&self.mass_blade[element]);
         }

@@ -369,6 +369,43 @@ fn ropes_carry_what_hangs_below() {
     near(&fine[6..9], &[weight * 2e-4 * 50.0, weight * 2e-4 * 60.0, below], 1e-6);
 }
 
+/// Rows between nodes are told.
+#[test]
+fn a_mesh_that_is_coarser_than_its_table_is_told() {
+    let warnings = |elements| {
+        let model = Stepped {
+            elements,
+            ..Stepped::default()
+        };
+        let mut scene = model.build(Formulation::Rncf, Joints::Eliminated).unwrap();
+        let start = scene.rest(0.0);
+        let texts: Vec<String> = scene.warnings(&start).into_iter().map(|warning| warning.text).collect();
+        texts.join("; ")
+    };
+    assert_eq!(warnings(5), "");
+    assert!(
+        warnings(4).contains("a step of table `rows` at x = 4.000000 m lies inside"),
+        "{}",
+        warnings(4)
+    );
+    assert!(warnings(1).contains("step"));
+}
+
+rncf::model! {
+    /// A mast in two steps on elements of equal length.
+    pub model Stepped {
+        param elements: count = 5;
+        table rows { x = [0, 4, 4, 10] m; EI = [3, 2, 1, 1] kN*m^2; }
+        section pole {
+            EA = 1 MN; GAy = 1 MN; GAz = 1 MN; GJ = 1 kN*m^2; EIy = rows.EI; EIz = rows.EI;
+            mass = 2 kg/m; inertia_y = 0.1 kg*m; inertia_z = 0.1 kg*m;
+        }
+        body mast { spatial; line from [0, 0, 0] m to [10, 0, 0] m; mesh elements * beam(pole); }
+        joint foot = clamp(mast.start, inertial);
+        output top = mast.end.position;
+    }
+}
+
 /// Both formulations and both ways of joints are one bar, far bent and turning.
 #[test]
 fn a_bar_in_its_turning_frame_is_the_bar_in_absolute_coordinates() {

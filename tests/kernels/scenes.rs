@@ -80,7 +80,7 @@ rncf::model! {
         frame hub = rotating(axis = z, angle = speed * t);
         body blade in hub { spatial; curve through points; twist 10 [deg/m] * x; mesh 2 * beam(layup); }
         body spar in hub { spatial; line from [0, 1, 0] m to [3, 1, 0] m; twist rows.turn; mesh at rows * beam(thick); }
-        body mast in hub { spatial; line from [0, 2, 0] m to [3, 2, 0] m; mesh 2 * beam(cone, steel); }
+        body mast in hub { spatial; line from [0, 2, 0] m to [3, 2, 0] m; twist rows.turn; mesh 2 * beam(cone, steel); }
         body stay in hub { spatial; line from [0, 3, 0] m to [3, 3, 0] m; mesh at rows * cable(rope, steel); }
         joint a = clamp(blade.start, hub);
         joint b = clamp(spar.start, hub);

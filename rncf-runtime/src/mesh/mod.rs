@@ -48,6 +48,7 @@ mod points;
 mod relaxed;
 mod repeated;
 mod rigid_sections;
+mod sampled;
 mod sampling;
 mod scene;
 mod section;

@@ -7,6 +7,7 @@ use super::markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec};
 use super::one_by_one::{elastic_force_one_by_one, elastic_tangent_one_by_one};
 use super::repeated::{DensitySpec, LANES, ShareSpec, StartSpec};
 use super::section_spec::SectionSpec;
+use super::table::Table;
 use crate::error::ModelError;
 use crate::system::ConstraintLevel;
 use crate::vector::Vector;
@@ -521,6 +522,10 @@ pub trait Parts: Send + Sync + 'static {
     /// Whether the elements of a body differ, in length or properties.
     fn varies(&self, _body: usize) -> bool {
         false
+    }
+    /// Tables that a body reads along its axis.
+    fn tables(&self, _body: usize) -> Vec<&'static Table> {
+        Vec::new()
     }
     /// Mass matrix of the vectors of an element (scalars, rows first).
     fn mass(&self, _body: usize, _element: usize, _mass: &mut [f64]) {}

@@ -189,6 +189,7 @@ impl<'a> Check<'a> {
         };
         match item.keyword {
             Keyword::Const => self.constant(item, name),
+            Keyword::Let => self.derived(item, name, scope),
             Keyword::Param if scope == Scope::Constant => {
                 self.errors.at(name.span, say::param_in_constant(text));
                 None
@@ -230,7 +231,7 @@ impl<'a> Check<'a> {
         if self.items(Keyword::Output).iter().any(|item| item.name.text == *text) {
             return say::output_read(text);
         }
-        let mut known = self.known(&[Keyword::Param, Keyword::Const, Keyword::Motion]);
+        let mut known = self.known(&[Keyword::Param, Keyword::Const, Keyword::Let, Keyword::Motion]);
         known.extend(["pi", "t"]);
         suggest::unknown("name", text, known)
     }
@@ -253,6 +254,31 @@ impl<'a> Check<'a> {
         folded
     }
 
+    /// Value of a derived quantity, an expression of params, resolved at its first use.
+    fn derived(&mut self, item: &'a crate::parse::tree::Item, used: &Name, scope: Scope) -> Option<Typed> {
+        let text = item.name.text.as_str();
+        let ItemKind::Let(value) = &item.kind else {
+            return None;
+        };
+        if !self.values.contains_key(text) {
+            if !self.enter(text, used.span.into()) {
+                return None;
+            }
+            // What has a meaning where it is used has none where it stands.
+            let (locals, is_along) = (std::mem::take(&mut self.locals), std::mem::take(&mut self.is_along));
+            let typed = self.expr(value, Scope::Parameter);
+            (self.locals, self.is_along) = (locals, is_along);
+            self.leave();
+            self.values.insert(text, typed);
+        }
+        let typed = self.values.get(text).cloned().flatten()?;
+        if scope == Scope::Constant && fold::constant(&typed.value).is_none() {
+            self.errors.at(used.span, say::param_in_constant(text));
+            return None;
+        }
+        Some(typed)
+    }
+
     /// An expression of constants as a number.
     pub(super) fn folded(&mut self, expr: &'a Expr) -> Option<Typed> {
         let typed = self.expr(expr, Scope::Constant)?;
@@ -272,6 +298,9 @@ impl<'a> Check<'a> {
     pub(super) fn constants(&mut self) {
         for item in self.items(Keyword::Const) {
             self.constant(item, &item.name);
+        }
+        for item in self.items(Keyword::Let) {
+            self.derived(item, &item.name, Scope::Parameter);
         }
     }
 

@@ -11,7 +11,9 @@ pub fn mentioned<'a>(tree: &'a Tree, item: &'a Item) -> Vec<&'a str> {
     let found = &mut found;
     match &item.kind {
         ItemKind::Param { value, .. } => value.iter().for_each(|value| names(value, found)),
-        ItemKind::Const(value) | ItemKind::Motion(value) | ItemKind::Constraint(value) => names(value, found),
+        ItemKind::Const(value) | ItemKind::Let(value) | ItemKind::Motion(value) | ItemKind::Constraint(value) => {
+            names(value, found)
+        }
         ItemKind::Output { value, .. } => names(value, found),
         ItemKind::Material(fields) | ItemKind::Section(fields) | ItemKind::Table(fields) => of_fields(fields, found),
         ItemKind::NamedSection(call)

@@ -69,7 +69,10 @@ impl Check<'_> {
 
 /// Whether the name of an item stands for a number.
 fn is_number(keyword: Keyword) -> bool {
-    matches!(keyword, Keyword::Param | Keyword::Const | Keyword::Motion)
+    matches!(
+        keyword,
+        Keyword::Param | Keyword::Const | Keyword::Let | Keyword::Motion
+    )
 }
 
 /// The unit that was meant, or some that there are.

@@ -239,6 +239,22 @@ impl Parts<'_> {
         format!("fn varies(&self, body: usize) -> bool {{\n{kind}{arms}}}\n")
     }
 
+    /// The tables that bodies read.
+    pub(super) fn read_tables(&self) -> String {
+        if self.model.tables.is_empty() {
+            return String::new();
+        }
+        let kind = self.kind();
+        let arms = self.by_body(|_, body| {
+            let tables = self.tables_of(body).into_iter();
+            let names: Vec<String> = tables
+                .map(|table| format!("&{}", self.model.tables[table].constant()))
+                .collect();
+            format!("::std::vec::Vec::from([{}])", names.join(", "))
+        });
+        format!("fn tables(&self, body: usize) -> ::std::vec::Vec<&'static ::rncf::mesh::Table> {{\n{kind}{arms}}}\n")
+    }
+
     /// Forces on the fields of a body whose coefficients vary.
     pub(super) fn field_forces_varying(&self, body: &Body, kernel: &str, rates: &str) -> String {
         let instance = if body.repeat.is_some() { "[instance]" } else { "" };

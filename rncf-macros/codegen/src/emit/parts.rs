@@ -72,6 +72,7 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
         text += &writer.bodies();
         text += &writer.prepare();
         text += &writer.varies();
+        text += &writer.read_tables();
         text += &writer.element_functions();
         text += &writer.sections();
     }

@@ -40,7 +40,7 @@ impl Signature<'_> {
             if self.variant.damped {
                 fields.push("damping");
             }
-        } else {
+        } else if !self.variant.varying {
             let vectors = self.variant.vectors(self.library);
             let used = element
                 .inertia

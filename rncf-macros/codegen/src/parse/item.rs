@@ -148,6 +148,7 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
     Ok(match keyword {
         Keyword::Param => unreachable!("parameters are read by `param`"),
         Keyword::Const => ItemKind::Const(assignment(cursor)?),
+        Keyword::Let => ItemKind::Let(assignment(cursor)?),
         Keyword::Output => {
             let unit = cursor.eat_punct(':').then(|| unit::compound(cursor)).transpose()?;
             let value = assignment(cursor)?;

@@ -54,6 +54,7 @@ impl Tree {
 pub enum Keyword {
     Param,
     Const,
+    Let,
     Table,
     Material,
     Section,
@@ -73,9 +74,10 @@ pub enum Keyword {
 
 impl Keyword {
     /// All of them, in the order a user needs them.
-    pub const ALL: [Keyword; 17] = [
+    pub const ALL: [Keyword; 18] = [
         Keyword::Param,
         Keyword::Const,
+        Keyword::Let,
         Keyword::Table,
         Keyword::Material,
         Keyword::Section,
@@ -98,6 +100,7 @@ impl Keyword {
         match self {
             Keyword::Param => "param",
             Keyword::Const => "const",
+            Keyword::Let => "let",
             Keyword::Table => "table",
             Keyword::Material => "material",
             Keyword::Section => "section",
@@ -166,6 +169,8 @@ pub enum ItemKind {
     },
     /// `const name = value;`
     Const(Expr),
+    /// `let name = value;`
+    Let(Expr),
     /// `table name { column = [..] unit; .. }`
     Table(Fields),
     /// `table name = file("path", interpolation = monotone);`
