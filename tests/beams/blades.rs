@@ -338,16 +338,11 @@ fn a_cone_bends_as_the_integral_says() {
 /// rope of two parts converges with the first power of its elements.
 #[test]
 fn ropes_carry_what_hangs_below() {
-    let of = |elements| {
-        at_rest(&Ropes {
-            elements,
-            ..Ropes::default()
-        })
-    };
+    let of = |elements| at_rest(&Ropes { elements });
     let (weight, young) = (7850.0 * 9.81, 210e9);
     let lower = weight * 60.0 * 60.0 / 2.0 / young;
     let upper = weight * 40.0 * 40.0 / 2.0 / young + weight * 2e-4 * 60.0 * 40.0 / (young * 8e-4);
-    let [coarse, fine] = [8, 16].map(|elements| of(elements));
+    let [coarse, fine] = [8, 16].map(of);
     let off = |row: &[f64]| 1.0 - row[0] / (lower + upper);
     assert!(
         off(&fine) > 0.0 && (off(&coarse) / off(&fine) - 2.0).abs() < 0.1,
@@ -373,10 +368,7 @@ fn ropes_carry_what_hangs_below() {
 #[test]
 fn a_mesh_that_is_coarser_than_its_table_is_told() {
     let warnings = |elements| {
-        let model = Stepped {
-            elements,
-            ..Stepped::default()
-        };
+        let model = Stepped { elements };
         let mut scene = model.build(Formulation::Rncf, Joints::Eliminated).unwrap();
         let start = scene.rest(0.0);
         let texts: Vec<String> = scene.warnings(&start).into_iter().map(|warning| warning.text).collect();

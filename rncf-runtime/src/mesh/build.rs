@@ -1,6 +1,5 @@
 //! Building a scene: checks, numbering, patterns, constant matrices.
 
-use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use super::assembly::{Connectivity, Scatter};
@@ -14,23 +13,20 @@ use super::frames::{Frames, FreeFrame, declared_free};
 use super::inertia::NodalMass;
 use super::layout::{Layout, VectorKind};
 use super::lean::References;
-use super::line::Line;
 use super::linked::{Linked, MarkedLoad, Marker, markers};
 use super::markers::{ConstraintSpec, When};
 use super::moments::turned_by_moments;
-use super::parts::{BodySpec, Fidelity, FrameTie, JointSpec, LoadKind, Parts};
+use super::parts::{BodySpec, Fidelity, FrameTie, LoadKind, Parts};
 use super::repeated::check_instances;
 use super::rigid_sections::declare_normals;
 use super::scene::{Buffers, MeshBody, MeshScene, PlaceVector, Row};
 use super::shared::Shared;
+use super::sound::{check_absolute, check_body, check_joint};
 use super::ties::{self, ChordEnds, Tie, ends};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints};
-use crate::vector::{Vector, add, apply, dot};
-
-/// Elements of one body that are surely not meant: their vectors alone would fill the memory.
-const MOST_ELEMENTS: usize = 10_000_000;
+use crate::vector::{Vector, add, apply};
 
 impl MeshScene {
     /// Builds the scene: geometry, numbering, patterns.
@@ -552,107 +548,6 @@ pub(super) fn numbering(specs: &[BodySpec], kinds: Vec<VectorKind>, shared: &Sha
         .flat_map(|spec| std::iter::repeat_n(spec.dimension(), spec.vectors()));
     let dimensions: Vec<usize> = dimensions.collect();
     Layout::shared(&dimensions, kinds, shared.leaders.clone(), border)
-}
-
-/// A joint may tie a body to its own free frame; everything else between free frames is a constraint.
-fn check_joint(parts: &dyn Parts, joint: &JointSpec, body: &BodySpec, free: &[bool]) -> Result<(), ModelError> {
-    if joint.frame == body.frame || !free[joint.frame] && !free[body.frame] {
-        return Ok(());
-    }
-    Err(ModelError::new(format!(
-        "joint `{}` ties body `{}` to frame `{}`, and one of them moves freely: give it as a constraint",
-        joint.name,
-        body.label(),
-        parts.frame_name(joint.frame)
-    )))
-}
-
-/// Joints that a loop repeats have no constraint on markers beside them.
-fn check_absolute(parts: &dyn Parts, joint: &JointSpec, body: &BodySpec) -> Result<(), ModelError> {
-    if body.instance.is_none() {
-        return Ok(());
-    }
-    Err(ModelError::new(format!(
-        "joint `{}` ties the repeated body `{}` to frame `{}`, which moves freely: absolute coordinates have no such joints, use the referenced formulation",
-        joint.name,
-        body.name,
-        parts.frame_name(joint.frame)
-    )))
-}
-
-fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
-    if let Line::Curve(curve) = &spec.line
-        && let Some(mistake) = curve.mistake()
-    {
-        return Err(ModelError::new(format!("body `{}`: its curve {mistake}", spec.label())));
-    }
-    let length = spec.line.length();
-    if !(length.is_finite() && length > 0.0) {
-        return Err(ModelError::new(format!(
-            "body `{}` has the length {length} m: give its line two ends",
-            spec.label()
-        )));
-    }
-    if spec.count == 0 {
-        return Err(ModelError::new(format!(
-            "body `{}` has no elements: its mesh needs at least one",
-            spec.label()
-        )));
-    }
-    if spec.count > MOST_ELEMENTS {
-        return Err(ModelError::new(format!(
-            "body `{}` has {} elements, and at most {MOST_ELEMENTS} are meshed",
-            spec.label(),
-            spec.count
-        )));
-    }
-    let angle: f64 = match spec.line {
-        Line::Arc { angle, .. } => angle,
-        Line::Straight { .. } => 0.0,
-        Line::Curve(_) => {
-            let bent = |element: usize| {
-                let [start, end] = [element, element + 1].map(|node| spec.line.at(spec.fraction(node, 0)).1);
-                dot(start, end).clamp(-1.0, 1.0).acos()
-            };
-            (0..spec.count).map(bent).fold(0.0, f64::max) * spec.count as f64
-        }
-    };
-    check_stations(spec)?;
-    let node = |node: usize| spec.fraction(node, 0);
-    let turn = |element: usize| (spec.twist.at(node(element + 1)) - spec.twist.at(node(element))).abs();
-    let twist = (0..spec.count).map(turn).fold(0.0, f64::max) * spec.count as f64;
-    for (angle, what) in [(angle, "bent"), (twist, "twisted")] {
-        let each = angle.abs() / spec.count as f64;
-        // The macro has the same limit for the defaults.
-        if each > FRAC_PI_2 * (1.0 + 1e-6) {
-            return Err(ModelError::new(format!(
-                "body `{}`: each of its {} element(s) is {what} by {:.0} deg, and none follows more than 90 deg: take at least {} elements",
-                spec.label(),
-                spec.count,
-                each.to_degrees(),
-                (angle.abs() / FRAC_PI_2 * (1.0 - 1e-6)).ceil()
-            )));
-        }
-    }
-    spec.check_directions()
-}
-
-/// Refuses nodes that do not go from start to end.
-fn check_stations(spec: &BodySpec) -> Result<(), ModelError> {
-    let stations = &spec.stations;
-    if stations.is_empty() {
-        return Ok(());
-    }
-    let mut lengths = stations.windows(2).map(|pair| pair[1] - pair[0]);
-    let goes_on = lengths.all(|length| length > 0.0);
-    if goes_on && stations.len() == spec.count + 1 && stations[0] == 0.0 && stations[spec.count] == 1.0 {
-        return Ok(());
-    }
-    Err(ModelError::new(format!(
-        "body `{}`: its {} stations do not ascend from its start to its end: {stations:?} of its length",
-        spec.label(),
-        stations.len()
-    )))
 }
 
 /// Nodal vectors of all elements in the stress-free shape, in local order and body axes.

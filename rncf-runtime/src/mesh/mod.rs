@@ -6,6 +6,7 @@
 mod assembly;
 mod balance;
 mod batches;
+mod body_spec;
 mod build;
 mod carried;
 mod checks;
@@ -57,6 +58,7 @@ mod section_spec;
 mod settle;
 mod shared;
 mod sizes;
+mod sound;
 mod states;
 mod steady;
 mod stress;

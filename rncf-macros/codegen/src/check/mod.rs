@@ -5,6 +5,7 @@ mod balance;
 mod body;
 mod bushing;
 mod caution;
+mod constant;
 mod constraint;
 mod curve;
 mod density;

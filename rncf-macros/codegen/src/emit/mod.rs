@@ -2,6 +2,7 @@
 //! the end.
 
 mod along;
+mod bodies;
 mod conserving;
 pub mod declaration;
 mod density;

@@ -78,6 +78,7 @@ mod item;
 mod messages;
 mod repeat;
 mod source;
+mod table;
 pub mod tree;
 pub(crate) mod unit;
 

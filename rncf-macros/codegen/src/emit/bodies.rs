@@ -1,0 +1,108 @@
+//! The specifications of bodies.
+
+use super::parts::Parts;
+use crate::elements::Node;
+use crate::model::{Body, Expr, Fidelity, Line};
+
+impl Parts<'_> {
+    pub(super) fn line(&self, body: &Body) -> String {
+        match &body.line {
+            Line::Straight { from, to } => {
+                format!(
+                    "::rncf::mesh::Line::Straight {{ from: {}, to: {} }}",
+                    self.vector(from),
+                    self.vector(to)
+                )
+            }
+            Line::Arc {
+                from,
+                direction,
+                normal,
+                radius,
+                angle,
+            } => {
+                format!(
+                    "::rncf::mesh::Line::Arc {{ from: {}, direction: {}, normal: {}, radius: {}, angle: {} }}",
+                    self.vector(from),
+                    self.vector(direction),
+                    self.vector(normal),
+                    self.expr(radius),
+                    self.expr(angle)
+                )
+            }
+            Line::Curve { points } => {
+                let points: Vec<String> = points.iter().map(|point| self.vector(point)).collect();
+                format!(
+                    "::rncf::mesh::Line::Curve(::rncf::mesh::Spline::through(&[{}]).into())",
+                    points.join(", ")
+                )
+            }
+        }
+    }
+
+    pub(super) fn bodies(&self) -> String {
+        let mut entries = Vec::new();
+        for (index, (body, &variant)) in self.model.bodies.iter().zip(&self.equations.variant_of).enumerate() {
+            let variant = &self.equations.variants[variant].variant;
+            let connectivity = variant.connectivity(self.library);
+            let nodal = variant.vectors(self.library).into_iter().map(|vector| {
+                let xi = match vector.node {
+                    Node::Start => 0.0,
+                    Node::Middle => 0.5,
+                    Node::End => 1.0,
+                };
+                format!(
+                    "::rncf::mesh::NodalSpec {{ meaning: {:?}, of: ::rncf::mesh::Interpolant::{:?}, order: {}, xi: {xi:?} }}",
+                    vector.meaning, vector.of, vector.order
+                )
+            });
+            let nodal = nodal.collect::<Vec<_>>().join(", ");
+            let section_y = match &body.section_y {
+                Some(direction) => format!("Some({})", self.vector(direction)),
+                None => "None".to_string(),
+            };
+            let (stations, twist) = (self.stations(body), self.twist(body));
+            let count = match body.stations {
+                Some(_) => format!("{stations}.len() - 1"),
+                None => self.count(&body.count),
+            };
+            let instance = if body.repeat.is_some() {
+                "Some(instance)"
+            } else {
+                "None"
+            };
+            let entry = format!(
+                "::rncf::mesh::BodySpec {{ name: {:?}, kind: {index}, instance: {instance}, frame: {}, axes: &{:?}, line: {}, count: {count}, stations: {stations}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {twist}, fidelity: ::rncf::mesh::Fidelity::{}, tie: ::rncf::mesh::FrameTie::{:?}, normals: ::std::vec::Vec::new() }}",
+                body.name,
+                body.frame.0,
+                body.space.axes(),
+                self.line(body),
+                connectivity.places,
+                connectivity.per_node,
+                connectivity.stride,
+                self.fidelity(body),
+                body.tie,
+            );
+            entries.push((body.repeat, entry));
+        }
+        self.list("bodies", "BodySpec", &entries)
+    }
+
+    pub(super) fn count(&self, count: &Expr) -> String {
+        match count {
+            Expr::Number(value) => format!("{}", *value as usize),
+            // A count that is computed is rounded down, and a negative one refused as zero.
+            other => format!("{} as usize", self.expr(other)),
+        }
+    }
+
+    fn fidelity(&self, body: &Body) -> String {
+        match &body.fidelity {
+            Fidelity::Full => "Full".to_string(),
+            Fidelity::Modal(count) => format!("Modal({})", self.count(count)),
+            Fidelity::Small(count) => format!("Small({})", self.count(count)),
+            Fidelity::Rigid => "Rigid".to_string(),
+            Fidelity::Point => "Point".to_string(),
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Tables: columns in the declaration, or a file.
+
+use proc_macro2::{Delimiter, TokenTree};
+
+use super::cursor::{Cursor, Parsed};
+use super::expr;
+use super::item::{documentation, recover_field};
+use super::tree::{Field, Fields, ItemKind};
+use crate::errors::{Area, Errors};
+
+/// `= file("path", interpolation = monotone);`
+pub(super) fn file_table(cursor: &mut Cursor) -> Parsed<ItemKind> {
+    cursor.expect_punct('=')?;
+    cursor.expect_word("file")?;
+    let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
+        return Err(cursor.expected("`(\"path\")` after `file`"));
+    };
+    let mut inner = Cursor::of(&group);
+    let area = Area::from(inner.here());
+    let path = match inner.peek() {
+        Some(TokenTree::Literal(literal)) => syn::parse_str::<syn::LitStr>(&literal.to_string()).ok(),
+        _ => None,
+    };
+    let Some(path) = path.map(|path| path.value()) else {
+        return Err(inner.expected("the path of a file in quotes, beside the manifest of the crate"));
+    };
+    inner.next();
+    let arguments = if inner.eat_punct(',') {
+        expr::arguments(&mut inner, 0, &[3])?
+    } else {
+        Vec::new()
+    };
+    if !inner.is_empty() {
+        return Err(inner.expected("`,` or `)`"));
+    }
+    cursor.expect_end()?;
+    Ok(ItemKind::FileTable { path, area, arguments })
+}
+
+/// `{ column = [..] unit; interpolation = monotone; }`
+pub(super) fn columns(cursor: &mut Cursor, area: Area, errors: &mut Errors) -> Parsed<Fields> {
+    let Some(group) = cursor.eat_group(Delimiter::Brace) else {
+        return Err(cursor.expected("`{` and columns, or `=` and `file(\"path\")`"));
+    };
+    let mut inner = Cursor::of(&group);
+    let (mut fields, mut complete) = (Vec::new(), true);
+    while !inner.is_empty() {
+        documentation(&mut inner, errors);
+        if inner.is_empty() {
+            break;
+        }
+        match column(&mut inner) {
+            Ok(field) => fields.push(field),
+            Err(mistake) => {
+                complete = false;
+                errors.push(mistake);
+                recover_field(&mut inner);
+            }
+        }
+    }
+    Ok(Fields { area, fields, complete })
+}
+
+fn column(cursor: &mut Cursor) -> Parsed<Field> {
+    let name = cursor.expect_name("the name of a column")?;
+    cursor.expect_punct('=')?;
+    let value = match cursor.group(Delimiter::Bracket) {
+        Some(_) => expr::list(cursor)?,
+        None => expr::expression(cursor)?,
+    };
+    cursor.expect_end()?;
+    Ok(Field { name, value })
+}
