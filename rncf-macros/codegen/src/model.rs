@@ -3,6 +3,7 @@
 
 mod along;
 mod expression;
+pub mod fold;
 mod moving;
 mod repeated;
 

@@ -8,11 +8,11 @@ use super::section::Section;
 use super::{Check, fold, say};
 use crate::elements::{Coefficient, Element};
 use crate::errors::Area;
-use crate::lower::motions::Time;
 use crate::model::{Expr as Value, Model, SectionShape, Space};
 use crate::parse::tree::{Call, Expr, ExprKind, Field, Fields, Item, ItemKind, Keyword, Name};
 use crate::suggest;
 use crate::symbolic::Id;
+use crate::symbolic::Time;
 use crate::units::Dimension;
 use crate::vocabulary::{DERIVED, MATERIAL, Property, Range, SECTION};
 

@@ -15,7 +15,6 @@ mod end;
 mod expr;
 mod fidelity;
 mod fixture;
-pub(crate) mod fold;
 mod frame;
 mod free;
 pub mod influence;
@@ -61,7 +60,7 @@ use proc_macro2::Span;
 
 use crate::elements::Library;
 use crate::errors::{Area, Errors};
-use crate::model::{BodyId, Frame, FrameId, Model, MotionId, TableId};
+use crate::model::{BodyId, Frame, FrameId, Model, MotionId, TableId, fold};
 use crate::parse::tree::{Argument, Call, Expr, Item, ItemKind, Keyword, Name, Tree};
 use crate::suggest;
 use balance::TOTAL;

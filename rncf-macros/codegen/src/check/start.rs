@@ -1,9 +1,9 @@
 //! The system at t = 0 with the defaults of the parameters: poses, places, markers.
 
 use super::curve::Spline;
-use crate::check::fold::{self, of_repetition};
-use crate::lower::initial::along_axis;
+use crate::model::fold::{self, of_repetition};
 use crate::model::{BodyId, Expr, FrameId, INERTIAL, Line, Location, Marker, MarkerId, Model, Space};
+use crate::symbolic::along_axis;
 
 pub type Vector = [f64; 3];
 

@@ -11,12 +11,12 @@ use super::start::{Pose, Start, Vector, add, cross, dot, norm, normals, scale, s
 use super::{Check, say};
 use crate::elements::Library;
 use crate::errors::Area;
-use crate::lower::motions::Time;
 use crate::model::{
     BodyId, Constraint, Expr, Fidelity, FrameId, FrameTie, Free, Held, Joint, JointKind, Location, Marker, MarkerId,
     Model, Motions, Observable, Space,
 };
 use crate::parse::tree::{ItemKind, Statement};
+use crate::symbolic::Time;
 
 /// Gradient of a condition with respect to the motions of a frame; unused ones are zero.
 type Row = [f64; 6];

@@ -7,9 +7,8 @@ mod full_beam;
 
 use std::collections::HashMap;
 
-use crate::lower::quadratic::field_invariants;
 use crate::model::Function;
-use crate::symbolic::{Graph, Id};
+use crate::symbolic::{Graph, Id, Invariant, Product, invariants};
 use crate::tensors::Polynomial;
 
 pub use beam::BEAM;
@@ -294,6 +293,32 @@ impl Element {
         let all = self.coefficients.iter();
         all.filter(|coefficient| used.contains(&coefficient.name)).collect()
     }
+}
+
+/// Symbols for the invariants of the fields, as the energy's declaration takes them.
+pub fn field_invariants(graph: &mut Graph, element: &Element, dimension: usize) -> (Invariants, Vec<(Invariant, Id)>) {
+    let names: Vec<String> = element
+        .fields_in(dimension)
+        .map(|field| field.name.to_string())
+        .collect();
+    let count = names.len();
+    let zero = graph.zero();
+    let mut fields = Invariants {
+        dimension,
+        dots: vec![vec![zero; count]; count],
+        crosses: vec![vec![zero; count]; count],
+    };
+    let mut symbols = Vec::new();
+    for invariant in invariants(count, dimension) {
+        let symbol = graph.symbol(invariant.name(&names));
+        let (i, j) = (invariant.i, invariant.j);
+        match invariant.product {
+            Product::Dot => (fields.dots[i][j], fields.dots[j][i]) = (symbol, symbol),
+            Product::Cross => (fields.crosses[i][j], fields.crosses[j][i]) = (symbol, graph.negate(symbol)),
+        }
+        symbols.push((invariant, symbol));
+    }
+    (fields, symbols)
 }
 
 /// The elements that the language knows.

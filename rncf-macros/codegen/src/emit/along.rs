@@ -5,9 +5,9 @@ use std::fmt::Write;
 use super::number::number;
 use super::parts::Parts;
 use super::section::coefficient;
-use crate::check::fold;
 use crate::lower::camel_case;
 use crate::lower::elastic::coefficient_places;
+use crate::model::fold;
 use crate::model::{Body, Law, Model, Stations};
 use crate::vocabulary::{CENTRES, DAMPINGS, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES};
 

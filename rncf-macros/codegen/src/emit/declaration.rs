@@ -9,8 +9,8 @@ use super::notes::notes;
 use super::number::number;
 use super::{module_name, visibility, visibility_inside};
 use crate::elements::Library;
-use crate::lower::motions::Time;
 use crate::model::Model;
+use crate::symbolic::Time;
 
 /// The struct, visible one module farther out than it stands.
 pub fn structure(model: &Model, library: &Library, equations: &Equations) -> String {

@@ -6,11 +6,11 @@ use std::fmt::Write;
 
 use super::expression::inline;
 use super::parts::Parts;
-use crate::check::fold;
 use crate::lower::Kernel;
 use crate::lower::camel_case;
 use crate::lower::constraints::ConstraintKernels;
 use crate::lower::joints::LEVELS;
+use crate::model::fold;
 use crate::model::{Expr, Marker, Model, Motions};
 
 const VECTORS: &str = "&[[f64; 3]]";

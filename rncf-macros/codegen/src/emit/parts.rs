@@ -7,11 +7,11 @@ use super::expression::inline;
 use crate::elements::Library;
 use crate::lower::camel_case;
 use crate::lower::joints::LEVELS;
-use crate::lower::motions::Time;
 use crate::model::{
     About, BalanceQuantity, Body, Expr, Held, INERTIAL, JointKind, LoadKind, Location, Model, Observable, Owner,
     PointQuantity,
 };
+use crate::symbolic::Time;
 
 /// The struct with the constants of all bodies and its implementation.
 pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String {

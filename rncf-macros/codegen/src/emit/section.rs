@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use super::parts::Parts;
-use crate::check::fold;
 use crate::elements::Coefficient;
+use crate::model::fold;
 use crate::model::{Body, Expr, SectionShape, Space};
 use crate::vocabulary::{DERIVED, Derived, MATERIAL, Property, Range, SECTION};
 

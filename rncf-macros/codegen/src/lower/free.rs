@@ -1,9 +1,9 @@
 //! Free frames: where they start, and the ten numbers of the rigid parts that they carry.
 
 use super::kernel::Kernel;
-use super::motions::{Time, unit};
 use crate::model::{Frame, Free, Model, Motions, RigidPart};
 use crate::symbolic::{Id, linear::Matrix3};
+use crate::symbolic::{Time, unit};
 
 /// The axis that a frame with one angle turns about.
 fn own_axis(motions: &Motions) -> Option<[f64; 3]> {

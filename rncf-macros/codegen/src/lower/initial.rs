@@ -1,11 +1,8 @@
 //! Initial shapes: a vector along a body's axis and its derivative with respect to the arclength.
 
-use std::collections::HashMap;
-
 use super::kernel::Kernel;
-use super::motions::Time;
-use crate::model::{Body, Expr, Model};
-use crate::symbolic::Id;
+use crate::model::{Body, Model};
+use crate::symbolic::{Time, derived};
 
 /// Initial position and velocity of a body at the arclength x, with their derivatives by x. None of
 /// both where the body starts undeformed and at rest.
@@ -37,25 +34,4 @@ pub fn initial_kernel(model: &Model, body: &Body) -> Option<Kernel> {
         kernel.arguments.push(format!("{name}: &mut [[f64; 3]; 2]"));
     }
     Some(kernel)
-}
-
-/// A vector at the arclength `x` and its derivative, with the parameters' defaults.
-pub fn along_axis(model: &Model, exprs: &[Expr; 3], x: f64, index: f64) -> [[f64; 3]; 2] {
-    let mut time = Time::new(model);
-    let [values, slopes] = derived(&mut time, exprs);
-    let mut inputs = HashMap::from([(time.t, 0.0), (time.x, x), (time.index, index)]);
-    for (at, param) in model.params.iter().enumerate() {
-        inputs.insert(time.param(at), param.default);
-    }
-    let roots: Vec<Id> = values.into_iter().chain(slopes).collect();
-    let numbers = time.graph.evaluate(&roots, &inputs);
-    [0, 3].map(|first| std::array::from_fn(|axis| numbers[first + axis]))
-}
-
-/// Components and their derivatives with respect to the arclength.
-fn derived(time: &mut Time, exprs: &[Expr; 3]) -> [[Id; 3]; 2] {
-    let values = exprs.each_ref().map(|expr| time.expression(expr));
-    let x = time.x;
-    let slopes = values.map(|value| time.graph.partial(value, x));
-    [values, slopes]
 }

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use super::kernel::Kernel;
-use super::motions::Time;
 use crate::model::{Held, INERTIAL, Joint, JointKind, Model};
+use crate::symbolic::Time;
 use crate::symbolic::{Graph, Id, linear::Vector};
 
 /// The conditions of a joint in one formulation.

@@ -1,10 +1,10 @@
 //! Loads, outputs and shape functions as kernels.
 
 use super::kernel::{Kernel, derivatives, values};
-use super::motions::Time;
 use super::variant::Variant;
 use crate::elements::{Interpolant, Library};
 use crate::model::{Expr, Load, LoadKind, Model, Observable, Reduction, RepeatId};
+use crate::symbolic::Time;
 use crate::symbolic::{Graph, Id};
 
 /// Components of the loads that are functions of time alone, in their frames' axes, with their indices.

@@ -2,9 +2,9 @@
 //! their own lists, so that joints of one kind share their functions.
 
 use super::kernel::Kernel;
-use super::motions::Time;
 use crate::model::{Expr, Marker, MarkerId, Model, Observable};
 use crate::symbolic::Id;
+use crate::symbolic::Time;
 
 /// An expression with its markers counted in a constraint's or force's own list.
 pub fn localise(expr: &Expr, markers: &[MarkerId]) -> Expr {

@@ -1,7 +1,7 @@
 //! Materials that are given by their strain energy density: what a variant of an element needs of them.
 
-use super::motions::Time;
 use crate::model::{Body, Expr, Model, Param, SectionShape};
+use crate::symbolic::Time;
 use crate::symbolic::{Graph, Id};
 
 /// How an energy density is integrated over the section.

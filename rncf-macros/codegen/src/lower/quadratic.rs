@@ -3,10 +3,10 @@
 
 use std::collections::HashMap;
 
-use super::invariants::{Invariant, Product, invariants};
-use crate::elements::{Density, Element, Field, Interpolant, Invariants, NodalVector, Term};
+use crate::elements::{Density, Element, Field, Interpolant, NodalVector, Term, field_invariants};
 use crate::model::Quadrature;
 use crate::symbolic::{Graph, Id};
+use crate::symbolic::{Invariant, Product, invariants};
 use crate::tensors::{Polynomial, Rational, integrate};
 
 /// A term of the energy in tensor form:
@@ -50,32 +50,6 @@ pub fn is_position(vector: &NodalVector) -> bool {
 /// Power of the length between a field and the same derivative on the unit element, of relative vectors.
 pub fn length_power(field: &Field) -> i32 {
     i32::from(field.of == Interpolant::Position) - field.order as i32
-}
-
-/// Symbols for the invariants of the fields, as the energy's declaration takes them.
-pub fn field_invariants(graph: &mut Graph, element: &Element, dimension: usize) -> (Invariants, Vec<(Invariant, Id)>) {
-    let names: Vec<String> = element
-        .fields_in(dimension)
-        .map(|field| field.name.to_string())
-        .collect();
-    let count = names.len();
-    let zero = graph.zero();
-    let mut fields = Invariants {
-        dimension,
-        dots: vec![vec![zero; count]; count],
-        crosses: vec![vec![zero; count]; count],
-    };
-    let mut symbols = Vec::new();
-    for invariant in invariants(count, dimension) {
-        let symbol = graph.symbol(invariant.name(&names));
-        let (i, j) = (invariant.i, invariant.j);
-        match invariant.product {
-            Product::Dot => (fields.dots[i][j], fields.dots[j][i]) = (symbol, symbol),
-            Product::Cross => (fields.crosses[i][j], fields.crosses[j][i]) = (symbol, graph.negate(symbol)),
-        }
-        symbols.push((invariant, symbol));
-    }
-    (fields, symbols)
 }
 
 /// The terms in tensor form, or `None` where a density is not quadratic in the inner products, or the

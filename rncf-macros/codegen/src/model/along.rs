@@ -95,5 +95,5 @@ impl Body {
 
 /// Whether a value depends on the place along the axis.
 fn has_place(value: &Expr) -> bool {
-    crate::check::fold::has_arclength(value)
+    super::fold::has_arclength(value)
 }

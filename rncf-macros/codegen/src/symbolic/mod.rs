@@ -7,7 +7,9 @@
 mod cost;
 mod differentiate;
 mod evaluate;
+mod invariants;
 pub mod linear;
+mod time;
 
 use std::collections::HashMap;
 
@@ -15,6 +17,8 @@ use crate::model::{Comparison, Function};
 
 pub use cost::Cost;
 pub use evaluate::Scalar;
+pub use invariants::{Invariant, Product, invariants};
+pub use time::{Time, along_axis, derived, unit};
 
 /// A node of a [`Graph`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -115,7 +115,7 @@ fn items_of_loops_stand_once() {
     let initial = model.bodies[1].initial.position.clone().expect("an initial shape");
     assert!(
         initial[..2].iter().all(|component| {
-            crate::check::fold::has_index(component) && crate::check::fold::has_arclength(component)
+            crate::model::fold::has_index(component) && crate::model::fold::has_arclength(component)
         })
     );
     let remote = &model.fixtures[0];
@@ -144,7 +144,7 @@ fn repeated_joints_have_no_rows() {
     );
     assert_eq!(model.joints[0].frame, FrameId(2));
     let point = model.joints[1].point.clone().expect("a point");
-    assert_eq!(crate::check::fold::at_index(&point[0], 2.0), Some(2.0));
+    assert_eq!(crate::model::fold::at_index(&point[0], 2.0), Some(2.0));
     let names: Vec<_> = model
         .constraints
         .iter()

@@ -645,7 +645,7 @@ fn fixtures_on_sections() {
              fixture ring on wire.end {{ mass = 2 kg; offset = 0.1 m; gyration = 0.2 m; }}"
         ),
     );
-    let value = |expr: &Expr| crate::check::fold::with_defaults(&model, expr, 0.0).unwrap();
+    let value = |expr: &Expr| crate::model::fold::with_defaults(&model, expr, 0.0).unwrap();
     let constants = |at: usize| model.fixtures[at].constants.each_ref().map(value);
     let mut want = vec![mass];
     want.extend((0..3).map(|i| points.iter().map(|(m, x)| m * x[i]).sum::<f64>()));
@@ -658,7 +658,7 @@ fn fixtures_on_sections() {
         PLANAR,
         "fixture disc on rod.end { mass = 2 kg; center = [0.1, 0.3, 0] m; inertia = 0.4 kg*m^2; }",
     );
-    let value = |expr: &Expr| crate::check::fold::with_defaults(&flat, expr, 0.0).unwrap();
+    let value = |expr: &Expr| crate::model::fold::with_defaults(&flat, expr, 0.0).unwrap();
     let constants = flat.fixtures[0].constants.each_ref().map(value);
     near(
         &constants,

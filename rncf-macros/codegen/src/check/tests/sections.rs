@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use super::{model, run};
-use crate::check::fold::with_defaults;
 use crate::check::start::{Start, Vector, cross, dot, norm, subtract};
 use crate::check::ties::{self, Untied};
 use crate::elements::Library;
+use crate::model::fold::with_defaults;
 use crate::model::{BodyId, Expr, FrameId, Line, Location, Marker, MarkerId, Model, SectionShape};
 
 /// Sections of all kinds, a material with an energy, and bodies with cross-sections in space and in a plane.

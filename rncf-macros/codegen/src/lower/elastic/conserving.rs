@@ -14,12 +14,12 @@
 
 use super::fields::{FieldBlocks, FieldKernels, Groups};
 use super::{Builder, Form, Quantity, rules};
+use crate::elements::field_invariants;
 use crate::elements::{Density, Library};
-use crate::lower::invariants::Invariant;
 use crate::lower::kernel::Kernel;
-use crate::lower::quadratic::field_invariants;
 use crate::lower::signature::Signature;
 use crate::lower::variant::Variant;
+use crate::symbolic::Invariant;
 use crate::symbolic::{Graph, Id, linear::Vector};
 
 /// The invariant, or its mean over two states.

@@ -4,11 +4,12 @@
 use super::particles::section_point;
 use super::{Builder, Form, Quantity, State, rules};
 use crate::elements::{Interpolant, Library, NodalVector};
-use crate::lower::invariants::{Blocks, Invariant, Response};
+use crate::lower::invariants::{Blocks, Response};
 use crate::lower::kernel::Kernel;
 use crate::lower::quadratic::{base_vector, is_position, length_power, relative_shapes};
 use crate::lower::signature::{PointInputs, Signature};
 use crate::lower::variant::Variant;
+use crate::symbolic::Invariant;
 use crate::symbolic::{Cost, Id, linear::Vector};
 use crate::tensors::gauss_rule;
 

@@ -15,12 +15,13 @@ pub use conserving::{Between, BetweenRule, conserving_kernels, conserving_obstac
 pub use fields::{FieldBlocks, FieldKernels, FieldRule, Groups, field_kernels};
 
 use crate::elements::{Element, Field, Library, NodalVector};
-use crate::lower::invariants::{Blocks, Invariant};
+use crate::lower::invariants::Blocks;
 use crate::lower::kernel::{Kernel, PointLoop};
 use crate::lower::quadratic::{base_vector, is_position};
 use crate::lower::signature::Signature;
 use crate::lower::variant::Variant;
 use crate::model::Quadrature;
+use crate::symbolic::Invariant;
 use crate::symbolic::{Graph, Id, linear::Vector};
 
 /// How the strain energy is integrated.

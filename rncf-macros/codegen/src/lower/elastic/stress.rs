@@ -5,9 +5,10 @@ use std::collections::HashMap;
 
 use super::conserving::averaged_value;
 use super::{Builder, Form, Quantity, State, points};
+use crate::elements::field_invariants;
 use crate::elements::{Density, Term};
-use crate::lower::invariants::Invariant;
-use crate::lower::quadratic::{field_invariants, length_power};
+use crate::lower::quadratic::length_power;
+use crate::symbolic::Invariant;
 use crate::symbolic::{Id, linear::Vector};
 
 /// Symbols of a point and what they stand for.

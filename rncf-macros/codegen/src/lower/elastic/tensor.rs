@@ -2,9 +2,10 @@
 
 use super::conserving::averaged_value;
 use super::{Builder, Quantity, State};
-use crate::lower::invariants::{Invariant, Response, invariants};
+use crate::lower::invariants::Response;
 use crate::lower::quadratic::{TensorTerm, tensor_terms};
 use crate::symbolic::Id;
+use crate::symbolic::{Invariant, invariants};
 
 /// What the tensors are multiplied with, one entry for each invariant that occurs.
 struct Strains {

@@ -1,6 +1,6 @@
 //! Constant values, and dependence on time.
 
-use crate::model::{Binary, Comparison, Expr, Function, Model, TableId};
+use super::{Binary, Comparison, Expr, Function, Model, TableId};
 
 /// Value of an expression of numbers only.
 pub fn constant(expr: &Expr) -> Option<f64> {
