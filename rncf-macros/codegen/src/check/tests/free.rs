@@ -403,7 +403,7 @@ fn initial_shapes_are_functions_of_the_arclength() {
     assert_eq!((&position[0], &position[2]), (&Expr::Arclength, &Number(0.0)));
     assert!(initial.velocity.is_some());
     // Place, and slope by derivation: y = 2 x^2.
-    let [place, slope] = crate::lower::initial::along_axis(&model, position, 1.5, 0.0);
+    let [place, slope] = crate::symbolic::along_axis(&model, position, 1.5, 0.0);
     assert_eq!((place, slope), ([1.5, 4.5, 0.0], [1.0, 6.0, 0.0]));
 }
 
