@@ -2307,7 +2307,12 @@ pub mod curved_out_of_plane_equations {
                 _ => {}
             }
         }
-        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
+        fn section(
+            &self,
+            body: usize,
+            x: f64,
+            length: f64,
+        ) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
                 shape: ::rncf::mesh::SectionShape::General {
@@ -2332,7 +2337,7 @@ pub mod curved_out_of_plane_equations {
         fn field_forces(
             &self,
             body: usize,
-            x: f64,
+            at: [f64; 2],
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

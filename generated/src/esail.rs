@@ -2921,7 +2921,12 @@ pub mod esail_equations {
                 }
             }
         }
-        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
+        fn section(
+            &self,
+            body: usize,
+            x: f64,
+            length: f64,
+        ) -> ::rncf::mesh::SectionSpec {
             let (body, instance) = self.kind(body);
             let model = &self.model;
             match body {
@@ -2971,7 +2976,7 @@ pub mod esail_equations {
         fn field_forces(
             &self,
             body: usize,
-            x: f64,
+            at: [f64; 2],
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

@@ -4346,9 +4346,13 @@ pub mod iea15mw_blade_equations {
                 _ => {}
             }
         }
-        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
+        fn section(
+            &self,
+            body: usize,
+            x: f64,
+            length: f64,
+        ) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
-            let length: f64 = self.row_blade.iter().map(|row| row.length).sum();
             ::rncf::mesh::SectionSpec {
                 shape: ::rncf::mesh::SectionShape::General {
                     extent: [None, None],
@@ -4372,13 +4376,13 @@ pub mod iea15mw_blade_equations {
         fn field_forces(
             &self,
             body: usize,
-            x: f64,
+            at: [f64; 2],
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],
             forces: &mut [f64],
         ) {
-            let length = self.row_blade.iter().map(|row| row.length).sum();
+            let [x, length] = at;
             if let Ok((coefficients, _)) = along_blade(&self.model, x, length) {
                 full_beam_spatial_curved_field_forces(
                     &self.row_blade[0],

@@ -2977,7 +2977,12 @@ pub mod motor_equations {
                 _ => {}
             }
         }
-        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
+        fn section(
+            &self,
+            body: usize,
+            x: f64,
+            length: f64,
+        ) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
                 shape: ::rncf::mesh::SectionShape::Circle {
@@ -3002,7 +3007,7 @@ pub mod motor_equations {
         fn field_forces(
             &self,
             body: usize,
-            x: f64,
+            at: [f64; 2],
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

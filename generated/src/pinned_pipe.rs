@@ -1121,7 +1121,12 @@ pub mod pinned_pipe_equations {
                 _ => {}
             }
         }
-        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
+        fn section(
+            &self,
+            body: usize,
+            x: f64,
+            length: f64,
+        ) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             ::rncf::mesh::SectionSpec {
                 shape: ::rncf::mesh::SectionShape::General {
@@ -1143,7 +1148,7 @@ pub mod pinned_pipe_equations {
         fn field_forces(
             &self,
             body: usize,
-            x: f64,
+            at: [f64; 2],
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

@@ -3005,7 +3005,12 @@ pub mod right_angle_frame_equations {
                 }
             }
         }
-        fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {
+        fn section(
+            &self,
+            body: usize,
+            x: f64,
+            length: f64,
+        ) -> ::rncf::mesh::SectionSpec {
             let model = &self.model;
             match body {
                 0 => {
@@ -3059,7 +3064,7 @@ pub mod right_angle_frame_equations {
         fn field_forces(
             &self,
             body: usize,
-            x: f64,
+            at: [f64; 2],
             stress_free: &[f64],
             fields: &[f64],
             rates: &[f64],

@@ -19,6 +19,19 @@ pub enum Range {
     Any,
 }
 
+impl Range {
+    /// Whether a value is in it.
+    pub fn has(self, value: f64) -> bool {
+        match self {
+            Range::Positive => value > 0.0,
+            Range::NonNegative => value >= 0.0,
+            Range::Part => value > 0.0 && value <= 1.0,
+            Range::Poisson => value > -1.0 && value < 0.5,
+            Range::Any => value.is_finite(),
+        }
+    }
+}
+
 /// A property of a material or section.
 #[derive(Clone, Copy, Debug)]
 pub struct Property {

@@ -103,11 +103,7 @@ impl Bordered {
         let constraint_pattern = system.constraint_pattern().clone();
         let (n, m) = (system.unknowns(), system.constraints());
         Self {
-            saddle: Saddle::new(&pattern, border, &constraint_pattern).sized(
-                system.sizes(),
-                &pattern,
-                &constraint_pattern,
-            ),
+            saddle: Saddle::new(&pattern, border, &constraint_pattern).sized(system.sizes()),
             weight,
             sizes: system.sizes().to_vec(),
             jacobian: vec![0.0; constraint_pattern.entries()],

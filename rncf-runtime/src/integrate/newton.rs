@@ -217,11 +217,7 @@ impl Newton {
             },
             bearable: BEARABLE,
             rtol,
-            saddle: Saddle::new(pattern, system.border(), &constraint_pattern).sized(
-                system.sizes(),
-                pattern,
-                &constraint_pattern,
-            ),
+            saddle: Saddle::new(pattern, system.border(), &constraint_pattern).sized(system.sizes()),
             tangent: Tangent {
                 mass: vec![0.0; entries],
                 stiffness: vec![0.0; entries],

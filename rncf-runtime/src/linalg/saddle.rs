@@ -43,8 +43,9 @@ pub struct Saddle<T> {
     corner_constraints: Vec<(usize, usize, usize)>,
     columns: Columns<T>,
     rows: Rows<T>,
-    /// Entries on the diagonal of K with the sizes of their unknowns; all sizes; those of the rows of the Schur complement.
-    diagonal: Vec<(usize, f64)>,
+    /// Entries on the diagonal of K with their unknowns; sizes of all unknowns, where known; those of the rows of the Schur
+    /// complement.
+    diagonal: Vec<(usize, usize)>,
     sizes: Vec<f64>,
     scales: Vec<f64>,
     constraint_entries: Vec<(usize, usize, usize)>,
@@ -123,33 +124,31 @@ impl<T: Scalar> Saddle<T> {
             rows: Rows::new(&rows, border, inner, columns.numbers.len()),
             known: vec![T::default(); columns.numbers.len()],
             columns,
-            diagonal: Vec::new(),
+            diagonal: (0..n).filter_map(|i| Some((block.find(i, i)?, i))).collect(),
             sizes: Vec::new(),
             scales: vec![1.0; border + m],
-            constraint_entries: Vec::new(),
+            constraint_entries: entries(constraint_transposed).collect(),
             schur: Dense::new(border + m),
             work: vec![T::default(); border + m],
         }
     }
 
-    /// With the sizes of the unknowns, in which a matrix may be regular that is not in other units. The patterns are
-    /// those of [`Saddle::new`].
-    pub fn sized(mut self, sizes: &[f64], block: &Pattern, constraint_transposed: &Pattern) -> Self {
-        self.diagonal = (0..sizes.len())
-            .filter_map(|i| Some((block.find(i, i)?, sizes[i])))
-            .collect();
+    /// With the sizes of the unknowns, in which a matrix may be regular that is not in other units.
+    pub fn sized(mut self, sizes: &[f64]) -> Self {
         self.sizes = sizes.to_vec();
-        self.constraint_entries = entries(constraint_transposed).collect();
         self
     }
 
     /// Scales with unknowns in parts of their sizes: the largest entry on the diagonal of K is 1 then, and the largest of
     /// every constraint. False where sizes are not known.
     fn begin_scales(&mut self, block: &[T], constraint_transposed: &[f64]) -> bool {
+        if self.sizes.is_empty() {
+            return false;
+        }
         let most = self
             .diagonal
             .iter()
-            .map(|&(entry, size)| block[entry].size() * size * size)
+            .map(|&(entry, unknown)| block[entry].size() * self.sizes[unknown] * self.sizes[unknown])
             .fold(0.0, f64::max)
             .sqrt();
         if !(most > 0.0 && most.is_finite()) {

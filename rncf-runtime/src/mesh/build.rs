@@ -441,8 +441,11 @@ impl MeshScene {
             .iter()
             .filter(|body| !(self.in_modes && body.modes.is_some()))
         {
+            let mut local = spread_mass(body.mass_of(0), &body.spec);
             for element in 0..body.spec.count {
-                let local = spread_mass(body.mass_of(element), &body.spec);
+                if !body.is_even() {
+                    local = spread_mass(body.mass_of(element), &body.spec);
+                }
                 body.scatter.add(element, &local, &mut self.mass);
             }
         }

@@ -94,7 +94,7 @@ impl MeshScene {
         let Some(axial) = of.iter().position(|&field| field == (Interpolant::Position, 1)) else {
             return false;
         };
-        let x = spec.arclength(element, xi);
+        let at = [spec.arclength(element, xi), spec.line.length()];
         let weights = weights(self, (body, element), of, xi);
         let fields = |local: &[f64]| -> Vec<f64> {
             let vectors = weights.chunks_exact(count).flat_map(|weights| {
@@ -116,7 +116,7 @@ impl MeshScene {
                 *value = (1.0 + change) * slope;
             }
             forces.fill(0.0);
-            self.parts.field_forces(body, x, &free, &present, &rates, &mut forces);
+            self.parts.field_forces(body, at, &free, &present, &rates, &mut forces);
             forces[own.clone()].iter().zip(&slope).map(|(f, a)| f * a).sum::<f64>()
         });
         force < 0.0 && further < force

@@ -1,18 +1,10 @@
 //! Space curves through points: cubic splines with continuous curvature, by arclength.
 
+use super::gauss::FIVE;
 use crate::vector::{Vector, add, norm, scale, subtract};
 
 /// Pieces of one span of the spline in the table of its arclength.
 const PIECES: usize = 16;
-/// Gauss's rule with five points in [0, 1]: place and weight.
-const FIVE: [(f64, f64); 5] = [
-    (0.046_910_077_030_668_02, 0.118_463_442_528_094_54),
-    (0.230_765_344_947_158_45, 0.239_314_335_249_683_24),
-    (0.5, 0.284_444_444_444_444_45),
-    (0.769_234_655_052_841_6, 0.239_314_335_249_683_24),
-    (0.953_089_922_969_332, 0.118_463_442_528_094_54),
-];
-
 /// A natural cubic spline through points, with the sum of the chords as parameter; its second derivative vanishes at both
 /// ends.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,12 +73,6 @@ impl Spline {
     pub fn at(&self, u: f64) -> (Vector, Vector) {
         let (place, slope, _) = self.evaluate(self.parameter(u));
         (place, scale(1.0 / norm(slope), slope))
-    }
-
-    /// Curvature at the fraction `u` of the arclength, 1/m.
-    pub fn curvature(&self, u: f64) -> f64 {
-        let (_, slope, bend) = self.evaluate(self.parameter(u));
-        norm(crate::vector::cross(slope, bend)) / norm(slope).powi(3)
     }
 
     /// The parameter where the arclength is a fraction of the whole: Newton's iteration in the piece of the table.
@@ -182,7 +168,9 @@ mod tests {
         let wanted = [10.0 * 0.5_f64.sin(), 10.0 * (1.0 - 0.5_f64.cos()), 0.0];
         assert!(norm(subtract(place, wanted)) < 1e-5, "{place:?}");
         assert!((tangent[0] - 0.5_f64.cos()).abs() < 1e-5, "{tangent:?}");
-        assert!((spline.curvature(0.5) - 0.1).abs() < 1e-5);
+        let (_, slope, bend) = spline.evaluate(spline.parameter(0.5));
+        let curvature = norm(crate::vector::cross(slope, bend)) / norm(slope).powi(3);
+        assert!((curvature - 0.1).abs() < 1e-5);
     }
 
     #[test]

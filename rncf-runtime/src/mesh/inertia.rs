@@ -15,6 +15,7 @@ use pulp::Arch;
 use super::carried::SPATIAL;
 use super::frame::FrameMotion;
 use super::free::RigidSpec;
+use super::gauss::EIGHT;
 use super::parts::{BodySpec, Fidelity, Interpolant};
 use super::scene::{Buffers, MeshBody, MeshScene};
 use crate::error::ModelError;
@@ -239,14 +240,6 @@ fn add_entry(row: &mut Vec<(u32, f64)>, column: usize, value: f64) {
         None => row.push((column, value)),
     }
 }
-
-/// Gauss's rule with eight points in [0, 1], place and weight: its first four points, the others mirror them.
-const EIGHT: [(f64, f64); 4] = [
-    (0.019_855_071_751_231_884, 0.050_614_268_145_188_13),
-    (0.101_666_761_293_186_63, 0.111_190_517_226_687_24),
-    (0.237_233_795_041_835_5, 0.156_853_322_938_943_64),
-    (0.408_282_678_752_175_1, 0.181_341_891_689_181),
-];
 
 /// Mass matrix of the `count` vectors of an element with a length (m), rows first, from masses per length that move with r r,
 /// r r_y, r r_z, r_y r_y, r_z r_z, r_y r_z at places in [0, 1], and the weights of the vectors there.

@@ -123,11 +123,6 @@ impl SectionLaw {
         }
         out
     }
-
-    /// The matrix of stiffness about the axis.
-    pub fn stiffness(&self) -> &Matrix6 {
-        &self.stiffness
-    }
 }
 
 /// The matrix about the axis from constants about the centres: axial force and bending act at the tension centre, shear and torsion
@@ -293,7 +288,7 @@ mod tests {
     #[test]
     fn centres_are_where_forces_do_not_couple() {
         let law = SectionLaw::new("rod", Stiffness::Centres(ROD), BAR).unwrap();
-        let k = law.stiffness();
+        let k = &law.stiffness;
         // A force at the tension centre strains without bending: its moments about the axis are (z N, -y N).
         let pull: Vec<f64> = (0..6).map(|row| k[row][0]).collect();
         assert!(

@@ -26,6 +26,7 @@ mod followed;
 mod frame;
 mod frames;
 mod free;
+mod gauss;
 mod inertia;
 mod inertia_tangent;
 mod initial;

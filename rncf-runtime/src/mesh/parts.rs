@@ -306,8 +306,8 @@ pub trait Parts: Send + Sync + 'static {
     /// 0, 1 of the position, 0 of the section's axes, and those of [`Parts::fields`].
     #[allow(clippy::too_many_arguments)]
     fn shapes(&self, _body: usize, _element: usize, _of: Interpolant, _order: usize, _xi: f64, _weights: &mut [f64]) {}
-    /// What stresses of a body follow from at the arclength `x`, m.
-    fn section(&self, _body: usize, _x: f64) -> SectionSpec {
+    /// What stresses of a body follow from at the arclength `x` of an axis with a length, m.
+    fn section(&self, _body: usize, _x: f64, _length: f64) -> SectionSpec {
         SectionSpec::NONE
     }
     /// Number of fields that the strain energy of a body depends on, and for each the interpolant and order
@@ -317,11 +317,11 @@ pub trait Parts: Send + Sync + 'static {
     }
     /// Forces on the fields of a body at a point of an element, dU/d(field) per unit length, body axes: N on
     /// order 1 of the position, N m on the others; from the fields' values in the stress-free shape, at
-    /// present, and their rates, one vector of the body's dimension after the other; `x` is the arclength, m.
+    /// present, and their rates, one vector of the body's dimension after the other, at an arclength of an axis with a length (m).
     fn field_forces(
         &self,
         _body: usize,
-        _x: f64,
+        _at: [f64; 2],
         _stress_free: &[f64],
         _fields: &[f64],
         _rates: &[f64],

@@ -439,14 +439,7 @@ impl MeshScene {
             for by in &section.columns {
                 let mut change = [[0.0; 3]; 3];
                 change[by.vector][by.axis] = by.weight;
-                let mut sum = [[0.0; 3]; 3];
-                for (kept, multiplier) in section.rows.iter().zip(lambda) {
-                    let gradient = kept.gradient(&change);
-                    for (sum, value) in sum.iter_mut().flatten().zip(gradient.iter().flatten()) {
-                        *sum += multiplier * value;
-                    }
-                }
-                section.each(&sum, |component, value| {
+                section.each(&section.pull(&change, lambda), |component, value| {
                     if value != 0.0 {
                         for (entry, factor) in self.entries_of(component, by.component) {
                             add(entry, factor * value);

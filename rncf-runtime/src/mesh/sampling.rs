@@ -38,7 +38,7 @@ impl MeshScene {
     /// What there is to sample.
     pub(super) fn sectioned(&self) -> Vec<SectionBody> {
         let describe = |body: usize| {
-            let (spec, section) = (&self.bodies[body].spec, self.parts.section(body, 0.0));
+            let (spec, section) = (&self.bodies[body].spec, self.section_spec(body, 0.0));
             SectionBody {
                 name: spec.label(),
                 length: spec.line.length(),

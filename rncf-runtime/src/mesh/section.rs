@@ -2,12 +2,13 @@
 //! the balance of the element with the forces on its nodes, and of its part up to the place with inertia and loads.
 
 use super::evaluate::MAX_SIZE;
+use super::gauss::FIVE;
 use super::inertia::{Total, Transport, padded, vector as vector_of};
 use super::modal::{Kernels, ModalBody};
 use super::parts::{Fidelity, Interpolant};
 use super::point_forces::PointForce;
 use super::scene::{MeshPoint, MeshScene};
-use super::section_spec::SectionQuantity;
+use super::section_spec::{SectionQuantity, SectionSpec};
 use super::stress::largest_stress;
 use crate::error::ModelError;
 use crate::linalg::Cholesky;
@@ -71,15 +72,6 @@ fn section_axes(y: Vector, z: Vector) -> [Vector; 3] {
     [along, y, cross(along, y)]
 }
 
-/// Gauss's rule with five points, place and weight: exact for a cubic force per length times a cubic lever.
-const FIVE: [(f64, f64); 5] = [
-    (0.046_910_077_030_668_02, 0.118_463_442_528_094_54),
-    (0.230_765_344_947_158_45, 0.239_314_335_249_683_24),
-    (0.5, 0.284_444_444_444_444_45),
-    (0.769_234_655_052_841_6, 0.239_314_335_249_683_24),
-    (0.953_089_922_969_332, 0.118_463_442_528_094_54),
-];
-
 /// What the section at the start of an element carries, and what acts between there and its end.
 struct Element {
     /// Nodal vectors at the places that forces act at, frame axes.
@@ -115,6 +107,8 @@ fn sum(weights: &[f64], vectors: &[Vector]) -> Vector {
 pub(super) struct Reader<'a> {
     scene: &'a MeshScene,
     body: usize,
+    /// What stresses follow from, where that is the same along the body.
+    section: Option<SectionSpec>,
     is_line: bool,
     normal: Option<Vector>,
     /// The element that is read, and its length, m.
@@ -133,6 +127,7 @@ impl<'a> Reader<'a> {
         let mut reader = Self {
             scene,
             body,
+            section: (!scene.parts.varies(body)).then(|| scene.section_spec(body, 0.0)),
             is_line: !spec.has_section(),
             normal: spec.plane_normal(),
             element: 0,
@@ -234,7 +229,7 @@ impl<'a> Reader<'a> {
         }
         let is_planar = self.normal.is_some();
         let x = spec.arclength(element, xi);
-        let section = self.scene.parts.section(self.body, x);
+        let section = self.section.unwrap_or_else(|| self.scene.section_spec(self.body, x));
         let stress = |moments| largest_stress(&section, is_planar, forces, moments);
         // Which way a centre line in space bends relative to its section is not known.
         let other = if self.is_line && !is_planar {
@@ -439,9 +434,14 @@ impl MeshScene {
         )))
     }
 
+    /// What stresses of a body follow from at an arclength, m.
+    pub(super) fn section_spec(&self, body: usize, x: f64) -> SectionSpec {
+        self.parts.section(body, x, self.bodies[body].spec.line.length())
+    }
+
     /// Whether the largest stress of a body's sections is known.
     pub(super) fn knows_stress(&self, body: usize) -> bool {
-        let (spec, section) = (&self.bodies[body].spec, self.parts.section(body, 0.0));
+        let (spec, section) = (&self.bodies[body].spec, self.section_spec(body, 0.0));
         largest_stress(&section, spec.dimension() == 2, [0.0; 3], [0.0; 3]).is_some()
     }
 

@@ -9,7 +9,7 @@ impl MeshScene {
         let mut told: Vec<&str> = Vec::new();
         let mut warnings = Vec::new();
         for (index, body) in self.bodies.iter().enumerate() {
-            let section = self.parts.section(index, 0.0);
+            let section = self.section_spec(index, 0.0);
             let moment = section.second_moments.iter().copied().fold(0.0, f64::max);
             let (radius, length) = ((moment / section.area).sqrt(), body.spec.line.length());
             // Not where one of them is unknown.

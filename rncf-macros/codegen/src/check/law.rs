@@ -71,7 +71,7 @@ impl<'a> Check<'a> {
                 return None;
             }
             for (row, &value) in column.values.iter().enumerate() {
-                if !self.is_in_range(property, value) {
+                if !property.range.has(value) {
                     let place = self.model.tables[table.0].places[row];
                     let message = say::row_out_of_range(row + 1, place, &column.name, value);
                     self.errors.at(call.area, message);
@@ -82,15 +82,6 @@ impl<'a> Check<'a> {
             values.entry(property.name).or_insert((value, call.area));
         }
         self.stiffness_law(name, values, call.area)
-    }
-
-    fn is_in_range(&self, property: &Property, value: f64) -> bool {
-        use crate::vocabulary::Range;
-        match property.range {
-            Range::Positive => value > 0.0,
-            Range::NonNegative => value >= 0.0,
-            _ => value.is_finite(),
-        }
     }
 
     /// The law that fields are, checked for what is missing and what contradicts.

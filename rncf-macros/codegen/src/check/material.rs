@@ -171,12 +171,10 @@ impl<'a> Check<'a> {
 
     /// Whether a constant is in its range; reports where it is not.
     pub(super) fn range(&mut self, what: &str, range: Range, value: f64, area: Area) -> bool {
+        if range.has(value) {
+            return true;
+        }
         let message = match range {
-            Range::Positive if value > 0.0 => return true,
-            Range::NonNegative if value >= 0.0 => return true,
-            Range::Poisson if value > -1.0 && value < 0.5 => return true,
-            Range::Any if value.is_finite() => return true,
-            Range::Part if value > 0.0 && value <= 1.0 => return true,
             Range::Positive => say::positive(what),
             Range::Part => say::part(what),
             Range::NonNegative => say::not_negative(what),

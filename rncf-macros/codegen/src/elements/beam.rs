@@ -14,39 +14,36 @@ pub(super) const AXIS_POINTS: usize = 3;
 /// Gauss points of the section's gradients: more lock in strong bending, one is singular.
 pub(super) const GRADIENT_POINTS: usize = 2;
 
-/// Nodal vectors of a beam with a section.
-pub(super) const VECTORS: &[NodalVector] = &[
-    position("r0", Node::Start, 0, || Polynomial::whole(&[1, 0, -3, 2])),
-    position("r0x", Node::Start, 1, || Polynomial::whole(&[0, 1, -2, 1])),
-    director("r0y", Node::Start, Interpolant::SectionY, || {
-        Polynomial::whole(&[1, -3, 2])
-    }),
-    director("r0z", Node::Start, Interpolant::SectionZ, || {
-        Polynomial::whole(&[1, -3, 2])
-    }),
-    director("ry_half", Node::Middle, Interpolant::SectionY, || {
-        Polynomial::whole(&[0, 4, -4])
-    }),
-    director("rz_half", Node::Middle, Interpolant::SectionZ, || {
-        Polynomial::whole(&[0, 4, -4])
-    }),
-    position("r1", Node::End, 0, || Polynomial::whole(&[0, 0, 3, -2])),
-    position("r1x", Node::End, 1, || Polynomial::whole(&[0, 0, -1, 1])),
-    director("r1y", Node::End, Interpolant::SectionY, || {
-        Polynomial::whole(&[0, -1, 2])
-    }),
-    director("r1z", Node::End, Interpolant::SectionZ, || {
-        Polynomial::whole(&[0, -1, 2])
-    }),
-];
-
 /// The element behind the word `beam`.
 pub const BEAM: Element = Element {
     names: &["beam"],
     kernel: "beam",
     of_stiffness: false,
     doc: "Beam with a cross-section: axial strain, shear, bending, torsion",
-    vectors: VECTORS,
+    vectors: &[
+        position("r0", Node::Start, 0, || Polynomial::whole(&[1, 0, -3, 2])),
+        position("r0x", Node::Start, 1, || Polynomial::whole(&[0, 1, -2, 1])),
+        director("r0y", Node::Start, Interpolant::SectionY, || {
+            Polynomial::whole(&[1, -3, 2])
+        }),
+        director("r0z", Node::Start, Interpolant::SectionZ, || {
+            Polynomial::whole(&[1, -3, 2])
+        }),
+        director("ry_half", Node::Middle, Interpolant::SectionY, || {
+            Polynomial::whole(&[0, 4, -4])
+        }),
+        director("rz_half", Node::Middle, Interpolant::SectionZ, || {
+            Polynomial::whole(&[0, 4, -4])
+        }),
+        position("r1", Node::End, 0, || Polynomial::whole(&[0, 0, 3, -2])),
+        position("r1x", Node::End, 1, || Polynomial::whole(&[0, 0, -1, 1])),
+        director("r1y", Node::End, Interpolant::SectionY, || {
+            Polynomial::whole(&[0, -1, 2])
+        }),
+        director("r1z", Node::End, Interpolant::SectionZ, || {
+            Polynomial::whole(&[0, -1, 2])
+        }),
+    ],
     fields: &[
         field("a", Interpolant::Position, 1),
         field("b", Interpolant::SectionY, 0),
@@ -129,7 +126,7 @@ const fn director(name: &'static str, node: Node, of: Interpolant, shape: fn() -
     }
 }
 
-pub(super) const fn field(name: &'static str, of: Interpolant, order: usize) -> Field {
+const fn field(name: &'static str, of: Interpolant, order: usize) -> Field {
     Field { name, of, order }
 }
 

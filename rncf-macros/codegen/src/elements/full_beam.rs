@@ -1,34 +1,21 @@
 //! Ten-vector beam whose section has a full matrix of stiffness: strains of a geometrically exact rod, written as inner products
 //! of r_x, r_y, r_z and their derivatives (docs/theory.md, 5.2.2).
 
-use super::beam::{AXIS_POINTS, GRADIENT_POINTS, VECTORS, field};
-use super::{Coefficient, Density, Element, Interpolant, Invariants, Term, axial_strain};
+use super::beam::{AXIS_POINTS, BEAM, GRADIENT_POINTS};
+use super::{Coefficient, Density, Element, Invariants, Term, axial_strain};
 use crate::model::Function;
 use crate::symbolic::{Graph, Id};
 
 /// The element behind the word `beam` where the section says its stiffness itself.
 pub const FULL_BEAM: Element = Element {
-    names: &["beam"],
     kernel: "full_beam",
     doc: "Beam with a full matrix of stiffness: axial strain, shear, torsion, bending, all coupled",
     of_stiffness: true,
-    vectors: VECTORS,
-    fields: &[
-        field("a", Interpolant::Position, 1),
-        field("b", Interpolant::SectionY, 0),
-        field("c", Interpolant::SectionZ, 0),
-        field("db", Interpolant::SectionY, 1),
-        field("dc", Interpolant::SectionZ, 1),
-    ],
-    coefficients: COEFFICIENTS,
+    coefficients: VISCOUS_COEFFICIENTS.split_at(ELASTIC).0,
     inertia: &[],
-    damping: "damping",
     options: &[],
     energy: |graph, fields, _| energy(graph, fields, false),
-    default_points: AXIS_POINTS,
-    least_points: AXIS_POINTS,
-    curved_in_space: None,
-    own_rule: true,
+    ..BEAM
 };
 
 /// The same with a damping of its own for each strain: the stress of the rates is `sqrt(c_i c_j) K_ij e_j'`.
@@ -39,36 +26,10 @@ pub const VISCOUS_FULL_BEAM: Element = Element {
     ..FULL_BEAM
 };
 
-/// Pivots and factors of the stiffness, and what holds the section.
-const COEFFICIENTS: &[Coefficient] = &[
-    pivot("D1", "N m^2"),
-    pivot("D2", "N m^2"),
-    pivot("D3", "N m^2"),
-    pivot("D4", "N"),
-    pivot("D5", "N"),
-    pivot("D6", "N"),
-    pivot("L21", "1"),
-    pivot("L31", "1"),
-    pivot("L32", "1"),
-    pivot("L41", "1/m"),
-    pivot("L42", "1/m"),
-    pivot("L43", "1/m"),
-    pivot("L51", "1/m"),
-    pivot("L52", "1/m"),
-    pivot("L53", "1/m"),
-    pivot("L54", "1"),
-    pivot("L61", "1/m"),
-    pivot("L62", "1/m"),
-    pivot("L63", "1/m"),
-    pivot("L64", "1"),
-    pivot("L65", "1"),
-    pivot("held", "N"),
-    pivot("half_held", "N"),
-    pivot("smooth", "N m^2"),
-    pivot("half_smooth", "N m^2"),
-];
+/// Coefficients without those of the strains' rates.
+const ELASTIC: usize = 25;
 
-/// The same, then the factors of the strains' rates.
+/// Pivots and factors of the stiffness, what holds the section, then the factors of the strains' rates.
 const VISCOUS_COEFFICIENTS: &[Coefficient] = &[
     pivot("D1", "N m^2"),
     pivot("D2", "N m^2"),
@@ -174,9 +135,7 @@ fn energy(graph: &mut Graph, fields: &Invariants, is_viscous: bool) -> Vec<Term>
     ];
     let mut terms = Vec::new();
     for (i, (name, coefficient)) in names.into_iter().enumerate() {
-        let own = graph.input(format!("V{}", i + 1));
-        let own = graph.multiply(own, strains[i]);
-        let mut with = |mut measure: Id, letter: char| {
+        let with = |graph: &mut Graph, mut measure: Id, letter: char| {
             for (j, &strain) in strains.iter().enumerate().skip(i + 1) {
                 let factor = graph.input(format!("{letter}{}{}", j + 1, i + 1));
                 let part = graph.multiply(factor, strain);
@@ -184,13 +143,15 @@ fn energy(graph: &mut Graph, fields: &Invariants, is_viscous: bool) -> Vec<Term>
             }
             measure
         };
-        let measure = with(strains[i], 'L');
+        let measure = with(graph, strains[i], 'L');
         let points = if i < 3 { GRADIENT_POINTS } else { AXIS_POINTS };
         if !is_viscous {
             terms.push(term(name, coefficient, measure, points));
             continue;
         }
-        let rate = with(own, 'W');
+        let own = graph.input(format!("V{}", i + 1));
+        let own = graph.multiply(own, strains[i]);
+        let rate = with(graph, own, 'W');
         for density in [Density::Undamped(measure), Density::Viscous(rate)] {
             terms.push(Term {
                 density,

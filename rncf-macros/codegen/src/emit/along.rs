@@ -5,10 +5,10 @@ use std::fmt::Write;
 use super::number::number;
 use super::parts::Parts;
 use super::section::coefficient;
+use crate::elements::Interpolant;
 use crate::lower::camel_case;
-use crate::lower::elastic::coefficient_places;
-use crate::model::fold;
-use crate::model::{Body, Law, Model, Stations};
+use crate::lower::elastic::kept;
+use crate::model::{Body, Law, Model, Stations, fold};
 use crate::vocabulary::{CENTRES, DAMPINGS, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES};
 
 /// Statics with the tables of a model.
@@ -82,20 +82,18 @@ impl Parts<'_> {
                 None => {
                     let element = variant.declaration(self.library);
                     let values: Vec<String> = coefficients.iter().map(|one| coefficient(body, one)).collect();
-                    let mass = |name: &str| {
-                        let found = element
-                            .inertia_in(variant.dimension)
-                            .find(|one| format!("{:?}", one.of) == name);
+                    let mass = |of: Interpolant| {
+                        let found = element.inertia_in(variant.dimension).find(|one| one.of == of);
                         let found = found
                             .and_then(|one| element.coefficients.iter().find(|other| other.name == one.coefficient));
                         found.map_or("0.0".to_string(), |one| coefficient(body, one))
                     };
                     let masses = [
-                        mass("Position"),
+                        mass(Interpolant::Position),
                         "0.0".into(),
                         "0.0".into(),
-                        mass("SectionY"),
-                        mass("SectionZ"),
+                        mass(Interpolant::SectionY),
+                        mass(Interpolant::SectionZ),
                         "0.0".into(),
                     ];
                     (
@@ -164,7 +162,7 @@ impl Parts<'_> {
         let variant = &kernels.variant;
         let (row, size) = (camel_case(&kernels.name), variant.size(self.library));
         let coefficients = variant.varying_coefficients(self.library).len();
-        let places = coefficient_places(variant, self.library);
+        let (_, places) = kept(variant, self.library);
         let mut text = "let length = nodes[nodes.len() - 1];\n".to_string();
         for table in self.tables_of(body) {
             let _ = writeln!(
@@ -179,18 +177,8 @@ impl Parts<'_> {
             "let at = |x: f64| along_{}(model, x, length).map_err(|error| ::rncf::ModelError::new(format!(\"{{error}}; at x = {{x:.6}} m of body `{}`\")));",
             body.name, body.name
         );
-        let damping = if variant.damped {
-            let value = body
-                .properties
-                .get("damping")
-                .or_else(|| body.law.as_ref()?.fields.get("damping"));
-            format!(
-                ", damping: {}",
-                value.map_or("0.0".to_string(), |value| self.expr(value))
-            )
-        } else {
-            String::new()
-        };
+        let damping = body.properties.get("damping").filter(|_| variant.damped);
+        let damping = damping.map_or(String::new(), |value| format!(", damping: {}", self.expr(value)));
         let reference = match &kernels.elastic.reference {
             Some(kernel) => format!("{}(&row, ::rncf::mesh::array(shape), &mut reference);\n", kernel.name),
             None => String::new(),
@@ -261,8 +249,7 @@ impl Parts<'_> {
         let rows = format!("self.row_{}{instance}", body.name);
         let array = "::rncf::mesh::array";
         format!(
-            "let length = {rows}.iter().map(|row| row.length).sum();\n\
-             if let Ok((coefficients, _)) = along_{}(&self.model, x, length) {{\n\
+            "let [x, length] = at;\nif let Ok((coefficients, _)) = along_{}(&self.model, x, length) {{\n\
              {kernel}(&{rows}[0], &coefficients, {array}(stress_free), {array}(fields), {rates}{array}_mut(forces));\n}}",
             body.name
         )

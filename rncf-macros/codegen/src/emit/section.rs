@@ -157,9 +157,9 @@ impl Parts<'_> {
         });
         let kind = self.kind();
         format!(
-            "fn section(&self, body: usize, x: f64) -> ::rncf::mesh::SectionSpec {{\n{kind}let model = &self.model;\n{section}}}\n\
+            "fn section(&self, body: usize, x: f64, length: f64) -> ::rncf::mesh::SectionSpec {{\n{kind}let model = &self.model;\n{section}}}\n\
              fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {{\n{kind}{fields}}}\n\
-             fn field_forces(&self, body: usize, x: f64, stress_free: &[f64], fields: &[f64], rates: &[f64], forces: &mut [f64]) {{\n{kind}{forces}}}\n"
+             fn field_forces(&self, body: usize, at: [f64; 2], stress_free: &[f64], fields: &[f64], rates: &[f64], forces: &mut [f64]) {{\n{kind}{forces}}}\n"
         )
     }
 
@@ -188,18 +188,8 @@ impl Parts<'_> {
             SectionShape::Rectangle { sizes } => format!("Rectangle {{ sizes: {} }}", self.array(sizes)),
         };
         let yield_stress = option(&body.properties.get("yield").cloned());
-        let axis = if body.varies() {
-            let rows = if body.repeat.is_some() {
-                format!("self.row_{}[instance]", body.name)
-            } else {
-                format!("self.row_{}", body.name)
-            };
-            format!("let length: f64 = {rows}.iter().map(|row| row.length).sum();\n")
-        } else {
-            String::new()
-        };
         format!(
-            "{axis}::rncf::mesh::SectionSpec {{ shape: ::rncf::mesh::SectionShape::{shape}, area: {}, second_moments: [{}, {}], torsion_constant: {}, yield_stress: {yield_stress}, material: {:?} }}",
+            "::rncf::mesh::SectionSpec {{ shape: ::rncf::mesh::SectionShape::{shape}, area: {}, second_moments: [{}, {}], torsion_constant: {}, yield_stress: {yield_stress}, material: {:?} }}",
             property(&["area"]),
             property(&["second_moment_y", "second_moment"]),
             property(&["second_moment_z", "second_moment"]),

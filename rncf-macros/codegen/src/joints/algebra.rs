@@ -136,28 +136,11 @@ pub fn intern(markers: &mut Vec<Marker>, marker: Marker) -> MarkerId {
 
 /// Calls with everything that an expression observes.
 pub fn each_observable(expr: &Expr, of: &mut dyn FnMut(&Observable)) {
-    match expr {
-        Expr::Number(_)
-        | Expr::Param(_)
-        | Expr::Time
-        | Expr::Arclength
-        | Expr::Table { .. }
-        | Expr::Index
-        | Expr::Local { .. }
-        | Expr::EndTime
-        | Expr::Strain(_) => {}
-        Expr::Observed(observable) => of(observable),
-        Expr::Motion(_, inner) | Expr::Negate(inner) => each_observable(inner, of),
-        Expr::Binary(_, left, right) | Expr::Power(left, right) => {
-            each_observable(left, of);
-            each_observable(right, of);
-        }
-        Expr::Call(_, arguments) => arguments.iter().for_each(|argument| each_observable(argument, of)),
-        Expr::If(_, left, right, then, otherwise) => {
-            for part in [left, right, then, otherwise] {
-                each_observable(part, of);
-            }
-        }
+    if let Expr::Observed(observable) = expr {
+        of(observable);
+    }
+    for part in expr.parts() {
+        each_observable(part, of);
     }
 }
 
@@ -174,22 +157,5 @@ pub fn markers_of(expr: &Expr, found: &mut Vec<MarkerId>) {
 
 /// Whether time stands in an expression.
 pub fn has_time(expr: &Expr) -> bool {
-    match expr {
-        Expr::Time => true,
-        Expr::Number(_)
-        | Expr::Param(_)
-        | Expr::Arclength
-        | Expr::Table { .. }
-        | Expr::Index
-        | Expr::Local { .. }
-        | Expr::EndTime
-        | Expr::Strain(_)
-        | Expr::Observed(_) => false,
-        Expr::Motion(_, inner) | Expr::Negate(inner) => has_time(inner),
-        Expr::Binary(_, left, right) | Expr::Power(left, right) => has_time(left) || has_time(right),
-        Expr::Call(_, arguments) => arguments.iter().any(has_time),
-        Expr::If(_, left, right, then, otherwise) => {
-            [left, right, then, otherwise].into_iter().any(|part| has_time(part))
-        }
-    }
+    expr.contains(&|expr| matches!(expr, Expr::Time))
 }

@@ -48,7 +48,7 @@ fn by_fields(variant: &Variant, library: &Library) -> ElasticKernels {
     let reference = reference.flatten();
     let kept = match &reference {
         Some((count, _)) if variant.material.is_some() => *count,
-        _ if variant.has_references() => kept(variant, library),
+        _ if variant.has_references() => kept(variant, library).0,
         _ => 0,
     };
     let reference = reference.map(|(_, kernel)| kernel);
@@ -138,7 +138,7 @@ pub fn elastic_kernels(variant: &Variant, library: &Library) -> ElasticKernels {
         .flatten();
     let kept = match (&reference, form) {
         (Some(kernel), Form::Tensor) => kernel.outputs.len(),
-        _ if variant.has_references() => kept(variant, library),
+        _ if variant.has_references() => kept(variant, library).0,
         _ => 0,
     };
     let energy = kernel(variant, library, form, Quantity::Energy).expect("a form that has a force has an energy");

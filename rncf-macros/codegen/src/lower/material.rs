@@ -110,22 +110,5 @@ impl Material {
 
 /// Whether an expression depends on a parameter.
 fn mentions(expr: &Expr, param: usize) -> bool {
-    match expr {
-        Expr::Param(id) => id.0 == param,
-        Expr::Negate(a) | Expr::Motion(_, a) => mentions(a, param),
-        Expr::Binary(_, a, b) | Expr::Power(a, b) => mentions(a, param) || mentions(b, param),
-        Expr::Call(_, arguments) => arguments.iter().any(|argument| mentions(argument, param)),
-        Expr::If(_, left, right, then, otherwise) => {
-            [left, right, then, otherwise].iter().any(|part| mentions(part, param))
-        }
-        Expr::Number(_)
-        | Expr::Time
-        | Expr::Arclength
-        | Expr::Table { .. }
-        | Expr::Index
-        | Expr::Local { .. }
-        | Expr::EndTime
-        | Expr::Strain(_)
-        | Expr::Observed(_) => false,
-    }
+    expr.contains(&|expr| matches!(expr, Expr::Param(id) if id.0 == param))
 }

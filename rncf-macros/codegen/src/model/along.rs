@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Body, Expr, TableId};
+use super::{Body, Expr, TableId, fold};
 use crate::vocabulary::DAMPINGS;
 
 /// Numbers along an axis.
@@ -89,11 +89,6 @@ impl Law {
 impl Body {
     /// Whether its elements differ, or have coefficients at every point.
     pub fn varies(&self) -> bool {
-        self.law.is_some() || self.stations.is_some() || self.properties.values().any(has_place)
+        self.law.is_some() || self.stations.is_some() || self.properties.values().any(fold::has_arclength)
     }
-}
-
-/// Whether a value depends on the place along the axis.
-fn has_place(value: &Expr) -> bool {
-    super::fold::has_arclength(value)
 }

@@ -51,6 +51,33 @@ pub enum Expr {
     Observed(Observable),
 }
 
+impl Expr {
+    /// The expressions that it is made of, in order.
+    pub fn parts(&self) -> Vec<&Expr> {
+        match self {
+            Expr::Number(_)
+            | Expr::Param(_)
+            | Expr::Time
+            | Expr::Arclength
+            | Expr::Table { .. }
+            | Expr::Index
+            | Expr::Local { .. }
+            | Expr::EndTime
+            | Expr::Strain(_)
+            | Expr::Observed(_) => Vec::new(),
+            Expr::Motion(_, inner) | Expr::Negate(inner) => vec![inner],
+            Expr::Binary(_, left, right) | Expr::Power(left, right) => vec![left, right],
+            Expr::Call(_, arguments) => arguments.iter().collect(),
+            Expr::If(_, left, right, then, otherwise) => vec![left, right, then, otherwise],
+        }
+    }
+
+    /// Whether it or something that it is made of is of a kind.
+    pub fn contains(&self, is: &dyn Fn(&Expr) -> bool) -> bool {
+        is(self) || self.parts().into_iter().any(|part| part.contains(is))
+    }
+}
+
 /// Two-operand arithmetic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Binary {

@@ -122,85 +122,43 @@ fn call(function: Function, values: &[f64]) -> Option<f64> {
 
 /// Whether nothing in the expression depends on time.
 pub fn is_free_of_time(expr: &Expr) -> bool {
-    match expr {
-        Expr::Number(_)
-        | Expr::Param(_)
-        | Expr::Arclength
-        | Expr::Table { .. }
-        | Expr::Index
-        | Expr::Local { .. }
-        | Expr::EndTime
-        | Expr::Strain(_) => true,
-        Expr::Time | Expr::Observed(_) => false,
-        Expr::Motion(_, inner) | Expr::Negate(inner) => is_free_of_time(inner),
-        Expr::Binary(_, left, right) | Expr::Power(left, right) => is_free_of_time(left) && is_free_of_time(right),
-        Expr::Call(_, arguments) => arguments.iter().all(is_free_of_time),
-        Expr::If(_, left, right, then, otherwise) => {
-            [left, right, then, otherwise].into_iter().all(|e| is_free_of_time(e))
-        }
-    }
+    !expr.contains(&|expr| matches!(expr, Expr::Time | Expr::Observed(_)))
 }
 
 /// Whether the arclength of an axis stands in the expression.
 pub fn has_arclength(expr: &Expr) -> bool {
-    contains(expr, &|expr| matches!(expr, Expr::Arclength | Expr::Table { .. }))
+    expr.contains(&|expr| matches!(expr, Expr::Arclength | Expr::Table { .. }))
 }
 
 /// The tables that stand in an expression.
 pub fn tables(expr: &Expr) -> Vec<TableId> {
-    let found = std::cell::RefCell::new(Vec::new());
-    contains(expr, &|expr| {
-        if let Expr::Table { table, .. } = expr {
-            found.borrow_mut().push(*table);
-        }
-        false
-    });
-    found.into_inner()
+    match expr {
+        Expr::Table { table, .. } => vec![*table],
+        _ => expr.parts().into_iter().flat_map(tables).collect(),
+    }
 }
 
 /// Whether the index of a loop stands in the expression.
 pub fn has_index(expr: &Expr) -> bool {
-    contains(expr, &|expr| matches!(expr, Expr::Index))
+    expr.contains(&|expr| matches!(expr, Expr::Index))
 }
 
 /// Whether position or slope of a particle stands in the expression.
 pub fn has_local(expr: &Expr) -> bool {
-    contains(expr, &|expr| matches!(expr, Expr::Local { .. }))
+    expr.contains(&|expr| matches!(expr, Expr::Local { .. }))
 }
 
 /// Whether something that only the state tells stands in the expression.
 pub fn has_state(expr: &Expr) -> bool {
-    contains(expr, &|expr| matches!(expr, Expr::Observed(_) | Expr::Local { .. }))
+    expr.contains(&|expr| matches!(expr, Expr::Observed(_) | Expr::Local { .. }))
 }
 
 /// Whether a component of the strain stands in the expression.
 pub fn has_strain(expr: &Expr) -> bool {
-    contains(expr, &|expr| matches!(expr, Expr::Strain(_)))
+    expr.contains(&|expr| matches!(expr, Expr::Strain(_)))
 }
 
 /// Whether a motion stands in the expression.
 pub fn has_motion(expr: &Expr) -> bool {
-    contains(expr, &|expr| matches!(expr, Expr::Motion(..)))
-}
-
-fn contains(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
-    is(expr)
-        || match expr {
-            Expr::Number(_)
-            | Expr::Param(_)
-            | Expr::Time
-            | Expr::Arclength
-            | Expr::Table { .. }
-            | Expr::Index
-            | Expr::Local { .. }
-            | Expr::EndTime
-            | Expr::Strain(_)
-            | Expr::Observed(_) => false,
-            Expr::Motion(_, inner) | Expr::Negate(inner) => contains(inner, is),
-            Expr::Binary(_, left, right) | Expr::Power(left, right) => contains(left, is) || contains(right, is),
-            Expr::Call(_, arguments) => arguments.iter().any(|argument| contains(argument, is)),
-            Expr::If(_, left, right, then, otherwise) => [left, right, then, otherwise]
-                .into_iter()
-                .any(|part| contains(part, is)),
-        }
+    expr.contains(&|expr| matches!(expr, Expr::Motion(..)))
 }

@@ -268,8 +268,19 @@ fn assigned_call(cursor: &mut Cursor, what: &str) -> Parsed<super::tree::Call> {
 
 /// `{ name = value; .. }`
 fn fields(cursor: &mut Cursor, area: Area, errors: &mut Errors) -> Parsed<Fields> {
+    fields_of(cursor, area, errors, "`{` and fields", field)
+}
+
+/// What stands in braces, each read by `field`.
+pub(super) fn fields_of(
+    cursor: &mut Cursor,
+    area: Area,
+    errors: &mut Errors,
+    expected: &str,
+    field: fn(&mut Cursor) -> Parsed<Field>,
+) -> Parsed<Fields> {
     let Some(group) = cursor.eat_group(Delimiter::Brace) else {
-        return Err(cursor.expected("`{` and fields"));
+        return Err(cursor.expected(expected));
     };
     let mut inner = Cursor::of(&group);
     let (mut fields, mut complete) = (Vec::new(), true);
@@ -486,7 +497,7 @@ fn recover_statement(cursor: &mut Cursor) {
     recover_before(cursor, |cursor| STATEMENTS.iter().any(|word| cursor.is_word(word)));
 }
 
-pub(super) fn recover_field(cursor: &mut Cursor) {
+fn recover_field(cursor: &mut Cursor) {
     recover_before(cursor, |cursor| cursor.word().is_some() && cursor.is_second_punct('='));
 }
 

@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, TokenTree};
 
 use super::cursor::{Cursor, Parsed};
 use super::expr;
-use super::item::{documentation, recover_field};
+use super::item::fields_of;
 use super::tree::{Field, Fields, ItemKind};
 use crate::errors::{Area, Errors};
 
@@ -39,26 +39,8 @@ pub(super) fn file_table(cursor: &mut Cursor) -> Parsed<ItemKind> {
 
 /// `{ column = [..] unit; interpolation = monotone; }`
 pub(super) fn columns(cursor: &mut Cursor, area: Area, errors: &mut Errors) -> Parsed<Fields> {
-    let Some(group) = cursor.eat_group(Delimiter::Brace) else {
-        return Err(cursor.expected("`{` and columns, or `=` and `file(\"path\")`"));
-    };
-    let mut inner = Cursor::of(&group);
-    let (mut fields, mut complete) = (Vec::new(), true);
-    while !inner.is_empty() {
-        documentation(&mut inner, errors);
-        if inner.is_empty() {
-            break;
-        }
-        match column(&mut inner) {
-            Ok(field) => fields.push(field),
-            Err(mistake) => {
-                complete = false;
-                errors.push(mistake);
-                recover_field(&mut inner);
-            }
-        }
-    }
-    Ok(Fields { area, fields, complete })
+    let expected = "`{` and columns, or `=` and `file(\"path\")`";
+    fields_of(cursor, area, errors, expected, column)
 }
 
 fn column(cursor: &mut Cursor) -> Parsed<Field> {

@@ -56,11 +56,7 @@ impl Newton {
         Self {
             charts: Charts::new(system.turns(), pattern),
             inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
-            saddle: Saddle::new(pattern, system.border(), &constraint_pattern).sized(
-                system.sizes(),
-                pattern,
-                &constraint_pattern,
-            ),
+            saddle: Saddle::new(pattern, system.border(), &constraint_pattern).sized(system.sizes()),
             block: vec![0.0; pattern.entries()],
             jacobian: vec![0.0; constraint_pattern.entries()],
             forces: vec![0.0; constraint_pattern.entries()],

@@ -58,16 +58,8 @@ impl Matrices {
                 rate: vec![0.0; constraint_entries],
             },
             state: State::of(system, 0.0),
-            real: Saddle::new(&chart.block, system.border(), &chart.constraints).sized(
-                system.sizes(),
-                &chart.block,
-                &chart.constraints,
-            ),
-            complex: Saddle::new(&chart.block, system.border(), &chart.constraints).sized(
-                system.sizes(),
-                &chart.block,
-                &chart.constraints,
-            ),
+            real: Saddle::new(&chart.block, system.border(), &chart.constraints).sized(system.sizes()),
+            complex: Saddle::new(&chart.block, system.border(), &chart.constraints).sized(system.sizes()),
             stabilised: stabilised.then(|| Box::new((Stabilised::new(n, m), Stabilised::new(n, m)))),
             real_block: vec![0.0; entries],
             complex_block: vec![c64::default(); entries],

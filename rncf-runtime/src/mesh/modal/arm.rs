@@ -197,7 +197,7 @@ impl Parts for Arm {
         ];
         weights.copy_from_slice(&rows[order]);
     }
-    fn section(&self, _body: usize, _x: f64) -> SectionSpec {
+    fn section(&self, _body: usize, _x: f64, _length: f64) -> SectionSpec {
         SectionSpec {
             shape: SectionShape::Circle { radius: 0.05 },
             area: 8e-3,
@@ -211,7 +211,15 @@ impl Parts for Arm {
         &[(Interpolant::Position, 1), (Interpolant::Position, 2)]
     }
     /// Of the strain energies EA (r_x . r_x - 1)^2 / 8 and EI r_xx . r_xx / 2 per unit length.
-    fn field_forces(&self, _body: usize, _x: f64, _free: &[f64], fields: &[f64], _rates: &[f64], forces: &mut [f64]) {
+    fn field_forces(
+        &self,
+        _body: usize,
+        _at: [f64; 2],
+        _free: &[f64],
+        fields: &[f64],
+        _rates: &[f64],
+        forces: &mut [f64],
+    ) {
         let (slope, bend) = fields.split_at(fields.len() / 2);
         let strain = 0.5 * (slope.iter().map(|a| a * a).sum::<f64>() - 1.0);
         let stretch = slope.iter().map(|a| self.cable.axial * strain * a);

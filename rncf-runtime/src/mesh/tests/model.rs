@@ -314,7 +314,7 @@ impl Parts for Hand {
         }
         weights.copy_from_slice(&hermite(self.lengths[body], order, xi));
     }
-    fn section(&self, _body: usize, _x: f64) -> SectionSpec {
+    fn section(&self, _body: usize, _x: f64, _length: f64) -> SectionSpec {
         SectionSpec {
             shape: SectionShape::Circle { radius: 0.1 },
             area: 0.03,
@@ -373,7 +373,15 @@ impl Parts for Hand {
     fn field_gradient(&self, load: usize, _t: f64, z: &[Vector], gradient: &mut [f64]) {
         density::field_gradient(self.loads[load].1, z, gradient);
     }
-    fn field_forces(&self, _body: usize, _x: f64, _free: &[f64], fields: &[f64], _rates: &[f64], forces: &mut [f64]) {
+    fn field_forces(
+        &self,
+        _body: usize,
+        _at: [f64; 2],
+        _free: &[f64],
+        fields: &[f64],
+        _rates: &[f64],
+        forces: &mut [f64],
+    ) {
         let (slope, bend) = fields.split_at(fields.len() / 2);
         let strain = slope.iter().map(|a| a * a).sum::<f64>() - 1.0;
         let all = slope

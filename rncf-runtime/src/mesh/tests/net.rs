@@ -213,7 +213,7 @@ impl Parts for Net {
     fn shapes(&self, body: usize, _element: usize, _of: Interpolant, order: usize, xi: f64, weights: &mut [f64]) {
         weights.copy_from_slice(&hermite(self.lengths[body], order, xi));
     }
-    fn section(&self, _body: usize, _x: f64) -> SectionSpec {
+    fn section(&self, _body: usize, _x: f64, _length: f64) -> SectionSpec {
         SectionSpec {
             shape: SectionShape::Circle { radius: 0.1 },
             area: 0.03,
@@ -226,7 +226,15 @@ impl Parts for Net {
     fn fields(&self, _body: usize) -> &'static [(Interpolant, usize)] {
         &[(Interpolant::Position, 1)]
     }
-    fn field_forces(&self, _body: usize, _x: f64, _free: &[f64], _fields: &[f64], _rates: &[f64], forces: &mut [f64]) {
+    fn field_forces(
+        &self,
+        _body: usize,
+        _at: [f64; 2],
+        _free: &[f64],
+        _fields: &[f64],
+        _rates: &[f64],
+        forces: &mut [f64],
+    ) {
         forces.fill(0.0);
     }
     fn moment(&self, _dimension: usize, _slope: &[f64], _moment: [f64; 3], _force: &mut [f64]) {}

@@ -14,7 +14,7 @@ use std::collections::HashMap;
 pub use conserving::{Between, BetweenRule, conserving_kernels, conserving_obstacle};
 pub use fields::{FieldBlocks, FieldKernels, FieldRule, Groups, field_kernels};
 
-use crate::elements::{Element, Field, Library, NodalVector};
+use crate::elements::{Element, Field, Library, NodalVector, Term};
 use crate::lower::invariants::Blocks;
 use crate::lower::kernel::{Kernel, PointLoop};
 use crate::lower::quadratic::{base_vector, is_position};
@@ -23,6 +23,7 @@ use crate::lower::variant::Variant;
 use crate::model::Quadrature;
 use crate::symbolic::Invariant;
 use crate::symbolic::{Graph, Id, linear::Vector};
+use crate::tensors::gauss_rule;
 
 /// How the strain energy is integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,49 +77,30 @@ pub fn rules(variant: &Variant, element: &Element) -> Vec<usize> {
     rules
 }
 
-/// Numbers that every element keeps for its points: values of the measures in the stress-free shape, and coefficients that
-/// vary. Of a material that is given by its energy the fields are kept.
-pub fn kept(variant: &Variant, library: &Library) -> usize {
-    let element = variant.declaration(library);
-    let (_, terms) = element.terms_in(variant.dimension, &variant.options);
-    let default = points(element, variant.quadrature);
-    let coefficients = variant.varying_coefficients(library).len();
-    let of_rule = |rule: usize| {
-        let of_it =
-            |term: &&crate::elements::Term| term.density.measure().is_some() && term.points.unwrap_or(default) == rule;
-        let measures = if variant.curved {
-            terms.iter().filter(of_it).count()
-        } else {
-            0
-        };
-        rule * (measures + coefficients)
-    };
-    rules(variant, element).into_iter().map(of_rule).sum()
+/// Numbers that every element keeps for one of its points: values of the measures in the stress-free shape, which stand first,
+/// and coefficients that vary.
+fn kept_at_point(variant: &Variant, library: &Library, terms: &[Term]) -> [usize; 2] {
+    let measures = terms.iter().filter(|term| term.density.measure().is_some()).count();
+    let measures = if variant.curved { measures } else { 0 };
+    [measures, variant.varying_coefficients(library).len()]
 }
 
-/// Where coefficients that vary stand among the numbers that an element keeps: first place and point in [0, 1], one pair for
-/// each point of each rule.
-pub fn coefficient_places(variant: &Variant, library: &Library) -> Vec<(usize, f64)> {
+/// Numbers that every element keeps for all points of all rules, and where the coefficients that vary stand among them: first
+/// place and point in [0, 1], one pair for each point. Of a material that is given by its energy the fields are kept.
+pub fn kept(variant: &Variant, library: &Library) -> (usize, Vec<(usize, f64)>) {
     let element = variant.declaration(library);
-    let (_, terms) = element.terms_in(variant.dimension, &variant.options);
     let default = points(element, variant.quadrature);
-    let coefficients = variant.varying_coefficients(library).len();
-    let mut places = Vec::new();
-    let mut passed = 0;
+    let (mut passed, mut places) = (0, Vec::new());
     for rule in rules(variant, element) {
-        let of_it =
-            |term: &&crate::elements::Term| term.density.measure().is_some() && term.points.unwrap_or(default) == rule;
-        let measures = if variant.curved {
-            terms.iter().filter(of_it).count()
-        } else {
-            0
-        };
-        for xi in crate::tensors::gauss_rule(rule).points {
+        let (_, mut terms) = element.terms_in(variant.dimension, &variant.options);
+        terms.retain(|term| term.points.unwrap_or(default) == rule);
+        let [measures, coefficients] = kept_at_point(variant, library, &terms);
+        for xi in gauss_rule(rule).points {
             places.push((passed + measures, xi));
             passed += measures + coefficients;
         }
     }
-    places
+    (passed, places)
 }
 
 /// The kernel of one quantity in one form; `None` where the form does not exist (a tensor of an

@@ -4,12 +4,12 @@
 use std::collections::HashMap;
 
 use super::conserving::averaged_value;
-use super::{Builder, Form, Quantity, State, points};
+use super::{Builder, Form, Quantity, State, kept_at_point, points};
 use crate::elements::field_invariants;
 use crate::elements::{Density, Term};
 use crate::lower::quadratic::length_power;
 use crate::symbolic::Invariant;
-use crate::symbolic::{Id, linear::Vector};
+use crate::symbolic::{Graph, Id, linear::Vector};
 
 /// Symbols of a point and what they stand for.
 struct Symbols {
@@ -24,16 +24,29 @@ struct Symbols {
     is_damped: bool,
 }
 
-/// What an element keeps for a point.
-struct Kept {
-    /// Numbers: values of the measures in the stress-free shape, then coefficients.
-    slots: usize,
-}
-
 /// Stress on every invariant and energy, as expressions of the symbols.
 struct Response {
     stress: Vec<Id>,
     energy: Id,
+}
+
+impl Symbols {
+    /// Rate of a measure, an expression of the values.
+    fn rate(&self, graph: &mut Graph, measure: Id) -> Id {
+        let chain = self.values.iter().copied().zip(self.rates.iter().copied()).collect();
+        graph.differentiate(measure, &chain)
+    }
+}
+
+impl Response {
+    /// Adds `factor d(of)/dI`.
+    fn add_stress(&mut self, graph: &mut Graph, symbols: &Symbols, of: Id, factor: Id) {
+        for (stress, &symbol) in self.stress.iter_mut().zip(&symbols.values) {
+            let slope = graph.partial(of, symbol);
+            let part = graph.multiply(factor, slope);
+            *stress = graph.add(*stress, part);
+        }
+    }
 }
 
 impl Builder<'_> {
@@ -42,7 +55,7 @@ impl Builder<'_> {
         let (mut symbols, mut terms) = self.point_symbols(fields, rates);
         let default = points(self.element, self.variant.quadrature);
         terms.retain(|term| term.points.unwrap_or(default) == self.rule);
-        let before = self.bind_coefficients(&mut symbols, &terms);
+        let slots = self.bind_coefficients(&mut symbols, &terms);
         if self.quantity == Quantity::Reference {
             self.add_references(&symbols, &terms);
         }
@@ -62,7 +75,7 @@ impl Builder<'_> {
                         .position(|other| std::ptr::eq(*other, term))
                         .unwrap_or(0);
                     let reference = if self.variant.curved && self.quantity != Quantity::Reference {
-                        self.point_reference(before.slots, index)
+                        self.point_reference(slots, index)
                     } else {
                         self.graph.substitute(measure, &symbols.straight)
                     };
@@ -71,7 +84,7 @@ impl Builder<'_> {
                 Density::Energy(density) => self.add_energy(&symbols, density, factor, &mut response),
             }
         }
-        self.passed += before.slots;
+        self.passed += slots;
         self.replace(&symbols, &response)
     }
 
@@ -108,12 +121,12 @@ impl Builder<'_> {
         (symbols, terms)
     }
 
-    /// Lets coefficients that vary stand for what an element keeps of them, behind the values of the measures at a point.
-    fn bind_coefficients(&mut self, symbols: &mut Symbols, terms: &[Term]) -> Kept {
-        let measures = terms.iter().filter(|term| term.density.measure().is_some()).count();
-        let measures = if self.variant.curved { measures } else { 0 };
+    /// Lets coefficients that vary stand for what an element keeps of them, behind the values of the measures at a point; how
+    /// many numbers it keeps there.
+    fn bind_coefficients(&mut self, symbols: &mut Symbols, terms: &[Term]) -> usize {
+        let [measures, count] = kept_at_point(self.variant, self.library, terms);
         let coefficients = self.variant.varying_coefficients(self.library);
-        let slots = measures + coefficients.len();
+        let slots = measures + count;
         for (place, coefficient) in coefficients.iter().enumerate() {
             let kept = if self.quantity == Quantity::Reference {
                 self.graph
@@ -125,7 +138,7 @@ impl Builder<'_> {
             symbols.real.insert(symbol, kept);
             symbols.straight.insert(symbol, kept);
         }
-        Kept { slots }
+        slots
     }
 
     /// Values of the measures at the point: what the other kernels subtract.
@@ -167,22 +180,10 @@ impl Builder<'_> {
     ) {
         let graph = &mut self.graph;
         let change = graph.subtract(measure, reference);
-        let rate = symbols.is_damped.then(|| {
-            let chain = symbols
-                .values
-                .iter()
-                .copied()
-                .zip(symbols.rates.iter().copied())
-                .collect();
-            [graph.differentiate(measure, &chain), self.damping]
-        });
+        let rate = symbols.is_damped.then(|| [symbols.rate(graph, measure), self.damping]);
         let strain = density.stress(graph, change, rate);
         let scaled = graph.multiply(factor, strain);
-        for (stress, &symbol) in response.stress.iter_mut().zip(&symbols.values) {
-            let slope = graph.partial(measure, symbol);
-            let part = graph.multiply(scaled, slope);
-            *stress = graph.add(*stress, part);
-        }
+        response.add_stress(graph, symbols, measure, scaled);
         let part = density.energy(graph, change, factor);
         response.energy = graph.add(response.energy, part);
     }
@@ -193,28 +194,14 @@ impl Builder<'_> {
             return;
         }
         let graph = &mut self.graph;
-        let chain = symbols
-            .values
-            .iter()
-            .copied()
-            .zip(symbols.rates.iter().copied())
-            .collect();
-        let rate = graph.differentiate(measure, &chain);
+        let rate = symbols.rate(graph, measure);
         let scaled = graph.multiply(factor, rate);
-        for (stress, &symbol) in response.stress.iter_mut().zip(&symbols.values) {
-            let slope = graph.partial(measure, symbol);
-            let part = graph.multiply(scaled, slope);
-            *stress = graph.add(*stress, part);
-        }
+        response.add_stress(graph, symbols, measure, scaled);
     }
 
     fn add_energy(&mut self, symbols: &Symbols, density: Id, factor: Id, response: &mut Response) {
         let graph = &mut self.graph;
-        for (stress, &symbol) in response.stress.iter_mut().zip(&symbols.values) {
-            let slope = graph.partial(density, symbol);
-            let part = graph.multiply(factor, slope);
-            *stress = graph.add(*stress, part);
-        }
+        response.add_stress(graph, symbols, density, factor);
         let part = graph.multiply(factor, density);
         response.energy = graph.add(response.energy, part);
     }
