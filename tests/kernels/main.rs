@@ -13,3 +13,4 @@ mod materials;
 mod models;
 mod objectivity;
 mod scenes;
+mod tables;

@@ -6,7 +6,7 @@ use super::material::Values;
 use super::section::Section;
 use super::{Check, fold, say};
 use crate::errors::Area;
-use crate::model::{Expr as Value, Law};
+use crate::model::{Column, Expr as Value, Law, TableId};
 use crate::parse::tree::{Call, ExprKind};
 use crate::suggest;
 use crate::vocabulary::{CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, Property, STIFFNESS_ENTRIES, from_beamdyn};
@@ -22,7 +22,6 @@ pub fn law_property(name: &str) -> Option<&'static Property> {
 impl<'a> Check<'a> {
     /// `section name = columns(table);` or `= beamdyn(table, damping = ..);`
     pub(super) fn section_of_table(&mut self, name: &str, call: &'a Call) -> Option<Section> {
-        let is_beamdyn = call.name.text == OF_TABLE[1];
         let mut values = Values::new();
         let mut table = None;
         for argument in &call.arguments {
@@ -50,7 +49,15 @@ impl<'a> Check<'a> {
             self.errors.at(call.area, say::usage(&call.name.text, &usage));
             return None;
         };
+        self.fields_of_columns(table, call, &mut values)?;
+        self.stiffness_law(name, values, call.area)
+    }
+
+    /// Adds the fields that columns of a table are; `None`: reported.
+    fn fields_of_columns(&mut self, table: TableId, call: &'a Call, values: &mut Values) -> Option<()> {
+        let is_beamdyn = call.name.text == OF_TABLE[1];
         let columns = self.model.tables[table.0].columns.clone();
+        let mut taken: BTreeMap<&'static str, &Column> = BTreeMap::new();
         for (at, column) in columns.iter().enumerate() {
             let own = if is_beamdyn {
                 from_beamdyn(&column.name).and_then(law_property)
@@ -58,12 +65,11 @@ impl<'a> Check<'a> {
                 law_property(&column.name)
             };
             let Some(property) = own else {
-                let is_place = ["x", "y", "z", "eta", "twist"].contains(&column.name.as_str());
-                if is_place || is_beamdyn {
-                    continue;
+                // Places, and what a name with an underscore tells to be spare, are nobody's field.
+                if !self.model.tables[table.0].is_place(at) && !column.name.starts_with('_') {
+                    self.spare_columns.push((table, at, call));
                 }
-                self.errors.at(call.area, say::column_is_no_field(&column.name, name));
-                return None;
+                continue;
             };
             if column.dimension != property.dimension {
                 let message = say::column_dimension(&column.name, property.name, property.unit);
@@ -78,10 +84,43 @@ impl<'a> Check<'a> {
                     return None;
                 }
             }
+            // Both triangles of a symmetric matrix may stand in a table, where they are one matrix.
+            if let Some(other) = taken.insert(property.name, column) {
+                let differ = |row: &usize| other.values[*row] != column.values[*row];
+                if let Some(row) = (0..column.values.len()).find(differ) {
+                    let message = say::not_symmetric(&other.name, &column.name, row + 1);
+                    self.errors.at(call.area, message);
+                    return None;
+                }
+                continue;
+            }
+            if let Some((_, area)) = values.get(property.name) {
+                self.errors
+                    .at(*area, say::field_and_column(property.name, &column.name));
+                return None;
+            }
             let value = self.column_at(table, at).value;
-            values.entry(property.name).or_insert((value, call.area));
+            values.insert(property.name, (value, call.area));
         }
-        self.stiffness_law(name, values, call.area)
+        Some(())
+    }
+
+    /// Refuses columns of sections' tables that nothing reads: behind one of them may be an entry of a matrix with a wrong name.
+    pub(super) fn unread_columns(&mut self) {
+        for (table, at, call) in std::mem::take(&mut self.spare_columns) {
+            if self.read_columns.contains(&(table, at)) {
+                continue;
+            }
+            let known: Vec<&str> = if call.name.text == OF_TABLE[1] {
+                [STIFFNESS_ENTRIES, MASS_ENTRIES].concat()
+            } else {
+                LAW.iter().map(|property| property.name).collect()
+            };
+            let table = &self.model.tables[table.0];
+            let column = table.columns[at].name.as_str();
+            let message = say::unread_column(column, &table.name, &call.name.text, suggest::nearest(column, &known));
+            self.errors.at(call.area, message);
+        }
     }
 
     /// The law that fields are, checked for what is missing and what contradicts.

@@ -56,10 +56,28 @@ pub fn rows_do_not_ascend(row: &str, place: f64, before: f64) -> String {
     format!("{row}: {place} does not come after {before}; rows ascend along the axis, two at one place are a step")
 }
 
-pub fn column_is_no_field(column: &str, section: &str) -> String {
+/// A column of a section's table that is no field, and that nothing reads.
+pub fn unread_column(column: &str, table: &str, word: &str, near: Option<&str>) -> String {
+    let head = format!("nothing reads column `{column}` of `{table}`");
+    match near {
+        Some(near) => format!("{head}: did you mean `{near}`?"),
+        None if column == "twist" => {
+            format!("{head}: write `twist {table}.twist;` in the body, or call the column `_twist` where it is meant")
+        }
+        None => format!(
+            "{head}, and it is no field that `{word}` takes: leave it out, read it as `{table}.{column}`, or call it `_{column}` where it is meant"
+        ),
+    }
+}
+
+pub fn not_symmetric(first: &str, second: &str, row: usize) -> String {
     format!(
-        "column `{column}` is no field of a section: name the fields one by one, `section {section} {{ EA = table.EA; .. }}`, or leave the column out"
+        "columns `{first}` and `{second}` are one entry of a symmetric matrix, and differ in row {row}: give one of them"
     )
+}
+
+pub fn field_and_column(field: &str, column: &str) -> String {
+    format!("`{field}` stands here and in column `{column}` of the table: give it once")
 }
 
 pub fn column_dimension(column: &str, field: &str, unit: &str) -> String {

@@ -111,6 +111,7 @@ pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Mode
     check.outputs();
     check.cautions();
     check.run();
+    check.unread_columns();
     if tree.complete && check.errors.len() == before {
         check.ties();
     }
@@ -131,6 +132,10 @@ struct Check<'a> {
     frames: HashMap<&'a str, Option<FrameId>>,
     /// Tables; `None`: reported.
     tables: HashMap<&'a str, Option<TableId>>,
+    /// Columns that are read by their names.
+    read_columns: HashSet<(TableId, usize)>,
+    /// Columns of tables of sections that are no field of a section, and the word that took the table.
+    spare_columns: Vec<(TableId, usize, &'a Call)>,
     /// Readable sections and materials.
     sections: HashMap<&'a str, section::Section>,
     materials: HashMap<&'a str, material::Material>,
@@ -185,6 +190,8 @@ impl<'a> Check<'a> {
             motions: HashMap::new(),
             frames: HashMap::new(),
             tables: HashMap::new(),
+            read_columns: HashSet::new(),
+            spare_columns: Vec::new(),
             sections: HashMap::new(),
             materials: HashMap::new(),
             bodies: HashMap::new(),

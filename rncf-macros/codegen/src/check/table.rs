@@ -345,6 +345,7 @@ impl<'a> Check<'a> {
             self.errors.at(field.span, message);
             return Some(None);
         };
+        self.read_columns.insert((id, column));
         if arguments.is_some() || !self.is_along {
             self.errors.at(expr.area, say::COLUMN_ELSEWHERE);
             return Some(None);

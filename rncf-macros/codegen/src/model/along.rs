@@ -44,13 +44,55 @@ impl Table {
         format!("{}.at({column}, x, length)", self.constant())
     }
 
-    /// Value of a column at an arclength, between rows on a line.
+    /// Value of a column at an arclength: what `rncf_runtime::Table::at` returns, which reads the same table when it runs.
     pub fn value(&self, column: usize, x: f64, length: f64) -> f64 {
         let (places, values) = (&self.places, &self.columns[column].values);
         let x = if self.is_relative { x / length } else { x };
-        let row = places.partition_point(|&place| place <= x).clamp(1, places.len() - 1) - 1;
-        let share = (x - places[row]) / (places[row + 1] - places[row]);
-        values[row] + share.clamp(0.0, 1.0) * (values[row + 1] - values[row])
+        let last = places.len() - 1;
+        if x.is_nan() || x >= places[last] {
+            return values[last];
+        }
+        let Some(row) = places.partition_point(|&place| place <= x).checked_sub(1) else {
+            return values[0];
+        };
+        let width = places[row + 1] - places[row];
+        let (share, rise) = ((x - places[row]) / width, values[row + 1] - values[row]);
+        if !self.is_smooth {
+            return values[row] + share * rise;
+        }
+        let [start, end] = [row, row + 1].map(|at| width * self.slope(column, at, row));
+        // Hermite's cubic.
+        let bend = share * (1.0 - share);
+        values[row] + share * rise + bend * ((1.0 - share) * (start - rise) - share * (end - rise))
+    }
+
+    /// Slope of the monotone cubic (Fritsch and Carlson) at a row, seen from the span that begins at row `span`.
+    fn slope(&self, column: usize, row: usize, span: usize) -> f64 {
+        let (places, values) = (&self.places, &self.columns[column].values);
+        let width = |from: usize| places[from + 1] - places[from];
+        let rise = |from: usize| (values[from + 1] - values[from]) / width(from);
+        let other = if row == span { row.checked_sub(1) } else { Some(row) };
+        let Some(other) = other.filter(|&from| from + 1 < places.len() && width(from) > 0.0) else {
+            return rise(span);
+        };
+        let (before, after) = (span.min(other), span.max(other));
+        let (left, right) = (rise(before), rise(after));
+        if left * right <= 0.0 {
+            return 0.0;
+        }
+        let weights = [2.0 * width(after) + width(before), width(after) + 2.0 * width(before)];
+        (weights[0] + weights[1]) / (weights[0] / left + weights[1] / right)
+    }
+
+    /// Whether a column says where the rows are: as arclengths, as parts of the length, under a name of its own, or as a coordinate
+    /// of points.
+    pub fn is_place(&self, column: usize) -> bool {
+        let has = |name: &str| self.columns.iter().any(|column| column.name == name);
+        match self.columns[column].name.as_str() {
+            "x" | "eta" => true,
+            "y" | "z" => ["x", "y", "z"].into_iter().all(has),
+            _ => self.columns[column].values == self.places,
+        }
     }
 
     /// Rows at places of their own: those of a step count once.
