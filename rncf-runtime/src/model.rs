@@ -6,7 +6,7 @@ use crate::error::ModelError;
 use crate::mesh::{Configuration, Curve, DescribedBody, Fidelity, SectionBody, SectionState};
 use crate::modes::Composition;
 use crate::rotation::Rotation;
-use crate::system::{State, System, Tangent};
+use crate::system::{AsSystem, State, System, Tangent};
 use crate::vector::Vector;
 
 /// How the bodies are described.
@@ -312,6 +312,12 @@ pub trait Scene: System + Send {
     /// and what to do (THEORY 10, T10, T15).
     fn warnings(&mut self, _state: &State) -> Vec<Warning> {
         Vec::new()
+    }
+}
+
+impl AsSystem for dyn Scene + '_ {
+    fn as_system(&mut self) -> &mut dyn System {
+        self
     }
 }
 

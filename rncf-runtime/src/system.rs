@@ -68,7 +68,7 @@ impl State {
     }
 
     /// A state of zeros at time `t` for `system`, orientations along the inertial axes.
-    pub fn of<S: System + ?Sized>(system: &S, t: f64) -> Self {
+    pub fn of(system: &dyn System, t: f64) -> Self {
         Self {
             turns: vec![Rotation::IDENTITY; system.turns().len()],
             ..Self::zeros(t, system.unknowns(), system.constraints())
@@ -300,6 +300,24 @@ pub trait Conserving {
     /// `factors[0] M + factors[1] dF/d((q0 + q1) / 2)` at a fixed first state on [`System::pattern`]; every entry is
     /// overwritten. Not symmetric.
     fn matrix(&mut self, from: &State, to: &State, factors: [f64; 2], values: &mut [f64]);
+}
+
+/// What is a [`System`], seen as nothing else: a type that implements it, or what is `dyn` already.
+pub trait AsSystem {
+    /// The same, as a system.
+    fn as_system(&mut self) -> &mut dyn System;
+}
+
+impl<S: System> AsSystem for S {
+    fn as_system(&mut self) -> &mut dyn System {
+        self
+    }
+}
+
+impl AsSystem for dyn System + '_ {
+    fn as_system(&mut self) -> &mut dyn System {
+        self
+    }
 }
 
 /// Multiplies the columns of the orientation whose first unknown is `turn` by `T(theta)^-1`.

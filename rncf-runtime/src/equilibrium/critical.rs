@@ -26,7 +26,7 @@ pub struct Critical {
 ///
 /// # Errors
 /// As [`follow`], if there is no equilibrium at small loads.
-pub fn critical_factor<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Option<Critical>, SolveError> {
+pub fn critical_factor(scene: &mut dyn Scene, t: f64) -> Result<Option<Critical>, SolveError> {
     let at = Uniform::at_rest(t);
     let mut path: Vec<Continued> = Vec::new();
     let outcome = along(scene, &at, LOAD_STEP, Patience::Strict, |_, step| {
@@ -50,8 +50,8 @@ pub fn critical_factor<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Optio
 }
 
 /// Bisects between the last equilibrium in front of the critical point and a load beyond it.
-fn bracket<S: Scene + ?Sized>(
-    scene: &mut S,
+fn bracket(
+    scene: &mut dyn Scene,
     at: &Uniform,
     mut before: Continued,
     mut beyond: f64,

@@ -67,7 +67,7 @@ impl Equilibrium {
 ///
 /// # Errors
 /// As [`follow`].
-pub fn steady<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Equilibrium, SolveError> {
+pub fn steady(scene: &mut dyn Scene, t: f64) -> Result<Equilibrium, SolveError> {
     follow(scene, &Uniform::steady(t), 1.0, |_, _| ())
 }
 
@@ -75,7 +75,7 @@ pub fn steady<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Equilibrium, S
 ///
 /// # Errors
 /// As [`follow`].
-pub fn static_load<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Equilibrium, SolveError> {
+pub fn static_load(scene: &mut dyn Scene, t: f64) -> Result<Equilibrium, SolveError> {
     follow(scene, &Uniform::at_rest(t), LOAD_STEP, |_, _| ())
 }
 
@@ -87,22 +87,22 @@ pub fn static_load<S: Scene + ?Sized>(scene: &mut S, t: f64) -> Result<Equilibri
 /// [`SolveErrorKind::NoEquilibrium`] if the unknowns are not those of the turning frames, if a frame,
 /// load, joint, force or constraint is not invariant under the rotation (by name), or if no equilibrium
 /// continues those before.
-pub fn follow<S: Scene + ?Sized>(
-    scene: &mut S,
+pub fn follow(
+    scene: &mut dyn Scene,
     at: &Uniform,
     largest: f64,
-    visit: impl FnMut(&mut S, &Continued),
+    visit: impl FnMut(&mut dyn Scene, &Continued),
 ) -> Result<Equilibrium, SolveError> {
     along(scene, at, largest, Patience::Patient, visit)
 }
 
 /// [`follow`] with the given patience of the iteration.
-fn along<S: Scene + ?Sized>(
-    scene: &mut S,
+fn along(
+    scene: &mut dyn Scene,
     at: &Uniform,
     largest: f64,
     patience: Patience,
-    mut visit: impl FnMut(&mut S, &Continued),
+    mut visit: impl FnMut(&mut dyn Scene, &Continued),
 ) -> Result<Equilibrium, SolveError> {
     let mut last = scene.uniform_guess(at);
     check(scene, at, &last)?;
@@ -158,7 +158,7 @@ fn along<S: Scene + ?Sized>(
 
 /// The equilibrium at the whole angular velocity that the start flows to: where next to rest nothing is stiff, as hinged
 /// blades, no way leads there.
-fn settled<S: Scene + ?Sized>(scene: &mut S, newton: &mut Newton, at: &Uniform) -> Option<Continued> {
+fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> Option<Continued> {
     let speed = at.speed()
         * at.spin
             .map_or_else(|| scene.spin(at.t), |spin| crate::vector::norm(spin.velocity));
@@ -177,8 +177,8 @@ fn settled<S: Scene + ?Sized>(scene: &mut S, newton: &mut Newton, at: &Uniform) 
 /// The equilibrium at the second of two scales from that at the first one; also the iterations that led nowhere or
 /// back. What an iteration that wandered found counts only if it lies on the side that the first increment pointed to
 /// and if the way back ends where it began: of another branch neither needs to hold.
-fn attempt<S: Scene + ?Sized>(
-    scene: &mut S,
+fn attempt(
+    scene: &mut dyn Scene,
     newton: &mut Newton,
     at: &Uniform,
     [scale, target]: [f64; 2],
@@ -225,7 +225,7 @@ fn attempt<S: Scene + ?Sized>(
 }
 
 /// Largest difference of two states' positions and orientations, relative to the sizes of the unknowns.
-fn distance<S: Scene + ?Sized>(scene: &S, a: &State, b: &State) -> f64 {
+fn distance(scene: &dyn Scene, a: &State, b: &State) -> f64 {
     let mut b = b.clone();
     // In the charts of a.
     for (index, &unknown) in scene.turns().iter().enumerate() {
@@ -242,7 +242,7 @@ fn distance<S: Scene + ?Sized>(scene: &S, a: &State, b: &State) -> f64 {
 ///
 /// # Errors
 /// As [`follow`].
-pub fn continue_from<S: Scene + ?Sized>(scene: &mut S, at: &Uniform, guess: &State) -> Result<Continued, SolveError> {
+pub fn continue_from(scene: &mut dyn Scene, at: &Uniform, guess: &State) -> Result<Continued, SolveError> {
     check(scene, at, guess)?;
     let mut state = guess.clone();
     state.t = at.t;
@@ -269,7 +269,7 @@ fn error(at: &Uniform, text: String, worst: Option<String>) -> SolveError {
 }
 
 /// Whether an equilibrium may exist.
-fn check<S: Scene + ?Sized>(scene: &mut S, at: &Uniform, guess: &State) -> Result<(), SolveError> {
+fn check(scene: &mut dyn Scene, at: &Uniform, guess: &State) -> Result<(), SolveError> {
     if !scene.is_referenced() {
         let text = "the unknowns do not turn with the bodies; take the formulation rncf";
         return Err(error(at, text.into(), None));
@@ -280,7 +280,7 @@ fn check<S: Scene + ?Sized>(scene: &mut S, at: &Uniform, guess: &State) -> Resul
     }
 }
 
-fn failed<S: Scene + ?Sized>(scene: &S, at: &Uniform, failure: &Failure, scale: f64) -> SolveError {
+fn failed(scene: &dyn Scene, at: &Uniform, failure: &Failure, scale: f64) -> SolveError {
     let of = match at.kind {
         Kind::Steady => "the angular velocity",
         Kind::Static => "the load",
@@ -289,7 +289,7 @@ fn failed<S: Scene + ?Sized>(scene: &S, at: &Uniform, failure: &Failure, scale: 
     error(at, text, row.map(|row| describe(scene, row)))
 }
 
-fn describe<S: Scene + ?Sized>(scene: &S, row: usize) -> String {
+fn describe(scene: &dyn Scene, row: usize) -> String {
     let n = scene.unknowns();
     if row < n {
         scene.describe_unknown(row)

@@ -113,11 +113,11 @@ pub(super) struct Newton {
 }
 
 impl Newton {
-    pub fn new<S: Scene + ?Sized>(scene: &S) -> Self {
+    pub fn new(scene: &dyn Scene) -> Self {
         Self::with_phases(scene, Vec::new())
     }
 
-    fn with_phases<S: Scene + ?Sized>(scene: &S, phases: Vec<Vec<f64>>) -> Self {
+    fn with_phases(scene: &dyn Scene, phases: Vec<Vec<f64>>) -> Self {
         let (pattern, constraint_pattern) = (scene.pattern(), scene.constraint_pattern());
         let (n, m) = (pattern.rows(), constraint_pattern.columns());
         let (block, border) = (entries(pattern), entries(constraint_pattern));
@@ -165,7 +165,7 @@ impl Newton {
     }
 
     /// Holds what is neutral at the state.
-    fn hold<S: Scene + ?Sized>(&mut self, scene: &mut S, at: &Uniform, state: &State) {
+    fn hold(&mut self, scene: &mut dyn Scene, at: &Uniform, state: &State) {
         let mut phases = scene.neutral_motions(at, state);
         for phase in &mut phases {
             // In the metric of the sizes, so that a phase condition depends on no unit.
@@ -186,9 +186,9 @@ impl Newton {
 
     /// Converges `state` down to round-off; also the number of iterations. Velocities and accelerations are
     /// those of the uniform motion.
-    pub fn solve<S: Scene + ?Sized>(
+    pub fn solve(
         &mut self,
-        scene: &mut S,
+        scene: &mut dyn Scene,
         at: &Uniform,
         state: &mut State,
         patience: Patience,
@@ -203,13 +203,7 @@ impl Newton {
     /// Flows towards an equilibrium in a viscous medium, `M dx/ds = -R`, by implicit steps that grow until they are those of
     /// Newton's iteration; `speed` is the angular velocity, rad/s. What is stiff settles in the first step, and with it
     /// the forces that make the rest stiff.
-    pub fn flow<S: Scene + ?Sized>(
-        &mut self,
-        scene: &mut S,
-        at: &Uniform,
-        state: &mut State,
-        speed: f64,
-    ) -> Result<(), Failure> {
+    pub fn flow(&mut self, scene: &mut dyn Scene, at: &Uniform, state: &mut State, speed: f64) -> Result<(), Failure> {
         if speed.is_nan() || speed <= 0.0 {
             return Err(Failure::NotFinite);
         }
@@ -263,9 +257,9 @@ impl Newton {
         Err(Failure::Slow(self.largest(&self.increments)))
     }
 
-    fn iterate<S: Scene + ?Sized>(
+    fn iterate(
         &mut self,
-        scene: &mut S,
+        scene: &mut dyn Scene,
         at: &Uniform,
         state: &mut State,
         patience: Patience,
@@ -316,7 +310,7 @@ impl Newton {
     }
 
     /// Matrix and right side (the negative residual, in `increments`) at `state`.
-    fn linearize<S: Scene + ?Sized>(&mut self, scene: &mut S, at: &Uniform, state: &mut State) {
+    fn linearize(&mut self, scene: &mut dyn Scene, at: &Uniform, state: &mut State) {
         let (n, m) = (state.x.len(), state.lambda.len());
         scene.uniform_state(at, state);
         let (forces, others) = self.increments.split_at_mut(n);

@@ -130,7 +130,7 @@ struct Left {
 
 impl Alpha {
     /// The method with the given coefficients for `system`.
-    pub(super) fn new<S: System + ?Sized>(system: &mut S, coefficients: Coefficients, options: &Options) -> Self {
+    pub(super) fn new(system: &mut dyn System, coefficients: Coefficients, options: &Options) -> Self {
         let (n, m) = (system.unknowns(), system.constraints());
         let zeros = State::of(system, 0.0);
         let fixed = matches!(options.step, StepSize::Fixed(_));
@@ -177,19 +177,14 @@ impl Alpha {
     }
 
     /// The same for a run over `span` (s) whose result has the tolerance `rtol`.
-    pub(super) fn over<S: System + ?Sized>(mut self, system: &S, rtol: f64, span: f64) -> Self {
+    pub(super) fn over(mut self, system: &dyn System, rtol: f64, span: f64) -> Self {
         self.newton.lasts(Lasting::new(system, rtol, span));
         self
     }
 
     /// Jerk at `now`: difference quotient of consistent accelerations over a small part of `h`, its
     /// constrained part from the third derivative of the constraints.
-    fn jerk_at_start<S: System + ?Sized>(
-        &mut self,
-        system: &mut S,
-        h: f64,
-        statistics: &mut Statistics,
-    ) -> Result<(), Singular> {
+    fn jerk_at_start(&mut self, system: &mut dyn System, h: f64, statistics: &mut Statistics) -> Result<(), Singular> {
         let dt = DIFFERENCE * h;
         let later = &mut self.trial.state;
         later.t = self.now.t + dt;
@@ -210,12 +205,7 @@ impl Alpha {
     }
 
     /// Velocity and acceleration from which a step of size `h` starts: into the trial's velocity and `a0`.
-    fn prepare<S: System + ?Sized>(
-        &mut self,
-        system: &mut S,
-        h: f64,
-        statistics: &mut Statistics,
-    ) -> Result<(), Singular> {
+    fn prepare(&mut self, system: &mut dyn System, h: f64, statistics: &mut Statistics) -> Result<(), Singular> {
         if self.left.h == Some(h) {
             self.trial.state.v.copy_from_slice(&self.left.v);
             self.trial.low.v.copy_from_slice(&self.left.low);
@@ -277,12 +267,7 @@ impl Alpha {
     }
 
     /// Converges the end of a step of size `h`; a matrix of an earlier step gets a second chance.
-    fn converge<S: System + ?Sized>(
-        &mut self,
-        system: &mut S,
-        h: f64,
-        statistics: &mut Statistics,
-    ) -> Result<(), Cause> {
+    fn converge(&mut self, system: &mut dyn System, h: f64, statistics: &mut Statistics) -> Result<(), Cause> {
         let mut patiently = false;
         loop {
             self.prepare(system, h, statistics)
@@ -320,12 +305,7 @@ impl Alpha {
     }
 
     /// Makes the trial the last accepted state, its velocity free of bias.
-    fn accept<S: System + ?Sized>(
-        &mut self,
-        system: &mut S,
-        h: f64,
-        statistics: &mut Statistics,
-    ) -> Result<(), Singular> {
+    fn accept(&mut self, system: &mut dyn System, h: f64, statistics: &mut Statistics) -> Result<(), Singular> {
         let Iterate {
             state,
             low,
@@ -405,9 +385,9 @@ impl Keep for Alpha {
 }
 
 impl Scheme for Alpha {
-    fn begin<S: System + ?Sized>(
+    fn begin(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         state: &State,
         h: f64,
         statistics: &mut Statistics,
@@ -440,7 +420,7 @@ impl Scheme for Alpha {
         Ok(())
     }
 
-    fn attempt<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Outcome {
+    fn attempt(&mut self, system: &mut dyn System, h: f64, statistics: &mut Statistics) -> Outcome {
         let failed = |controller: &mut Controller, cause| Outcome::Rejected {
             next: controller.failed(h, RETRY),
             cause,
@@ -470,7 +450,7 @@ impl Scheme for Alpha {
         Outcome::Accepted { next }
     }
 
-    fn take_up<S: System + ?Sized>(&mut self, system: &mut S) {
+    fn take_up(&mut self, system: &mut dyn System) {
         self.bordered.approach(system, &self.now);
     }
 

@@ -85,12 +85,12 @@ enum Factors {
 
 impl Bordered {
     /// Analyses the patterns; [`Bordered::move_to`] must come next.
-    pub(super) fn new<S: System + ?Sized>(system: &S) -> Self {
+    pub(super) fn new(system: &dyn System) -> Self {
         Self::weighted(system, Weight::Mass, system.pattern().clone(), system.border())
     }
 
     /// The same with `1 / size^2` of the unknowns in place of the mass.
-    pub(super) fn by_sizes<S: System + ?Sized>(system: &S) -> Self {
+    pub(super) fn by_sizes(system: &dyn System) -> Self {
         let n = system.unknowns();
         let mut bordered = Self::weighted(system, Weight::Sizes, Pattern::new(n, n, (0..n).map(|i| (i, i))), 0);
         for (weight, size) in bordered.mass.iter_mut().zip(system.sizes()) {
@@ -99,7 +99,7 @@ impl Bordered {
         bordered
     }
 
-    fn weighted<S: System + ?Sized>(system: &S, weight: Weight, pattern: Pattern, border: usize) -> Self {
+    fn weighted(system: &dyn System, weight: Weight, pattern: Pattern, border: usize) -> Self {
         let constraint_pattern = system.constraint_pattern().clone();
         let (n, m) = (system.unknowns(), system.constraints());
         Self {
@@ -127,13 +127,13 @@ impl Bordered {
     }
 
     /// Moves the matrix to the state's time and position.
-    pub(super) fn move_to<S: System + ?Sized>(&mut self, system: &mut S, state: &State) {
+    pub(super) fn move_to(&mut self, system: &mut dyn System, state: &State) {
         self.approach(system, state);
         self.fetch_mass(system, state);
     }
 
     /// Moves the border to the state's time and position; the mass follows where it is needed.
-    pub(super) fn approach<S: System + ?Sized>(&mut self, system: &mut S, state: &State) {
+    pub(super) fn approach(&mut self, system: &mut dyn System, state: &State) {
         self.mass_is_present = false;
         if self.constraint_pattern.columns() > 0 {
             system.constraint_jacobian(state, &mut self.jacobian);
@@ -143,7 +143,7 @@ impl Bordered {
         }
     }
 
-    fn fetch_mass<S: System + ?Sized>(&mut self, system: &mut S, state: &State) {
+    fn fetch_mass(&mut self, system: &mut dyn System, state: &State) {
         if self.weight == Weight::Mass && !self.mass_is_present {
             system.mass(state, &mut self.mass);
         }
@@ -173,9 +173,9 @@ impl Bordered {
 
     /// Accelerations and multipliers that satisfy the equations of motion and the second time
     /// derivative of the constraints at the state's time, position and velocity; the matrix must be there.
-    pub(super) fn accelerations<S: System + ?Sized>(
+    pub(super) fn accelerations(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         state: &mut State,
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
@@ -194,9 +194,9 @@ impl Bordered {
     /// The constrained part `P (j - other)` of the jerk, from the third derivative of the constraints
     /// at the state (THEORY 10), less that of `other`; the border must be there. A change that is
     /// negligible by `measure` is right but for its direction.
-    pub(super) fn constrained_jerk<S: System + ?Sized>(
+    pub(super) fn constrained_jerk(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         state: &State,
         other: &[f64],
         measure: &Measure,
@@ -209,9 +209,9 @@ impl Bordered {
 
     /// The smallest change of `jerk`, in the norm of the mass, that satisfies the third derivative
     /// of the constraints: its constrained part becomes `P j`.
-    pub(super) fn constrain_jerk<S: System + ?Sized>(
+    pub(super) fn constrain_jerk(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         state: &State,
         jerk: &mut [f64],
         change: &mut [f64],
@@ -225,9 +225,9 @@ impl Bordered {
     /// The smallest change of the state's velocity, in the norm of the mass, with which it satisfies
     /// the first time derivative of the constraints; the border must be there. A change that is
     /// negligible by `measure` is right but for its direction.
-    pub(super) fn velocity_change<S: System + ?Sized>(
+    pub(super) fn velocity_change(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         state: &State,
         measure: Option<&Measure>,
         change: &mut [f64],
@@ -238,9 +238,9 @@ impl Bordered {
     }
 
     /// Solves for `y` in `M y + C_x^T nu = 0`, `C_x (derivative + y) + value of the level = 0`.
-    fn replace_constrained<S: System + ?Sized>(
+    fn replace_constrained(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         (level, measure): (ConstraintLevel, Option<&Measure>),
         state: &State,
         derivative: &[f64],

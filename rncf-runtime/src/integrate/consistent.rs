@@ -31,8 +31,8 @@ pub(super) enum Inconsistent {
 /// Projects positions, then velocities, onto the constraints, and notes the largest corrections.
 ///
 /// Velocities are measured by the terms of the constraint and by the sizes over `span` (s).
-pub(super) fn project<S: System + ?Sized>(
-    system: &mut S,
+pub(super) fn project(
+    system: &mut dyn System,
     state: &mut State,
     span: f64,
     statistics: &mut Statistics,
@@ -57,7 +57,7 @@ struct Projection {
 }
 
 impl Projection {
-    fn new<S: System + ?Sized>(system: &S, span: f64) -> Self {
+    fn new(system: &dyn System, span: f64) -> Self {
         Self {
             bordered: Bordered::by_sizes(system),
             charts: Charts::new(system.turns(), system.pattern()),
@@ -70,12 +70,7 @@ impl Projection {
 
     /// Corrects one level; returns the largest change relative to the sizes of the unknowns (velocities:
     /// over the span).
-    fn run<S: System + ?Sized>(
-        &mut self,
-        system: &mut S,
-        state: &mut State,
-        level: ConstraintLevel,
-    ) -> Result<f64, Inconsistent> {
+    fn run(&mut self, system: &mut dyn System, state: &mut State, level: ConstraintLevel) -> Result<f64, Inconsistent> {
         let (mut largest, mut before) = (0.0_f64, f64::INFINITY);
         for iteration in 0..=ITERATIONS {
             let (violation, worst) = self.violation(system, state, level);
@@ -112,7 +107,7 @@ impl Projection {
     }
 
     /// The largest violation of a constraint, relative to its scale, and its index; values on the way.
-    fn violation<S: System + ?Sized>(&mut self, system: &mut S, state: &State, level: ConstraintLevel) -> (f64, usize) {
+    fn violation(&mut self, system: &mut dyn System, state: &State, level: ConstraintLevel) -> (f64, usize) {
         system.constraint_jacobian(state, &mut self.jacobian);
         system.constraint(level, state, &mut self.value);
         let (pattern, sizes) = (system.constraint_pattern(), system.sizes());

@@ -26,7 +26,7 @@ const NAMES: usize = 6;
 /// of `C_x` are independent.
 ///
 /// Rows are scaled by the sizes of the unknowns and to norm one, then orthogonalised.
-pub(super) fn redundancy<S: System + ?Sized>(system: &mut S, state: &State) -> Option<String> {
+pub(super) fn redundancy(system: &mut dyn System, state: &State) -> Option<String> {
     let m = system.constraints();
     if m == 0 || m > MOST {
         return None;
@@ -69,7 +69,7 @@ pub(super) fn redundancy<S: System + ?Sized>(system: &mut S, state: &State) -> O
 
 /// Names constraints that nearly depend on each other at the state: a singular configuration is near;
 /// `None` if there are none.
-pub(super) fn near_singular<S: System + ?Sized>(system: &mut S, state: &State) -> Option<String> {
+pub(super) fn near_singular(system: &mut dyn System, state: &State) -> Option<String> {
     let m = system.constraints();
     if m == 0 || m > MOST {
         return None;
@@ -146,7 +146,7 @@ fn weaker(over: &str, rows: &[&str]) -> &'static str {
 }
 
 /// Rows of `C_x` relative to the sizes of the unknowns, of norm one, over the unknowns that occur.
-fn scaled_rows<S: System + ?Sized>(system: &mut S, state: &State) -> Vec<Vec<f64>> {
+fn scaled_rows(system: &mut dyn System, state: &State) -> Vec<Vec<f64>> {
     let mut values = vec![0.0; system.constraint_pattern().entries()];
     system.constraint_jacobian(state, &mut values);
     let (pattern, sizes) = (system.constraint_pattern(), system.sizes());
@@ -254,7 +254,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 /// is singular; `None` if there is none.
 ///
 /// Inverse iteration with `[[M + shift, C_x^T], [C_x, 0]]`, unknowns scaled by the roots of their masses.
-pub(super) fn untied<S: System + ?Sized>(system: &mut S, state: &State) -> Option<String> {
+pub(super) fn untied(system: &mut dyn System, state: &State) -> Option<String> {
     let n = system.unknowns();
     let (pattern, border_pattern) = (system.pattern().clone(), system.constraint_pattern().clone());
     let (mut mass, mut border) = (vec![0.0; pattern.entries()], vec![0.0; border_pattern.entries()]);
@@ -313,7 +313,7 @@ fn scale_entries(pattern: &Pattern, values: &mut [f64], factor: impl Fn(usize, u
 }
 
 /// Names the unknowns that take part in a motion; of many the last, which are poses.
-fn motion_in_words<S: System + ?Sized>(system: &S, parts: &[f64]) -> String {
+fn motion_in_words(system: &dyn System, parts: &[f64]) -> String {
     let largest = parts.iter().copied().fold(0.0, f64::max);
     let named: Vec<usize> = (0..parts.len()).filter(|&i| parts[i] >= NAMED * largest).collect();
     let shown = &named[named.len().saturating_sub(NAMES)..];

@@ -59,7 +59,7 @@ pub(super) struct EnergyMomentum {
 
 impl EnergyMomentum {
     /// The method for `system`.
-    pub(super) fn new<S: System + ?Sized>(system: &mut S, options: &Options) -> Self {
+    pub(super) fn new(system: &mut dyn System, options: &Options) -> Self {
         let n = system.unknowns();
         let zeros = State::of(system, 0.0);
         Self {
@@ -101,7 +101,7 @@ impl EnergyMomentum {
 
     /// Solves the step of size `h`. Where stiff motions move that it does not resolve, the accelerations at its start are no
     /// guide: then once more from uniform motion.
-    fn solve<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Result<(), Cause> {
+    fn solve(&mut self, system: &mut dyn System, h: f64, statistics: &mut Statistics) -> Result<(), Cause> {
         self.predict(h, false);
         let start = (&self.now, &self.low);
         let solved = self
@@ -118,7 +118,7 @@ impl EnergyMomentum {
     }
 
     /// Puts the true accelerations of its end into the trial, and the velocities of what is carried along.
-    fn complete<S: System + ?Sized>(&mut self, system: &mut S, statistics: &mut Statistics) -> Result<(), Singular> {
+    fn complete(&mut self, system: &mut dyn System, statistics: &mut Statistics) -> Result<(), Singular> {
         let state = &mut self.trial.state;
         // Without constraints the matrix is the mass, which is constant.
         if !state.lambda.is_empty() {
@@ -187,9 +187,9 @@ impl Keep for EnergyMomentum {
 }
 
 impl Scheme for EnergyMomentum {
-    fn begin<S: System + ?Sized>(
+    fn begin(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         state: &State,
         _h: f64,
         _statistics: &mut Statistics,
@@ -212,7 +212,7 @@ impl Scheme for EnergyMomentum {
         Ok(())
     }
 
-    fn attempt<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Outcome {
+    fn attempt(&mut self, system: &mut dyn System, h: f64, statistics: &mut Statistics) -> Outcome {
         let failed = |controller: &mut Controller, cause| Outcome::Rejected {
             next: controller.failed(h, RETRY),
             cause,
@@ -244,7 +244,7 @@ impl Scheme for EnergyMomentum {
         Outcome::Accepted { next }
     }
 
-    fn take_up<S: System + ?Sized>(&mut self, system: &mut S) {
+    fn take_up(&mut self, system: &mut dyn System) {
         self.bordered.move_to(system, &self.now);
     }
 

@@ -53,7 +53,7 @@ impl Keep for Lasting {
 
 impl Lasting {
     /// For a run of `span` seconds and the tolerance `rtol` of its result relative to the sizes of the unknowns.
-    pub(super) fn new<S: System + ?Sized>(system: &S, rtol: f64, span: f64) -> Self {
+    pub(super) fn new(system: &dyn System, rtol: f64, span: f64) -> Self {
         let first = system.unknowns() - system.border();
         let factor = 0.5 * span * span / rtol;
         Self {

@@ -201,7 +201,7 @@ impl Keep for Newton {
 impl Newton {
     /// An iteration for `system`; `rtol` relative to the sizes of the unknowns is the error
     /// tolerance of a step.
-    pub(super) fn new<S: System + ?Sized>(system: &S, factors: Factors, rtol: f64, stabilised: bool) -> Self {
+    pub(super) fn new(system: &dyn System, factors: Factors, rtol: f64, stabilised: bool) -> Self {
         let (pattern, constraint_pattern) = (system.pattern(), system.constraint_pattern().clone());
         let entries = pattern.entries();
         Self {
@@ -236,9 +236,9 @@ impl Newton {
 
     /// As [`Newton::solve`], with a new matrix for each increment and without giving up while increments grow: for steps
     /// of fixed size in which something snaps through.
-    pub(super) fn solve_patiently<S: System + ?Sized>(
+    pub(super) fn solve_patiently(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         start: &State,
         h: f64,
         iterate: &mut Iterate,
@@ -279,9 +279,9 @@ impl Newton {
     }
 
     /// Iterates from the predictor in `iterate` until the step of size `h` from `start` has converged.
-    pub(super) fn solve<S: System + ?Sized>(
+    pub(super) fn solve(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         start: &State,
         h: f64,
         iterate: &mut Iterate,
@@ -363,9 +363,9 @@ impl Newton {
     }
 
     /// Adds one increment to the iterate.
-    fn advance<S: System + ?Sized>(
+    fn advance(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         h: f64,
         iterate: &mut Iterate,
         statistics: &mut Statistics,
@@ -388,9 +388,9 @@ impl Newton {
 
     /// Filters a derivative `y` at `state` by the matrix of a step of size `h`: smooth parts change by
     /// O(h), the constrained part stays, stiff parts that the step does not resolve vanish.
-    pub(super) fn filter<S: System + ?Sized>(
+    pub(super) fn filter(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         h: f64,
         state: &State,
         y: &mut [f64],
@@ -414,7 +414,7 @@ impl Newton {
     }
 
     /// Whether round-off of constraints is all that is left of increments of this size.
-    fn is_at_noise<S: System + ?Sized>(&self, system: &mut S, state: &State, size: f64) -> bool {
+    fn is_at_noise(&self, system: &mut dyn System, state: &State, size: f64) -> bool {
         noise::is_all_that_is_left(system, state, &self.inverse_weights, size, self.bearable)
     }
 
@@ -437,9 +437,9 @@ impl Newton {
     }
 
     /// Evaluates and factors `[[(mass M + gamma h D) T^-1 + beta h^2 K, C_x^T], [C_x, 0]]` at `state`.
-    fn refresh<S: System + ?Sized>(
+    fn refresh(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         h: f64,
         state: &State,
         statistics: &mut Statistics,
@@ -484,7 +484,7 @@ impl Newton {
     }
 
     /// The matrix of the iteration from mass, damping and stiffness, which stay.
-    fn combine<S: System + ?Sized>(&mut self, system: &mut S, state: &State, [mass, damping, stiffness]: [f64; 3]) {
+    fn combine(&mut self, system: &mut dyn System, state: &State, [mass, damping, stiffness]: [f64; 3]) {
         let tangent = &mut self.tangent;
         system.tangent(state, tangent);
         for i in 0..self.block.len() {
@@ -498,13 +498,7 @@ impl Newton {
 
     /// Increments of position and multipliers at `state`; returns the factor by which the dynamic
     /// rows were relaxed because the matrix is of another step size.
-    fn increment<S: System + ?Sized>(
-        &mut self,
-        system: &mut S,
-        h: f64,
-        state: &State,
-        statistics: &mut Statistics,
-    ) -> f64 {
+    fn increment(&mut self, system: &mut dyn System, h: f64, state: &State, statistics: &mut Statistics) -> f64 {
         let lambda = &state.lambda;
         system.residual(state, &mut self.dx);
         statistics.residual_evaluations += 1;

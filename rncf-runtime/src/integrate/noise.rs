@@ -17,7 +17,7 @@ struct Noise {
 }
 
 /// Round-off of the constraints in increments of unknowns; 1 / weight of every unknown is given.
-fn of_constraints<S: System + ?Sized>(system: &mut S, state: &State, inverse_weights: &[f64]) -> Noise {
+fn of_constraints(system: &mut dyn System, state: &State, inverse_weights: &[f64]) -> Noise {
     let m = system.constraints();
     let mut jacobian = vec![0.0; system.constraint_pattern().entries()];
     let mut noise = vec![0.0; m];
@@ -52,8 +52,8 @@ fn of_constraints<S: System + ?Sized>(system: &mut S, state: &State, inverse_wei
 
 /// Whether an iteration that contracts no more, with increments of `size` in the norm of the weights, has come as far as
 /// round-off of the constraints lets it, and that is `bearable`.
-pub(super) fn is_all_that_is_left<S: System + ?Sized>(
-    system: &mut S,
+pub(super) fn is_all_that_is_left(
+    system: &mut dyn System,
     state: &State,
     inverse_weights: &[f64],
     size: f64,
@@ -63,7 +63,7 @@ pub(super) fn is_all_that_is_left<S: System + ?Sized>(
 }
 
 /// Says that a tolerance cannot be met for round-off of a constraint, which one, and what to do; `None` if it can be.
-pub(super) fn below_round_off<S: System + ?Sized>(system: &mut S, state: &State, rtol: f64) -> Option<String> {
+pub(super) fn below_round_off(system: &mut dyn System, state: &State, rtol: f64) -> Option<String> {
     let inverse_weights: Vec<f64> = system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect();
     let Noise { size, worst } = of_constraints(system, state, &inverse_weights);
     let (column, noise) = worst.filter(|_| MARGIN * size > BEARABLE)?;

@@ -85,7 +85,7 @@ enum Age {
 
 impl Radau {
     /// The method for a run of `system` over `span`, s.
-    pub(super) fn new<S: System + ?Sized>(system: &mut S, options: &Options, span: f64) -> Self {
+    pub(super) fn new(system: &mut dyn System, options: &Options, span: f64) -> Self {
         let (n, m) = (system.unknowns(), system.constraints());
         let fixed = matches!(options.step, StepSize::Fixed(_));
         let stabilised = options.stabilised && m > 0;
@@ -116,9 +116,9 @@ impl Radau {
     }
 
     /// Converges the stages of a step of size `h`; a tangent of an earlier step gets a second chance.
-    fn converge<S: System + ?Sized>(
+    fn converge(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         h: f64,
         statistics: &mut Statistics,
     ) -> Result<Converged, (f64, Cause)> {
@@ -169,7 +169,7 @@ impl Radau {
         }
     }
 
-    fn error<S: System + ?Sized>(&mut self, system: &mut S, statistics: &mut Statistics) -> f64 {
+    fn error(&mut self, system: &mut dyn System, statistics: &mut Statistics) -> f64 {
         let (coefficients, matrices) = (&self.coefficients, &mut self.matrices);
         let (estimate, start, stages) = (&mut self.estimate, &self.now, &self.trial);
         let error = estimate.error(coefficients, matrices, start, stages, statistics);
@@ -237,9 +237,9 @@ impl Keep for Radau {
 }
 
 impl Scheme for Radau {
-    fn begin<S: System + ?Sized>(
+    fn begin(
         &mut self,
-        _system: &mut S,
+        _system: &mut dyn System,
         state: &State,
         _h: f64,
         _statistics: &mut Statistics,
@@ -255,7 +255,7 @@ impl Scheme for Radau {
         Ok(())
     }
 
-    fn attempt<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Outcome {
+    fn attempt(&mut self, system: &mut dyn System, h: f64, statistics: &mut Statistics) -> Outcome {
         let converged = match self.converge(system, h, statistics) {
             Ok(converged) => converged,
             Err((ratio, cause)) => {
@@ -298,7 +298,7 @@ impl Scheme for Radau {
         Outcome::Accepted { next }
     }
 
-    fn take_up<S: System + ?Sized>(&mut self, _system: &mut S) {}
+    fn take_up(&mut self, _system: &mut dyn System) {}
 
     fn state(&self) -> &State {
         &self.now

@@ -5,8 +5,12 @@
 //! the bytes, just as a run does that is taken up later from them: so both go on with the same bits, whatever the method
 //! remembers. When a renewal is due is counted, not timed.
 
-use super::scheme::Scheme;
-use super::{Bordered, Integrator, Method, Options, Running, Segments, Statistics, Switches, Watch};
+use super::bordered::Bordered;
+use super::driver::{Driver, scheme_of};
+use super::segments::Segments;
+use super::switches::Switches;
+use super::watch::Watch;
+use super::{Method, Options, Statistics};
 use crate::archive::{Archive, Keep};
 use crate::error::{SolveError, SolveErrorKind};
 use crate::system::System;
@@ -31,36 +35,35 @@ impl Renewal {
         }
     }
 
+    /// What was known at the last one; `None` before the first.
+    pub(super) fn known(&self) -> Option<&[u8]> {
+        (!self.known.is_empty()).then_some(&self.known)
+    }
+
     /// Whether the time has come; to be asked after a step.
     pub(super) fn is_due(&self, statistics: &Statistics) -> bool {
         statistics.residual_evaluations - self.last >= self.after
     }
 }
 
-impl<'s, S: System + ?Sized> Integrator<'s, S> {
-    /// What [`Integrator::resume`] needs to repeat all steps since the last renewal ([`Options::renewed_after`]) and to go on, to
-    /// the last bit; `None` before the first one.
-    pub fn renewed(&self) -> Option<&[u8]> {
-        (!self.renewal.known.is_empty()).then_some(&self.renewal.known)
-    }
-
-    /// Takes up an integration from [`Integrator::renewed`]: with the same system, method and options the steps that follow have
-    /// the same bits.
-    ///
-    /// # Errors
-    /// The bytes are those of another system or method.
-    pub fn resume(system: &'s mut S, renewed: &[u8], method: Method, options: Options) -> Result<Self, SolveError> {
+impl Driver {
+    /// See [`super::Integrator::resume`].
+    pub(super) fn resume(
+        system: &mut dyn System,
+        renewed: &[u8],
+        method: Method,
+        options: Options,
+    ) -> Result<Self, SolveError> {
         let options = Options {
             rtol: options.local_tolerance(method),
             ..options
         };
-        let mut integrator = Self {
+        let mut driver = Self {
             bordered: Bordered::new(system),
             // The span comes with the segments.
-            scheme: Running::new(system, method, &options, 0.0),
+            scheme: scheme_of(system, method, &options, 0.0),
             renewal: Renewal::new(options.renewal(system.unknowns())),
             violations: vec![0.0; system.constraints()],
-            system,
             method,
             options,
             segments: Segments::new(0.0, 0.0, &[]),
@@ -71,44 +74,42 @@ impl<'s, S: System + ?Sized> Integrator<'s, S> {
             statistics: Statistics::default(),
             watch: Watch::default(),
         };
-        integrator.renewal.known = renewed.to_vec();
-        integrator.take_up().map_err(|kind| SolveError {
+        driver.renewal.known = renewed.to_vec();
+        driver.take_up(system).map_err(|kind| SolveError {
             kind,
             t: 0.0,
             h: 0.0,
             worst: None,
         })?;
-        Ok(integrator)
+        Ok(driver)
     }
 
     /// Forgets what can be found again.
-    pub(super) fn renew(&mut self) {
+    pub(super) fn renew(&mut self, system: &mut dyn System) {
         let mut known = std::mem::take(&mut self.renewal.known);
         known.clear();
-        self.keep(&mut Archive::writing(&mut known));
+        self.keep(system, &mut Archive::writing(&mut known));
         self.renewal.known = known;
-        let taken_up = self.take_up();
+        let taken_up = self.take_up(system);
         debug_assert!(taken_up.is_ok(), "what this writes it reads");
     }
 
     /// Makes method and matrices anew, and goes on from what was known at the last renewal.
-    fn take_up(&mut self) -> Result<(), SolveErrorKind> {
+    fn take_up(&mut self, system: &mut dyn System) -> Result<(), SolveErrorKind> {
         let known = std::mem::take(&mut self.renewal.known);
         let mut archive = Archive::reading(&known);
-        self.keep(&mut archive);
+        self.keep(system, &mut archive);
         let read = archive.end();
         self.renewal.known = known;
         self.renewal.last = self.statistics.residual_evaluations;
         read.map_err(|_| SolveErrorKind::Setting("it was not this system or method that ran so far".into()))?;
-        self.scheme.take_up(self.system);
+        self.scheme.take_up(system);
         Ok(())
     }
-}
 
-impl<S: System + ?Sized> Keep for Integrator<'_, S> {
-    fn keep(&mut self, archive: &mut Archive<'_>) {
+    /// Writes what must be known, or reads it into matrices and a method that are made anew.
+    fn keep(&mut self, system: &mut dyn System, archive: &mut Archive<'_>) {
         let Self {
-            system,
             method,
             scheme,
             options,
@@ -130,8 +131,8 @@ impl<S: System + ?Sized> Keep for Integrator<'_, S> {
         statistics.keep(archive);
         watch.keep(archive);
         if archive.is_reading() {
-            *bordered = Bordered::new(*system);
-            *scheme = Running::new(*system, *method, options, segments.span());
+            *bordered = Bordered::new(system);
+            *scheme = scheme_of(system, *method, options, segments.span());
         }
         scheme.keep(archive);
     }

@@ -33,9 +33,9 @@ pub(super) enum Cause {
 pub(super) trait Scheme: Keep {
     /// Begins at a consistent state (accelerations and multipliers solved for), at the start or
     /// after a kink; `h` (s) is the step that will be tried first.
-    fn begin<S: System + ?Sized>(
+    fn begin(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         state: &State,
         h: f64,
         statistics: &mut Statistics,
@@ -43,10 +43,10 @@ pub(super) trait Scheme: Keep {
 
     /// Tries one step of size `h` (s) from the last accepted state. With a fixed step there is no
     /// error test, but a step that has not converged is rejected all the same.
-    fn attempt<S: System + ?Sized>(&mut self, system: &mut S, h: f64, statistics: &mut Statistics) -> Outcome;
+    fn attempt(&mut self, system: &mut dyn System, h: f64, statistics: &mut Statistics) -> Outcome;
 
     /// Goes on from what was read into the method, which is otherwise new.
-    fn take_up<S: System + ?Sized>(&mut self, system: &mut S);
+    fn take_up(&mut self, system: &mut dyn System);
 
     /// The state at the end of the last accepted step, with true accelerations.
     fn state(&self) -> &State;

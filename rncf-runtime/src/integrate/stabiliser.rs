@@ -45,7 +45,7 @@ pub(super) struct Scales {
 
 impl Stabiliser {
     /// For the constraints of `system`.
-    pub(super) fn new<S: System + ?Sized>(system: &S) -> Self {
+    pub(super) fn new(system: &dyn System) -> Self {
         let pattern = system.constraint_pattern().clone();
         let (n, m) = (system.unknowns(), system.constraints());
         Self {
@@ -62,15 +62,15 @@ impl Stabiliser {
     }
 
     /// Takes the direction of mu from the start of a step.
-    pub(super) fn begin<S: System + ?Sized>(&mut self, system: &mut S, start: &State) {
+    pub(super) fn begin(&mut self, system: &mut dyn System, start: &State) {
         system.constraint_jacobian(start, &mut self.start);
     }
 
     /// Eliminates with a new matrix of index 3 at `state`: `stiffness` is K on the system's pattern,
     /// `jacobian` is `C_x^T`.
-    pub(super) fn refresh<S: System + ?Sized>(
+    pub(super) fn refresh(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         state: &State,
         scales: Scales,
         (saddle, charts): (&mut Saddle<f64>, &Charts),
@@ -110,9 +110,9 @@ impl Stabiliser {
 
     /// Completes the solution of index 3 in `d` and `lambda`: on return they are those of the large
     /// matrix, and [`Stabiliser::shift`] is what mu adds to the positions.
-    pub(super) fn solve<S: System + ?Sized>(
+    pub(super) fn solve(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         state: &State,
         scales: Scales,
         (charts, jacobian): (&Charts, &[f64]),

@@ -1,11 +1,14 @@
 //! Before the first step: settings in range, and a first step that fits the scales of the motion.
 
 use super::bordered::Bordered;
+use super::consistent::{self, Inconsistent};
 use super::newton::norm;
+use super::segments::Segments;
 use super::{Method, Options, Statistics, StepSize};
-use crate::error::SolveErrorKind;
+use super::{diagnose, newton};
+use crate::error::{SolveError, SolveErrorKind};
 use crate::linalg::Singular;
-use crate::system::{State, System};
+use crate::system::{ConstraintLevel, State, System};
 
 /// First trial step, as a part of the time in which an unknown covers its size, or of the span.
 const CAUTIOUS: f64 = 1e-2;
@@ -70,8 +73,8 @@ pub(super) fn check_dissipation(constraints: usize, method: Method, options: &Op
 
 /// A first step (s) from the change of the accelerations over a cautious trial step; `bordered`
 /// is left at the state.
-pub(super) fn first_step<S: System + ?Sized>(
-    system: &mut S,
+pub(super) fn first_step(
+    system: &mut dyn System,
     bordered: &mut Bordered,
     state: &State,
     rtol: f64,
@@ -110,4 +113,95 @@ pub(super) fn first_step<S: System + ?Sized>(
         f64::INFINITY
     };
     Ok(by_jerk.min(100.0 * trial))
+}
+
+/// A row of the equations in the user's words: unknowns first, then constraints.
+pub(super) fn describe(system: &dyn System, row: usize) -> String {
+    let n = system.unknowns();
+    if row < n {
+        system.describe_unknown(row)
+    } else {
+        system.describe_constraint(row - n)
+    }
+}
+
+/// Refuses prescribed positions that jump at a known kink, before the first step.
+pub(super) fn refuse_jumps(system: &mut dyn System, state: &State, segments: &Segments) -> Result<(), SolveError> {
+    let mut at = state.clone();
+    for (before, behind) in segments.around_kinks() {
+        at.t = before;
+        if let Some(jump) = system.jumps(&at, behind).into_iter().find(|jump| jump.of_position) {
+            return Err(SolveError {
+                kind: SolveErrorKind::Discontinuous(jump.text),
+                t: before,
+                h: 0.0,
+                worst: None,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// The initial state at time `t`, its lengths checked, accelerations and multipliers zero.
+pub(super) fn sized(system: &dyn System, start: State, t: f64) -> Result<State, SolveErrorKind> {
+    let (n, turns) = (system.unknowns(), system.turns().len());
+    for (name, length, needed, what) in [
+        ("positions", start.x.len(), n, "unknowns"),
+        ("velocities", start.v.len(), n, "unknowns"),
+        ("orientations", start.turns.len(), turns, "free orientations"),
+    ] {
+        if length != needed {
+            return Err(SolveErrorKind::Setting(format!(
+                "the initial state has {length} {name}: the system has {needed} {what}"
+            )));
+        }
+    }
+    if !start.x.iter().chain(&start.v).all(|value| value.is_finite()) {
+        return Err(SolveErrorKind::NotFinite);
+    }
+    Ok(State {
+        x: start.x,
+        v: start.v,
+        turns: start.turns,
+        ..State::of(system, t)
+    })
+}
+
+/// Puts the initial state onto the constraints, or says what is wrong with it or with them.
+pub(super) fn prepare(
+    system: &mut dyn System,
+    state: &mut State,
+    span: f64,
+    statistics: &mut Statistics,
+) -> Result<(), (SolveErrorKind, Option<String>)> {
+    state.rebase(system.turns());
+    if let Some(text) = system.undefined(state) {
+        return Err((SolveErrorKind::Undefined(text), None));
+    }
+    let check = |system: &mut dyn System, state: &State| match diagnose::redundancy(system, state) {
+        Some(text) => Err((SolveErrorKind::Redundant(text), None)),
+        None => Ok(()),
+    };
+    check(system, state)?;
+    consistent::project(system, state, span, statistics).map_err(|inconsistent| match inconsistent {
+        Inconsistent::Far(size, index, level) => {
+            let mut worst = system.describe_constraint(index);
+            if level == ConstraintLevel::Velocity {
+                worst.insert_str(0, "the rate of ");
+            }
+            (SolveErrorKind::Inconsistent(size), Some(worst))
+        }
+        Inconsistent::Singular(singular) => {
+            let row = newton::row(singular, system.unknowns());
+            (SolveErrorKind::Singular, row.map(|row| describe(system, row)))
+        }
+    })?;
+    if statistics.position_correction > 0.0 {
+        // Redundancy may show on the constraints only.
+        check(system, state)?;
+    }
+    match diagnose::untied(system, state) {
+        Some(text) => Err((SolveErrorKind::Untied(text), None)),
+        None => Ok(()),
+    }
 }

@@ -45,13 +45,13 @@ pub(super) struct Newton {
 }
 
 /// The forces of a system; that it has them was checked at the start.
-fn forces<S: System + ?Sized>(system: &mut S) -> Result<&mut dyn Conserving, Cause> {
+fn forces(system: &mut dyn System) -> Result<&mut dyn Conserving, Cause> {
     system.conserving().map_err(|_| Cause::Singular { worst: None })
 }
 
 impl Newton {
     /// An iteration for `system`.
-    pub(super) fn new<S: System + ?Sized>(system: &S) -> Self {
+    pub(super) fn new(system: &dyn System) -> Self {
         let (pattern, constraint_pattern) = (system.pattern(), system.constraint_pattern().clone());
         Self {
             charts: Charts::new(system.turns(), pattern),
@@ -83,9 +83,9 @@ impl Newton {
     }
 
     /// Iterates from the predictor in `trial`, at most so many times, until nothing but round-off is left of the residual.
-    pub(super) fn solve<S: System + ?Sized>(
+    pub(super) fn solve(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         h: f64,
         (start, low): (&State, &Low),
         trial: &mut Trial,
@@ -149,9 +149,9 @@ impl Newton {
     }
 
     /// Evaluates and factors the matrix of a step of size `h` from `start` to `end`.
-    fn refresh<S: System + ?Sized>(
+    fn refresh(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         h: f64,
         start: &State,
         end: &State,
@@ -175,9 +175,9 @@ impl Newton {
     }
 
     /// Increments of positions and multipliers, the latter times `h^2 / 2`.
-    fn increment<S: System + ?Sized>(
+    fn increment(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         h: f64,
         start: &State,
         end: &State,

@@ -36,7 +36,7 @@ pub(super) struct Estimate {
 }
 
 impl Estimate {
-    pub(super) fn new<S: System + ?Sized>(system: &S, rtol: f64) -> Self {
+    pub(super) fn new(system: &dyn System, rtol: f64) -> Self {
         let (n, m) = (system.unknowns(), system.constraints());
         Self {
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
@@ -74,9 +74,9 @@ impl Estimate {
 
     /// The estimate once more from the slope at `start` + error: it no longer sees motions that
     /// are far faster than the step.
-    pub(super) fn filtered<S: System + ?Sized>(
+    pub(super) fn filtered(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         coefficients: &Coefficients,
         matrices: &mut Matrices,
         start: &State,

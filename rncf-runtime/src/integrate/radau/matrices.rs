@@ -36,7 +36,7 @@ pub(super) struct Matrices {
 }
 
 impl Matrices {
-    pub(super) fn new<S: System + ?Sized>(system: &mut S, stabilised: bool) -> Self {
+    pub(super) fn new(system: &mut dyn System, stabilised: bool) -> Self {
         let chart = Chart::new(system.turns(), system.pattern(), system.constraint_pattern());
         let (n, m) = (system.unknowns(), system.constraints());
         let tangent = |entries: usize| Tangent {
@@ -72,7 +72,7 @@ impl Matrices {
     }
 
     /// Evaluates tangent and constraint Jacobian at `place`, given in the chart.
-    pub(super) fn linearize<S: System + ?Sized>(&mut self, system: &mut S, place: &State, statistics: &mut Statistics) {
+    pub(super) fn linearize(&mut self, system: &mut dyn System, place: &State, statistics: &mut Statistics) {
         self.state.clone_from(place);
         self.chart.leave(&mut self.state);
         system.tangent(&self.state, &mut self.system_tangent);

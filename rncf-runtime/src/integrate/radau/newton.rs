@@ -118,8 +118,8 @@ impl Keep for Newton {
 }
 
 impl Newton {
-    pub(super) fn new<S: System + ?Sized>(
-        system: &S,
+    pub(super) fn new(
+        system: &dyn System,
         matrices: &Matrices,
         (rtol, tolerance): (f64, f64),
         lasting: Lasting,
@@ -159,9 +159,9 @@ impl Newton {
 
     /// Converges the increments and multipliers of `stages`, whose predictions are given; its
     /// velocities and accelerations follow. `start` comes with whether the tangent is of this step.
-    pub(super) fn solve<S: System + ?Sized>(
+    pub(super) fn solve(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         coefficients: &Coefficients,
         matrices: &mut Matrices,
         (start, is_fresh): (&State, bool),
@@ -243,9 +243,9 @@ impl Newton {
     }
 
     /// Rates and their derivatives of the converged stages, which must not have left the chart.
-    fn complete<S: System + ?Sized>(
+    fn complete(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         coefficients: &Coefficients,
         matrices: &Matrices,
         start: &State,
@@ -265,9 +265,9 @@ impl Newton {
     }
 
     /// `C_x^T` at all stages, then drift, rates and their derivatives.
-    fn differentiate<S: System + ?Sized>(
+    fn differentiate(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         coefficients: &Coefficients,
         matrices: &Matrices,
         start: &State,
@@ -292,9 +292,9 @@ impl Newton {
     }
 
     /// Right sides `-R` and `-C`, and `-dC/dt` with the stabilised index 2, of all stages.
-    fn residual<S: System + ?Sized>(
+    fn residual(
         &mut self,
-        system: &mut S,
+        system: &mut dyn System,
         coefficients: &Coefficients,
         matrices: &Matrices,
         start: &State,
@@ -368,7 +368,7 @@ impl Newton {
 
     /// Whether round-off of constraints is all that is left of increments of this size; where the step is fixed nobody asks
     /// for a tolerance.
-    fn is_at_noise<S: System + ?Sized>(&self, system: &mut S, start: &State, size: f64) -> bool {
+    fn is_at_noise(&self, system: &mut dyn System, start: &State, size: f64) -> bool {
         let bearable = if self.patient { f64::INFINITY } else { BEARABLE };
         noise::is_all_that_is_left(system, start, &self.inverse_weights, size, bearable)
     }

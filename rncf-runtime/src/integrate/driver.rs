@@ -1,0 +1,380 @@
+//! The driver of an integration: it owns the time axis with its limits and kinks, the end, and the counts of steps.
+//!
+//! It sees the system as `dyn`, so that it is compiled once, here, and not again for every model.
+
+use super::alpha::{Alpha, Coefficients};
+use super::bordered::{Bordered, add};
+use super::energy::EnergyMomentum;
+use super::radau::Radau;
+use super::renewal::Renewal;
+use super::scheme::{Cause, Outcome, Scheme};
+use super::segments::Segments;
+use super::start::{self, describe};
+use super::switches::Switches;
+use super::watch::{Trouble, Watch};
+use super::{Method, Options, Statistics, StepSize, Stop, diagnose, newton, noise};
+use crate::error::{SolveError, SolveErrorKind};
+use crate::linalg::Singular;
+use crate::system::{ConstraintLevel, State, System};
+
+/// Switches are looked for so many steps ahead: the last two before one share what is left.
+const AHEAD: f64 = 2.0;
+/// A step within this part of the ceiling is at the ceiling.
+const AT_CEILING: f64 = 0.99;
+
+/// Steps after which it is looked whether something moves faster than light.
+const LIGHT: u64 = 16;
+/// Where to look when a motion grows without end.
+const CAUSES: &str = "look for a damper or load with the wrong sign, or a load that is far too large";
+
+/// All that an integration knows besides the system.
+pub(super) struct Driver {
+    pub(super) method: Method,
+    pub(super) scheme: Box<dyn Scheme>,
+    pub(super) options: Options,
+    pub(super) segments: Segments,
+    pub(super) switches: Switches,
+    pub(super) bordered: Bordered,
+    /// Step that the next attempt would like to take, s.
+    pub(super) wanted: f64,
+    /// The last step ended at a kink: begin anew behind it.
+    pub(super) at_kink: bool,
+    pub(super) previous_time: f64,
+    pub(super) statistics: Statistics,
+    pub(super) watch: Watch,
+    /// Memory for constraint values.
+    pub(super) violations: Vec<f64>,
+    pub(super) renewal: Renewal,
+}
+
+/// The method that runs, over `span` (s).
+pub(super) fn scheme_of(system: &mut dyn System, method: Method, options: &Options, span: f64) -> Box<dyn Scheme> {
+    let mut alpha = |coefficients| Box::new(Alpha::new(system, coefficients, options).over(system, options.rtol, span));
+    match method {
+        Method::Hht { alpha: value } => alpha(Coefficients::hht(value)),
+        Method::GeneralizedAlpha { rho_inf } => alpha(Coefficients::generalized_alpha(rho_inf)),
+        Method::Radau => Box::new(Radau::new(system, options, span)),
+        Method::EnergyMomentum => Box::new(EnergyMomentum::new(system, options)),
+    }
+}
+
+impl Driver {
+    /// See [`super::Integrator::new`].
+    pub(super) fn new(
+        system: &mut dyn System,
+        start: State,
+        t_end: f64,
+        method: Method,
+        options: Options,
+    ) -> Result<Self, SolveError> {
+        let t0 = start.t;
+        let fail = |kind, worst| SolveError {
+            kind,
+            t: t0,
+            h: 0.0,
+            worst,
+        };
+        start::check_settings(t0, t_end, method, &options).map_err(|kind| fail(kind, None))?;
+        let options = Options {
+            rtol: options.local_tolerance(method),
+            ..options
+        };
+        let m = system.constraints();
+        start::check_dissipation(m, method, &options).map_err(|kind| fail(kind, None))?;
+        let mut switches = Switches::default();
+        let mut kinks = system.kinks();
+        if switches.is_at(t0, |t, out| system.gaps(t, out)) {
+            kinks.push(t0);
+        }
+        let segments = Segments::new(t0, t_end, &kinks);
+        let mut state = start::sized(system, start, segments.start()).map_err(|kind| fail(kind, None))?;
+        let mut statistics = Statistics::default();
+        start::prepare(system, &mut state, t_end - t0, &mut statistics).map_err(|(kind, worst)| fail(kind, worst))?;
+        start::refuse_jumps(system, &state, &segments)?;
+        let mut driver = Self {
+            bordered: Bordered::new(system),
+            scheme: scheme_of(system, method, &options, t_end - t0),
+            renewal: Renewal::new(options.renewal(system.unknowns())),
+            method,
+            options,
+            segments,
+            switches,
+            wanted: 0.0,
+            at_kink: false,
+            previous_time: state.t,
+            statistics,
+            watch: Watch::default(),
+            violations: vec![0.0; m],
+        };
+        driver.begin(system, state)?;
+        Ok(driver)
+    }
+
+    /// See [`super::Integrator::step`].
+    pub(super) fn step(&mut self, system: &mut dyn System) -> Result<Stop, SolveError> {
+        if self.at_kink {
+            self.restart(system)?;
+        }
+        let (t, low) = (self.state().t, self.scheme.time_rest());
+        if self.segments.is_at_end(t) {
+            return Ok(Stop::End);
+        }
+        let fixed = matches!(self.options.step, StepSize::Fixed(_));
+        loop {
+            let limited = self.wanted.min(self.options.max_step);
+            let mut h = self.segments.fit((t, low), limited, fixed, self.options.max_step);
+            if self.finds_kink(system, t, h) {
+                h = self.segments.fit((t, low), limited, fixed, self.options.max_step);
+            }
+            match self.scheme.attempt(system, h, &mut self.statistics) {
+                Outcome::Accepted { next } => {
+                    // A step cut short by a kink or the end says little about the next one.
+                    self.wanted = if next >= h { next.max(limited) } else { next };
+                    let stop = self.accepted(system, t, h);
+                    if let Some(error) = self.trouble(system, stop, h, fixed) {
+                        return Err(error);
+                    }
+                    if stop != Stop::End && self.renewal.is_due(&self.statistics) {
+                        self.renew(system);
+                    }
+                    return Ok(stop);
+                }
+                Outcome::Rejected { next, cause } => {
+                    self.count_rejection(&cause);
+                    if fixed || next < self.segments.smallest_step(t) {
+                        return Err(self.rejection_error(system, t, h, cause));
+                    }
+                    self.wanted = next;
+                }
+            }
+        }
+    }
+
+    fn state(&self) -> &State {
+        self.scheme.state()
+    }
+
+    /// Begins at positions and velocities: consistent accelerations, a first step, the method.
+    fn begin(&mut self, system: &mut dyn System, mut state: State) -> Result<(), SolveError> {
+        let t = state.t;
+        state.rebase(system.turns());
+        self.bordered.move_to(system, &state);
+        self.bordered
+            .accelerations(system, &mut state, &mut self.statistics)
+            .map_err(|pivot| singular(system, t, pivot))?;
+        if !state.a.iter().chain(&state.lambda).all(|value| value.is_finite()) {
+            return Err(self.not_finite(system, &state, 0.0));
+        }
+        if self.wanted == 0.0 {
+            self.wanted = self.first_step(system, &state)?;
+        }
+        let h = self.segments.fit(
+            (t, 0.0),
+            self.wanted.min(self.options.max_step),
+            matches!(self.options.step, StepSize::Fixed(_)),
+            self.options.max_step,
+        );
+        self.scheme
+            .begin(system, &state, h, &mut self.statistics)
+            .map_err(|kind| error(system, kind, t, h, None))
+    }
+
+    fn first_step(&mut self, system: &mut dyn System, state: &State) -> Result<f64, SolveError> {
+        let given = match self.options.step {
+            StepSize::Fixed(h) => Some(h),
+            StepSize::Adaptive => self.options.first_step,
+        };
+        if let Some(h) = given {
+            return Ok(h);
+        }
+        let (rtol, left) = (self.options.rtol, self.segments.left(state.t));
+        let (bordered, statistics) = (&mut self.bordered, &mut self.statistics);
+        let h = start::first_step(system, bordered, state, rtol, left, statistics)
+            .map_err(|pivot| singular(system, state.t, pivot))?;
+        if !h.is_finite() {
+            return Err(self.not_finite(system, state, 0.0));
+        }
+        Ok(h.max(self.segments.smallest_step(state.t)))
+    }
+
+    /// Begins anew behind a kink. Where a prescribed velocity jumps, the velocities follow as by an
+    /// impact without friction.
+    fn restart(&mut self, system: &mut dyn System) -> Result<(), SolveError> {
+        let mut state = self.state().clone();
+        let behind = self.segments.behind_kink();
+        for jump in system.jumps(&state, behind) {
+            if jump.of_position {
+                return Err(error(
+                    system,
+                    SolveErrorKind::Discontinuous(jump.text),
+                    state.t,
+                    0.0,
+                    None,
+                ));
+            }
+            self.statistics.note_jump(state.t, &jump.text);
+        }
+        state.t = behind;
+        self.bordered.move_to(system, &state);
+        let mut change = vec![0.0; state.v.len()];
+        self.bordered
+            .velocity_change(system, &state, None, &mut change, &mut self.statistics)
+            .map_err(|pivot| singular(system, state.t, pivot))?;
+        add(&mut state.v, &change);
+        self.segments.pass_kink();
+        if let Err(error) = self.begin(system, state) {
+            self.segments.return_to_kink();
+            return Err(error);
+        }
+        self.at_kink = false;
+        self.statistics.restarts += 1;
+        Ok(())
+    }
+
+    /// Looks for a switch that nobody knows before; it ends the present segment.
+    fn finds_kink(&mut self, system: &dyn System, t: f64, h: f64) -> bool {
+        // What is fitted to the segment must not jump over a kink just behind the step.
+        let to = (t + AHEAD * h).min(t + self.segments.left(t));
+        let mut from = t;
+        while let Some(kink) = self.switches.next(from, to, |t, out| system.gaps(t, out)) {
+            // What is as near as round-off to where the segment begins is one with that.
+            if !self.segments.is_near(t, kink) {
+                return self.segments.insert(kink);
+            }
+            from = kink.next_up();
+        }
+        false
+    }
+
+    /// Counts an accepted step from `t` and says where it ended.
+    fn accepted(&mut self, system: &mut dyn System, t: f64, h: f64) -> Stop {
+        self.previous_time = t;
+        let statistics = &mut self.statistics;
+        statistics.smallest_step = if statistics.steps == 0 {
+            h
+        } else {
+            statistics.smallest_step.min(h)
+        };
+        statistics.largest_step = statistics.largest_step.max(h);
+        statistics.steps += 1;
+        if h >= AT_CEILING * self.options.max_step {
+            statistics.steps_at_ceiling += 1;
+        }
+        let state = self.scheme.state();
+        if !self.violations.is_empty() {
+            system.constraint(ConstraintLevel::Position, state, &mut self.violations);
+            let largest = self.violations.iter().fold(0.0_f64, |largest, c| largest.max(c.abs()));
+            statistics.max_constraint_residual = statistics.max_constraint_residual.max(largest);
+        }
+        let t = state.t;
+        if self.segments.is_at_end(t) {
+            Stop::End
+        } else if self.segments.is_at_kink(t) {
+            self.at_kink = true;
+            Stop::Kink
+        } else {
+            Stop::Step
+        }
+    }
+
+    /// Why the run will not come to its end, or means nothing.
+    fn trouble(&mut self, system: &mut dyn System, stop: Stop, h: f64, fixed: bool) -> Option<SolveError> {
+        let t = self.state().t;
+        if self.statistics.steps.is_multiple_of(LIGHT) || stop == Stop::End {
+            let state = self.scheme.state();
+            if let Some(text) = system.too_fast(state) {
+                let text = format!("{text}: {CAUSES}");
+                return Some(error(system, SolveErrorKind::Endless(text), t, h, None));
+            }
+        }
+        if fixed || stop == Stop::End || h >= AT_CEILING * self.options.max_step {
+            return None;
+        }
+        let (state, sizes) = (self.scheme.state(), system.sizes());
+        let fastest = || {
+            let speeds = state.v.iter().zip(sizes).map(|(v, size)| v.abs() / size);
+            let fastest = speeds.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+            fastest.unwrap_or_default()
+        };
+        let trouble = self.watch.accepted(t, self.segments.end() - t, || fastest().1)?;
+        let fastest = describe(system, fastest().0);
+        let text = match trouble {
+            Trouble::Grows { factor, steps } => format!(
+                "the motion grows without end: {fastest} moves {factor:.3} times as fast as {steps} steps before, and the step has fallen to {h:.1e} s: {CAUSES}"
+            ),
+            Trouble::Endless { left } => format!(
+                "the step stays at {h:.1e} s, and with it {left:.0e} steps are left to the end; the fastest is {fastest}: look for a load, stiffness or start that is far too large, or for a tolerance that is too fine"
+            ),
+        };
+        Some(error(system, SolveErrorKind::Endless(text), t, h, None))
+    }
+
+    fn count_rejection(&mut self, cause: &Cause) {
+        self.statistics.rejected_steps += 1;
+        match cause {
+            Cause::Error => self.statistics.rejected_by_error += 1,
+            Cause::Newton { .. } | Cause::Singular { .. } | Cause::NotFinite => self.statistics.rejected_by_newton += 1,
+        }
+    }
+
+    fn rejection_error(&mut self, system: &mut dyn System, t: f64, h: f64, cause: Cause) -> SolveError {
+        let branching = match &cause {
+            Cause::Newton { .. } | Cause::Singular { .. } => diagnose::near_singular(system, self.scheme.state()),
+            Cause::Error | Cause::NotFinite => None,
+        };
+        if let Some(text) = branching {
+            return error(system, SolveErrorKind::SingularConfiguration(text), t, h, None);
+        }
+        if let (Cause::Newton { .. } | Cause::Error, StepSize::Adaptive) = (&cause, self.options.step) {
+            let state = self.state().clone();
+            if let Some(text) = noise::below_round_off(system, &state, self.options.rtol) {
+                return error(system, SolveErrorKind::BelowRoundOff(text), t, h, None);
+            }
+        }
+        let (kind, worst) = match cause {
+            Cause::Error => (SolveErrorKind::StepTooSmall, self.scheme.worst_error()),
+            Cause::Newton { worst } => {
+                let loose = worst.and_then(|row| system.loose_tie(&describe(system, row)));
+                (
+                    loose.map_or(SolveErrorKind::NoConvergence, SolveErrorKind::LooseTie),
+                    worst,
+                )
+            }
+            Cause::Singular { worst } => (SolveErrorKind::Singular, worst),
+            Cause::NotFinite => {
+                let state = self.state().clone();
+                return self.not_finite(system, &state, h);
+            }
+        };
+        error(system, kind, t, h, worst)
+    }
+
+    /// What is not finite at a state, or where it would be a step later.
+    fn not_finite(&mut self, system: &mut dyn System, state: &State, h: f64) -> SolveError {
+        let mut later = state.clone();
+        later.t += h;
+        for i in 0..later.x.len() {
+            later.x[i] += h * (state.v[i] + 0.5 * h * state.a[i]);
+            later.v[i] += h * state.a[i];
+        }
+        let text = [state, &later]
+            .into_iter()
+            .find_map(|state| Some((state.t, system.undefined(state)?)));
+        match text {
+            Some((t, text)) => error(system, SolveErrorKind::Undefined(text), t, h, None),
+            None => error(system, SolveErrorKind::NotFinite, state.t, h, None),
+        }
+    }
+}
+
+/// A singular matrix, with the row in the user's words.
+fn singular(system: &dyn System, t: f64, singular: Singular) -> SolveError {
+    let row = newton::row(singular, system.unknowns());
+    error(system, SolveErrorKind::Singular, t, 0.0, row)
+}
+
+/// What ended the integration, with the row in the user's words.
+fn error(system: &dyn System, kind: SolveErrorKind, t: f64, h: f64, row: Option<usize>) -> SolveError {
+    let worst = row.map(|row| describe(system, row));
+    SolveError { kind, t, h, worst }
+}
