@@ -21,8 +21,8 @@ pub use equilibrium::{Equilibrium, steady};
 pub use error::{ModelError, SolveError};
 pub use integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
 pub use model::{
-    Ancf, Caution, Formulated, Formulation, Joints, Model, Output, Param, ParamKind, Rncf, RunDefaults, Scene, Start,
-    Warning,
+    Ancf, AnyModel, Caution, Formulated, Formulation, Joints, Model, Output, Param, ParamKind, Rncf, RunDefaults,
+    Scene, Start, Warning,
 };
 pub use rotation::Rotation;
 pub use system::{State, System};

@@ -187,6 +187,105 @@ pub trait Model: Default + Clone + Send + Sync + 'static {
     }
 }
 
+/// A [`Model`] whose type is not known: what reads, runs and reports models is compiled once with it.
+pub trait AnyModel: Send + Sync {
+    /// [`Model::NAME`].
+    fn name(&self) -> &'static str;
+    /// [`Model::DOC`].
+    fn doc(&self) -> &'static str;
+    /// [`Model::SOURCE`].
+    fn source(&self) -> &'static str;
+    /// [`Model::NOTES`].
+    fn notes(&self) -> &'static [&'static str];
+    /// [`Model::params`].
+    fn params(&self) -> &'static [Param];
+    /// [`Model::outputs`].
+    fn outputs(&self) -> &'static [Output];
+    /// [`Model::get`].
+    fn get(&self, index: usize) -> f64;
+    /// [`Model::set`].
+    fn set(&mut self, index: usize, value: f64);
+    /// [`Model::run`].
+    fn run(&self) -> RunDefaults;
+    /// [`Model::cautions`].
+    fn cautions(&self, t_end: f64) -> Vec<Caution>;
+    /// [`Model::build_as`].
+    ///
+    /// # Errors
+    /// As there.
+    fn build_as(
+        &self,
+        formulation: Formulation,
+        joints: Joints,
+        fidelity: &[(String, Fidelity)],
+    ) -> Result<Box<dyn Scene>, ModelError>;
+    /// [`Model::build`].
+    ///
+    /// # Errors
+    /// As there.
+    fn build(&self, formulation: Formulation, joints: Joints) -> Result<Box<dyn Scene>, ModelError> {
+        self.build_as(formulation, joints, &[])
+    }
+
+    /// A copy.
+    fn boxed(&self) -> Box<dyn AnyModel>;
+}
+
+impl<M: Model> AnyModel for M {
+    fn name(&self) -> &'static str {
+        M::NAME
+    }
+
+    fn doc(&self) -> &'static str {
+        M::DOC
+    }
+
+    fn source(&self) -> &'static str {
+        M::SOURCE
+    }
+
+    fn notes(&self) -> &'static [&'static str] {
+        M::NOTES
+    }
+
+    fn params(&self) -> &'static [Param] {
+        M::params()
+    }
+
+    fn outputs(&self) -> &'static [Output] {
+        M::outputs()
+    }
+
+    fn get(&self, index: usize) -> f64 {
+        Model::get(self, index)
+    }
+
+    fn set(&mut self, index: usize, value: f64) {
+        Model::set(self, index, value);
+    }
+
+    fn run(&self) -> RunDefaults {
+        Model::run(self)
+    }
+
+    fn cautions(&self, t_end: f64) -> Vec<Caution> {
+        Model::cautions(self, t_end)
+    }
+
+    fn build_as(
+        &self,
+        formulation: Formulation,
+        joints: Joints,
+        fidelity: &[(String, Fidelity)],
+    ) -> Result<Box<dyn Scene>, ModelError> {
+        Model::build_as(self, formulation, joints, fidelity)
+    }
+
+    fn boxed(&self) -> Box<dyn AnyModel> {
+        Box::new(self.clone())
+    }
+}
+
 /// A system with bodies in it: outputs, initial states and relative equilibria.
 pub trait Scene: System + Send {
     /// Number of scalar output columns: components of all [`Model::outputs`] in their order.

@@ -14,13 +14,12 @@ use super::run::RunSettings;
 use super::sweep::SweepSettings;
 use crate::equilibrium::Spin;
 use crate::mesh::Fidelity;
-use crate::{Formulation, Joints, Method, Model, Options, Start, StepSize};
+use crate::{AnyModel, Formulation, Joints, Method, Options, Start, StepSize};
 
 /// A command line that makes sense.
-#[derive(Clone, Debug)]
-pub(super) struct Arguments<M> {
+pub(super) struct Arguments {
     pub command: Command,
-    pub model: M,
+    model: Box<dyn AnyModel>,
     pub settings: RunSettings,
     pub sweep: SweepSettings,
     pub chart: ChartSettings,
@@ -38,6 +37,13 @@ pub(super) struct Arguments<M> {
     pub animate: bool,
     /// Whether files for ParaView are written.
     pub vtu: bool,
+}
+
+impl Arguments {
+    /// The model with the parameters of the line.
+    pub fn model(&self) -> &dyn AnyModel {
+        self.model.as_ref()
+    }
 }
 
 /// Why there is nothing to run.
@@ -65,16 +71,17 @@ pub(super) struct Program<'p> {
 ///
 /// # Errors
 /// [`Refusal`].
-pub(super) fn parse<M: Model>(
+pub(super) fn parse(
+    model: &dyn AnyModel,
     program: &Program<'_>,
     words: impl IntoIterator<Item = OsString>,
-) -> Result<Arguments<M>, Refusal> {
+) -> Result<Arguments, Refusal> {
     let words: Vec<OsString> = words.into_iter().collect();
     let anew = words.iter().filter(|word| *word != "--resume");
     let told = anew.map(|word| quoted(&word.to_string_lossy()));
     let told = told.collect::<Vec<_>>().join(" ");
     let line = std::iter::once(program.name.into()).chain(words);
-    let matches = command_line::<M>(program)
+    let matches = command_line(model, program)
         .try_get_matches_from(line)
         .map_err(|error| match error.kind() {
             clap::error::ErrorKind::DisplayHelp | clap::error::ErrorKind::DisplayVersion => {
@@ -82,7 +89,7 @@ pub(super) fn parse<M: Model>(
             }
             _ => Refusal::Mistake(error.to_string().trim_start_matches("error: ").trim_end().into()),
         })?;
-    read(program, told, &matches).map_err(Refusal::Mistake)
+    read(model, program, told, &matches).map_err(Refusal::Mistake)
 }
 
 /// A word as a shell reads it back.
@@ -94,24 +101,24 @@ fn quoted(word: &str) -> String {
     format!("'{}'", word.replace('\'', "'\\''"))
 }
 
-fn read<M: Model>(program: &Program<'_>, line: String, matches: &ArgMatches) -> Result<Arguments<M>, String> {
+fn read(model: &dyn AnyModel, program: &Program<'_>, line: String, matches: &ArgMatches) -> Result<Arguments, String> {
     let mut words: Vec<String> = matches.get_many("words").into_iter().flatten().cloned().collect();
     let command = words.first().and_then(|word| Command::named(word));
     if command.is_some() {
         words.remove(0);
     }
-    let mut model = M::default();
-    let assigned = assign(&mut model, &words)?;
+    let mut model = model.boxed();
+    let assigned = assign(model.as_mut(), &words)?;
     let command = command.unwrap_or(program.default);
     refuse(command, matches)?;
     if let (true, Some(range)) = (command.runs(), assigned.range) {
-        let (name, command) = (M::params()[range.param].name, command.name());
+        let (name, command) = (model.params()[range.param].name, command.name());
         return Err(format!(
             "`{name}` is given as a range, which `{command}` does not take: give one value, or use steady, campbell or static"
         ));
     }
     if let (false, [list, ..]) = (command.takes_lists(), &assigned.lists[..]) {
-        let (name, command) = (M::params()[list.param].name, command.name());
+        let (name, command) = (model.params()[list.param].name, command.name());
         return Err(format!(
             "`{name}` is given as a list, which `{command}` does not take: give one value, or use chart or advise"
         ));
@@ -119,14 +126,14 @@ fn read<M: Model>(program: &Program<'_>, line: String, matches: &ArgMatches) -> 
     let out = matches.get_one::<PathBuf>("out").cloned();
     Ok(Arguments {
         command,
-        model,
         settings: settings(matches)?,
         sweep: SweepSettings {
             range: assigned.range,
             ..sweep(matches)?
         },
-        chart: chart::settings::<M>(matches)?,
-        advise: advise::settings::<M>(matches)?,
+        chart: chart::settings(model.as_ref(), matches)?,
+        advise: advise::settings(model.as_ref(), matches)?,
+        model,
         lists: assigned.lists,
         frequency: text(matches, "frequency").map_or_else(Frequency::default, Frequency::named),
         out: out.unwrap_or_else(|| program.out.clone()),
@@ -315,7 +322,7 @@ pub(super) fn number(matches: &ArgMatches, name: &str) -> Result<Option<f64>, St
     text(matches, name).map(read).transpose()
 }
 
-fn command_line<M: Model>(program: &Program<'_>) -> clap::Command {
+fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap::Command {
     let value = |name: &'static str, placeholder: &'static str, help: &'static str| {
         Arg::new(name)
             .long(name)
@@ -336,11 +343,11 @@ fn command_line<M: Model>(program: &Program<'_>) -> clap::Command {
     let words = Arg::new("words").num_args(0..).hide(true);
     let names = Command::ALL.map(Command::name).join("|");
     let usage = format!("{} [{names}] [name=value ...] [name=from..to] [flags]", program.name);
-    clap::Command::new(M::NAME)
+    clap::Command::new(model.name())
         .version(concat!("of rncf ", env!("CARGO_PKG_VERSION")))
-        .about(about::<M>())
+        .about(about(model))
         .override_usage(usage)
-        .after_help(after_help::<M>(program.default, program.more))
+        .after_help(after_help(model, program.default, program.more))
         .arg(words)
         .arg(choice(
             "formulation",
@@ -456,20 +463,21 @@ mod tests {
     use super::*;
     use crate::app::testing::Rotor;
 
-    fn read(line: &[&str]) -> Result<Arguments<Rotor>, Refusal> {
+    fn read(line: &[&str]) -> Result<Arguments, Refusal> {
         let program = Program {
             name: "rotor",
             default: Command::Run,
             more: "",
             out: PathBuf::from("out/rotor"),
         };
-        parse(&program, line.iter().map(OsString::from))
+        parse(&Rotor::default(), &program, line.iter().map(OsString::from))
     }
 
     fn mistake(line: &[&str]) -> String {
         match read(line) {
             Err(Refusal::Mistake(text)) => text,
-            other => panic!("{other:?}"),
+            Err(Refusal::Help(text)) => panic!("help: {text}"),
+            Ok(arguments) => panic!("accepted: {}", arguments.line),
         }
     }
 
@@ -508,7 +516,7 @@ mod tests {
         let line = "run omega=4rad/s --formulation ancf --integrator hht --alpha -0.3 --rtol 1e-7 --max-step 0.01s \
             --no-elimination --fidelity rod=rigid,beam=modal(3) --stabilised --start steady --t-end 2s --every 0.5s --out here --quiet coils=3";
         let arguments = read(&line.split_whitespace().collect::<Vec<_>>()).unwrap();
-        assert_eq!((arguments.model.omega, arguments.model.coils), (4.0, 3));
+        assert_eq!([0, 1].map(|index| arguments.model.get(index)), [4.0, 3.0]);
         let expected = RunSettings {
             formulation: Formulation::Ancf,
             joints: Joints::Multipliers,

@@ -10,7 +10,7 @@ use super::modes::{Inertial, SeenMode};
 use super::run_error::{Incomplete, RunError};
 use super::sweep::{Line, SweepProgress, SweepSettings};
 use super::tracker::Tracker;
-use crate::Model;
+use crate::AnyModel;
 use crate::equilibrium::Kind;
 use crate::modes::{Composition, Critical, Whirl};
 
@@ -118,7 +118,7 @@ impl Campbell {
 /// # Errors
 /// A model that cannot be built; [`RunError::Equilibrium`] where no equilibrium or no modes exist at the
 /// start; [`RunError::Campbell`] with the modes found where the way ends early.
-pub fn campbell<M: Model>(model: &M, settings: &SweepSettings) -> Result<Campbell, RunError> {
+pub fn campbell(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Campbell, RunError> {
     campbell_watched(model, settings, |_| ControlFlow::Continue(()))
 }
 
@@ -126,8 +126,8 @@ pub fn campbell<M: Model>(model: &M, settings: &SweepSettings) -> Result<Campbel
 ///
 /// # Errors
 /// As [`campbell`].
-pub fn campbell_watched<M: Model>(
-    model: &M,
+pub fn campbell_watched(
+    model: &dyn AnyModel,
     settings: &SweepSettings,
     mut watch: impl FnMut(&SweepProgress) -> ControlFlow<()>,
 ) -> Result<Campbell, RunError> {

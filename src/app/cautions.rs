@@ -3,12 +3,12 @@
 use std::fmt::Write;
 
 use super::report::escape;
-use crate::{Caution, Model, Warning};
+use crate::{AnyModel, Caution, Warning};
 
 /// Each caution in one sentence, with the outputs that it is about before it.
-pub(super) fn sentences<M: Model>(cautions: &[Caution]) -> Vec<String> {
+pub(super) fn sentences(model: &dyn AnyModel, cautions: &[Caution]) -> Vec<String> {
     let sentence = |caution: &Caution| {
-        let names = caution.outputs.iter().filter_map(|&index| M::outputs().get(index));
+        let names = caution.outputs.iter().filter_map(|&index| model.outputs().get(index));
         let names: Vec<&str> = names.map(|output| output.name).collect();
         match names[..] {
             [] => caution.text.to_string(),
@@ -19,8 +19,8 @@ pub(super) fn sentences<M: Model>(cautions: &[Caution]) -> Vec<String> {
 }
 
 /// What a model says of equilibria and modes, before what the scene warns of.
-pub(super) fn cautioned<M: Model>(model: &M, warnings: Vec<Warning>) -> Vec<String> {
-    let mut all = sentences::<M>(&model.cautions(0.0));
+pub(super) fn cautioned(model: &dyn AnyModel, warnings: Vec<Warning>) -> Vec<String> {
+    let mut all = sentences(model, &model.cautions(0.0));
     all.extend(texts(warnings));
     all
 }
@@ -71,7 +71,7 @@ mod tests {
     use super::super::summary;
     use super::super::testing::Rotor;
     use super::super::{RunSettings, run};
-    use crate::Model;
+    use crate::AnyModel;
 
     #[test]
     fn a_caution_stands_where_its_condition_holds() {
@@ -86,12 +86,12 @@ mod tests {
             ..Rotor::default()
         };
         let result = run(&rotor, &settings).unwrap();
-        let sentence = format!("{}: seven coils touch <each other>", Rotor::outputs()[0].name);
+        let sentence = format!("{}: seven coils touch <each other>", Rotor::default().outputs()[0].name);
         // The warnings of the scene itself follow.
         assert_eq!(result.warnings[..2], [sentence.clone(), "seven is many".into()]);
         let summary = summary::of_run(&rotor, &result);
         assert_eq!(summary["notes"][1], sentence.as_str());
-        let page = run_part::<Rotor>(&result.history, &result.steps, &result.cautions).unwrap();
+        let page = run_part(&Rotor::default(), &result.history, &result.steps, &result.cautions).unwrap();
         let chart = "<p class=\"caution\">seven coils touch &lt;each other&gt;</p>";
         assert_eq!(page.matches(chart).count(), 1);
         let figure = page.find("</figure>").unwrap();

@@ -16,7 +16,7 @@ use super::parameters::short;
 use super::recorder::Written;
 use super::run::{RunSettings, complete_on_disk};
 use super::summary::{self, Summary, put};
-use crate::Model;
+use crate::AnyModel;
 use crate::archive::{Archive, Keep};
 
 /// Name of the file.
@@ -38,7 +38,7 @@ pub(super) struct Found {
 }
 
 /// All that the bits of a result depend on, by the names of the summary; numbers of unknowns and constraints where known.
-pub(super) fn identity<M: Model>(model: &M, settings: &RunSettings, size: Option<[usize; 2]>) -> Summary {
+pub(super) fn identity(model: &dyn AnyModel, settings: &RunSettings, size: Option<[usize; 2]>) -> Summary {
     let mut identity = summary::head(model, "run");
     for told in ["date", "model_text"] {
         identity.shift_remove(told);
@@ -186,7 +186,7 @@ fn shown(value: &Value) -> String {
 ///
 /// # Errors
 /// It is another run, or there is none.
-pub(super) fn complete<M: Model>(arguments: &Arguments<M>) -> Result<Option<String>, Failure> {
+pub(super) fn complete(arguments: &Arguments) -> Result<Option<String>, Failure> {
     let folder = &arguments.out;
     if fs::exists(folder.join(NAME)).unwrap_or(true) {
         return Ok(None);
@@ -212,8 +212,8 @@ pub(super) fn complete<M: Model>(arguments: &Arguments<M>) -> Result<Option<Stri
         ));
     };
     let settings =
-        complete_on_disk(&arguments.settings, arguments.model.run()).map_err(|error| Failure::from(&error))?;
-    if let Some(text) = refusal(folder, &there, &identity(&arguments.model, &settings, None)) {
+        complete_on_disk(&arguments.settings, arguments.model().run()).map_err(|error| Failure::from(&error))?;
+    if let Some(text) = refusal(folder, &there, &identity(arguments.model(), &settings, None)) {
         return Err(Failure::new(MISTAKE, text));
     }
     let reached = there["t_reached"]
@@ -221,7 +221,7 @@ pub(super) fn complete<M: Model>(arguments: &Arguments<M>) -> Result<Option<Stri
         .map_or("its end".into(), |t| format!("t = {} s", short(t)));
     Ok(Some(format!(
         "{}: the run in {} is complete up to {reached}: there is nothing to go on with",
-        M::NAME,
+        arguments.model().name(),
         folder.display()
     )))
 }

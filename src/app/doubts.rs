@@ -1,7 +1,7 @@
 //! Arguments that can be meant, but hardly are: told before the work begins, and beside its results.
 
 use super::parameters::short;
-use crate::Model;
+use crate::AnyModel;
 
 /// Ratio of a param to its default beyond which it is hardly meant.
 const FAR: f64 = 1e10;
@@ -9,9 +9,9 @@ const FAR: f64 = 1e10;
 const FINE: f64 = 1e-12;
 
 /// One sentence for each param that is far from its default, and for a tolerance near round-off.
-pub(super) fn doubts<M: Model>(model: &M, rtol: f64) -> Vec<String> {
+pub(super) fn doubts(model: &dyn AnyModel, rtol: f64) -> Vec<String> {
     let mut doubts = Vec::new();
-    for (index, param) in M::params().iter().enumerate() {
+    for (index, param) in model.params().iter().enumerate() {
         let ratio = (model.get(index) / param.default).abs();
         if ratio.is_finite() && ratio > 0.0 && !(1.0 / FAR..=FAR).contains(&ratio) {
             doubts.push(format!(

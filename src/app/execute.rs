@@ -18,7 +18,6 @@ use super::run_error::{Incomplete, RunError};
 use super::steady::equilibria;
 use super::summary::{self, Summary};
 use super::{advise, chart, checkpoint, files, report};
-use crate::Model;
 use crate::equilibrium::Kind;
 
 pub(super) const FAILURE: u8 = 1;
@@ -55,7 +54,7 @@ impl From<&RunError> for Failure {
 }
 
 /// Does what the arguments say and writes; the text for standard output.
-pub(super) fn execute<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
+pub(super) fn execute(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
     let claimed = files::create_folder(&arguments.out).and_then(|()| files::claim(&arguments.out));
     let _claim = claimed.map_err(|text| Failure::new(FAILURE, text))?;
     match arguments.command {
@@ -77,7 +76,7 @@ fn flow(is_interrupted: bool) -> ControlFlow<()> {
     }
 }
 
-fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
+fn execute_run(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
     if arguments.resume
         && let Some(text) = checkpoint::complete(arguments)?
     {
@@ -85,7 +84,7 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
     }
     let mut bar = Bar::new(arguments.quiet);
     let mut recorder = OnDisk::new(arguments);
-    let outcome = run_recorded(&arguments.model, &arguments.settings, &mut recorder, |progress| {
+    let outcome = run_recorded(arguments.model(), &arguments.settings, &mut recorder, |progress| {
         bar.show(progress);
         flow(interrupted())
     });
@@ -96,8 +95,8 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
         Err(RunError::Incomplete(result)) => *result,
         Err(error) => return Err(Failure::from(&error)),
     };
-    let summary = summary::of_run(&arguments.model, &result);
-    let part = report::run_part::<M>(&result.history, &result.steps, &result.cautions);
+    let summary = summary::of_run(arguments.model(), &result);
+    let part = report::run_part(arguments.model(), &result.history, &result.steps, &result.cautions);
     let mut files = format!("  {}\n", arguments.out.join(HISTORY).display());
     let hint = match result.incomplete {
         Some(Incomplete::Interrupted | Incomplete::Files(_)) => {
@@ -131,7 +130,7 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
     let counts = &result.statistics;
     let mut head = format!(
         "{}: t = {} s, {} steps ({} rejected), {} factorizations ({} steps each), {} s",
-        M::NAME,
+        arguments.model().name(),
         short(result.state.t),
         counts.steps,
         counts.rejected_steps,
@@ -145,13 +144,9 @@ fn execute_run<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> boo
     finish(head, &result.warnings, files, failure)
 }
 
-fn execute_equilibria<M: Model>(
-    arguments: &Arguments<M>,
-    kind: Kind,
-    interrupted: impl Fn() -> bool,
-) -> Result<String, Failure> {
+fn execute_equilibria(arguments: &Arguments, kind: Kind, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
     let mut bar = Bar::new(arguments.quiet);
-    let outcome = equilibria(&arguments.model, kind, &arguments.sweep, |progress| {
+    let outcome = equilibria(arguments.model(), kind, &arguments.sweep, |progress| {
         bar.show_sweep(progress);
         flow(interrupted())
     });
@@ -166,10 +161,20 @@ fn execute_equilibria<M: Model>(
         Kind::Steady => ("relative equilibria", "steady.csv"),
         Kind::Static => ("static equilibria", "static.csv"),
     };
-    let summary = summary::of_equilibria(&arguments.model, &result);
+    let summary = summary::of_equilibria(arguments.model(), &result);
     let table = (name, result.history.to_csv());
-    let files = write(arguments, what, table, &summary, report::equilibria_part::<M>(&result))?;
-    let mut head = format!("{}: {what}, {}", M::NAME, way(&result.history, result.seconds));
+    let files = write(
+        arguments,
+        what,
+        table,
+        &summary,
+        report::equilibria_part(arguments.model(), &result),
+    )?;
+    let mut head = format!(
+        "{}: {what}, {}",
+        arguments.model().name(),
+        way(&result.history, result.seconds)
+    );
     for line in critical_lines(&result.history.key, &result.critical, report::BUCKLING) {
         head += &format!("\n{line}");
     }
@@ -195,9 +200,9 @@ fn way(history: &History, seconds: Seconds) -> String {
     )
 }
 
-fn execute_modes<M: Model>(arguments: &Arguments<M>) -> Result<String, Failure> {
-    let result = modes(&arguments.model, &arguments.sweep).map_err(|error| Failure::from(&error))?;
-    let summary = summary::of_modes(&arguments.model, &result);
+fn execute_modes(arguments: &Arguments) -> Result<String, Failure> {
+    let result = modes(arguments.model(), &arguments.sweep).map_err(|error| Failure::from(&error))?;
+    let summary = summary::of_modes(arguments.model(), &result);
     let part = modes_part(&result, arguments.frequency);
     let files = write(
         arguments,
@@ -208,7 +213,7 @@ fn execute_modes<M: Model>(arguments: &Arguments<M>) -> Result<String, Failure> 
     )?;
     let head = format!(
         "{}: {} modes at t = {} s, spin {}, {} s\n{}",
-        M::NAME,
+        arguments.model().name(),
         result.modes.len(),
         short(result.t),
         arguments.frequency.shown(result.spin),
@@ -218,9 +223,9 @@ fn execute_modes<M: Model>(arguments: &Arguments<M>) -> Result<String, Failure> 
     finish(head, &result.warnings, files, None)
 }
 
-fn execute_campbell<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
+fn execute_campbell(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
     let mut bar = Bar::new(arguments.quiet);
-    let outcome = campbell_watched(&arguments.model, &arguments.sweep, |progress| {
+    let outcome = campbell_watched(arguments.model(), &arguments.sweep, |progress| {
         bar.show_sweep(progress);
         flow(interrupted())
     });
@@ -231,13 +236,13 @@ fn execute_campbell<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -
         Err(RunError::Campbell(result)) => *result,
         Err(error) => return Err(Failure::from(&error)),
     };
-    let summary = summary::of_campbell(&arguments.model, &result);
+    let summary = summary::of_campbell(arguments.model(), &result);
     let part = campbell_part(&result, arguments.frequency);
     let table = ("campbell.csv", result.to_csv());
     let files = write(arguments, "Campbell diagram", table, &summary, part)?;
     let mut head = format!(
         "{}: Campbell diagram, {} modes at {} values of {}, {} s",
-        M::NAME,
+        arguments.model().name(),
         result.tracks.len(),
         result.keys.len(),
         result.key.name,
@@ -262,8 +267,8 @@ fn finish(head: String, warnings: &[String], files: String, failure: Option<Fail
 }
 
 /// Writes the table, the summary and the report; their paths, one a line.
-pub(super) fn write<M: Model>(
-    arguments: &Arguments<M>,
+pub(super) fn write(
+    arguments: &Arguments,
     what: &str,
     (name, table): (&str, String),
     summary: &Summary,
@@ -275,8 +280,8 @@ pub(super) fn write<M: Model>(
 }
 
 /// Writes the summary and the report.
-fn write_told<M: Model>(
-    arguments: &Arguments<M>,
+fn write_told(
+    arguments: &Arguments,
     what: &str,
     summary: &Summary,
     part: Result<String, String>,
@@ -284,7 +289,7 @@ fn write_told<M: Model>(
     let written = || {
         let mut summary = summary.clone();
         summary::command_line(&mut summary, &arguments.line);
-        let page = report::page(&arguments.model, what, &summary, &part?);
+        let page = report::page(arguments.model(), what, &summary, &part?);
         let contents = [("summary.json", summary::to_text(&summary)), ("report.html", page)];
         let mut paths = Vec::new();
         for (name, text) in contents {
@@ -297,12 +302,16 @@ fn write_told<M: Model>(
 }
 
 /// Writes what was asked for of the pictures; the lines that name the files.
-fn write_pictures<M: Model>(arguments: &Arguments<M>, pictures: &Pictures) -> Result<String, Failure> {
+fn write_pictures(arguments: &Arguments, pictures: &Pictures) -> Result<String, Failure> {
     let written = || {
         let mut lines = String::new();
         let mut named = |name: &str| lines += &format!("\n  {}", arguments.out.join(name).display());
         if arguments.animate {
-            files::write(&arguments.out, animation::NAME, &animation::page(M::NAME, pictures))?;
+            files::write(
+                &arguments.out,
+                animation::NAME,
+                &animation::page(arguments.model().name(), pictures),
+            )?;
             named(animation::NAME);
         }
         if arguments.vtu {
@@ -329,6 +338,7 @@ mod tests {
     use std::path::{Path, PathBuf};
 
     use super::*;
+    use crate::Model;
     use crate::app::arguments::{Program, parse};
     use crate::app::testing::{Rotor, temporary_folder};
 
@@ -345,7 +355,7 @@ mod tests {
             more: "",
             out: PathBuf::new(),
         };
-        let Ok(arguments) = parse::<Rotor>(&program, words) else {
+        let Ok(arguments) = parse(&Rotor::default(), &program, words) else {
             panic!("a mistake on the command line")
         };
         (execute(&arguments, || interrupted), out)
@@ -465,7 +475,7 @@ mod tests {
             out: folder.clone(),
         };
         let words = ["--every", "1 ms", "--integrator", "hht", "--t-end", "2 s"].map(OsString::from);
-        let Ok(arguments) = parse::<Rotor>(&program, words) else {
+        let Ok(arguments) = parse(&Rotor::default(), &program, words) else {
             panic!("a mistake on the command line")
         };
         let seen = std::cell::Cell::new(0);

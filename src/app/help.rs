@@ -2,38 +2,38 @@
 
 use super::command::Command;
 use super::parameters::{in_unit, short};
-use crate::Model;
+use crate::AnyModel;
 
 /// The model in a sentence.
-pub(super) fn about<M: Model>() -> String {
-    let doc = M::DOC.trim();
+pub(super) fn about(model: &dyn AnyModel) -> String {
+    let doc = model.doc().trim();
     if doc.is_empty() {
-        M::NAME.into()
+        model.name().into()
     } else {
-        format!("{}: {doc}", M::NAME)
+        format!("{}: {doc}", model.name())
     }
 }
 
 /// Commands, parameters and outputs; `more` stands at the end.
-pub(super) fn after_help<M: Model>(default: Command, more: &str) -> String {
+pub(super) fn after_help(model: &dyn AnyModel, default: Command, more: &str) -> String {
     let rows = Command::ALL.map(|command| {
         let mark = if command == default { " (default)" } else { "" };
         [command.name().into(), String::new(), format!("{}{mark}", command.doc())]
     });
     let mut text = table("Commands:", rows.to_vec()).trim_start().to_owned();
-    let params = M::params();
+    let params = model.params();
     let rows = params
         .iter()
         .map(|p| [p.name.into(), in_unit(p, p.default), p.doc.into()]);
     text += &table("Parameters, with defaults:", rows.collect());
-    let outputs = M::outputs();
+    let outputs = model.outputs();
     let unit = |o: &crate::Output| match o.components {
         [] => format!("[{}]", o.unit),
         components => format!("[{}] ({})", o.unit, components.join(", ")),
     };
     let rows = outputs.iter().map(|o| [o.name.into(), unit(o), o.doc.into()]);
     text += &table("Outputs:", rows.collect());
-    let run = M::default().run();
+    let run = model.boxed().run();
     let (t_end, every) = (short(run.t_end), short(run.every));
     text += &format!("\nThe model runs to {t_end} s with a row every {every} s.");
     text += more;

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::sketch::Sketch;
 use crate::archive::{Archive, Keep};
-use crate::{Model, Output};
+use crate::{AnyModel, Output};
 
 /// Most rows of a table that is written to disk as it grows: those that pictures need.
 pub(super) const SKETCHED: usize = 1 << 13;
@@ -97,10 +97,10 @@ impl Column {
 
 impl History {
     /// An empty table for the outputs of `M`.
-    pub(super) fn new<M: Model>(key: Column) -> Self {
+    pub(super) fn new(model: &dyn AnyModel, key: Column) -> Self {
         Self {
             key,
-            columns: M::outputs().iter().flat_map(columns).collect(),
+            columns: model.outputs().iter().flat_map(columns).collect(),
             keys: Vec::new(),
             values: Vec::new(),
             rows: 0,
@@ -224,7 +224,7 @@ mod tests {
     use crate::app::testing::Rotor;
 
     fn table() -> History {
-        let mut history = History::new::<Rotor>(Column::time());
+        let mut history = History::new(&Rotor::default(), Column::time());
         history.push(0.0, &[1.0, 2.0, 0.1]).unwrap();
         history.push(0.5, &[-1.0, 2.0, 0.25]).unwrap();
         history
@@ -240,7 +240,7 @@ mod tests {
 
     #[test]
     fn every_number_reads_back_to_the_same_bits() {
-        let mut history = History::new::<Rotor>(Column::time());
+        let mut history = History::new(&Rotor::default(), Column::time());
         let row = [1.0 / 3.0, -2.0e-308, f64::MAX];
         history.push(0.1 + 0.2, &row).unwrap();
         let text = history.to_csv();
@@ -259,7 +259,7 @@ mod tests {
     fn extremes_carry_their_times() {
         let (low, high) = table().extremes(0).unwrap();
         assert_eq!((low.value, low.at, high.value, high.at), (-1.0, 0.5, 1.0, 0.0));
-        assert_eq!(History::new::<Rotor>(Column::time()).extremes(0), None);
+        assert_eq!(History::new(&Rotor::default(), Column::time()).extremes(0), None);
         assert_eq!(table().find("tip.y"), Some(1));
     }
 

@@ -11,7 +11,7 @@ use super::command::Command;
 use super::doubts::doubts;
 use super::execute::{Failure, INTERRUPTION, MISTAKE, execute};
 use super::nearest::nearest;
-use crate::Model;
+use crate::{AnyModel, Model};
 
 /// Set by Ctrl-C, or another signal that asks for the end; the work ends after its step, and its files are written.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -125,13 +125,18 @@ pub fn main_among(flag: &str, default: Command, models: &[(&str, Entry)]) -> Exi
 
 /// As [`main`] with the words of a line.
 pub fn enter<M: Model>(line: Line) -> ExitCode {
+    entered(&M::default(), line)
+}
+
+/// With the default parameters of the model.
+fn entered(model: &dyn AnyModel, line: Line) -> ExitCode {
     let program = Program {
         name: &line.program,
         default: line.default,
         more: &line.more,
         out: line.out,
     };
-    let arguments = match parse::<M>(&program, line.words) {
+    let arguments = match parse(model, &program, line.words) {
         Ok(arguments) => arguments,
         Err(Refusal::Help(text)) => {
             say(&text);
@@ -140,7 +145,7 @@ pub fn enter<M: Model>(line: Line) -> ExitCode {
         Err(Refusal::Mistake(text)) => return fail(Failure::new(MISTAKE, text)),
     };
     watch_for_interruption();
-    for doubt in doubts(&arguments.model, arguments.settings.options.rtol) {
+    for doubt in doubts(arguments.model(), arguments.settings.options.rtol) {
         let _ = writeln!(std::io::stderr(), "warning: {doubt}");
     }
     let interrupted = || {

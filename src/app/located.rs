@@ -2,7 +2,6 @@
 //! between those that do; nothing is printed or written here.
 
 use super::sweep::{Found, Line, Looked, Measure, Measured};
-use crate::Model;
 use crate::modes::Critical;
 
 /// Width to which critical values are bracketed, part of the way.
@@ -12,7 +11,7 @@ const ASIDE: f64 = 0.01;
 /// Of so many looks one halves the bracket whatever is expected.
 const HALVING: u32 = 3;
 
-impl<M: Model> Line<'_, M> {
+impl Line<'_> {
     /// Where between two equilibria the number of negative directions changes, in the order of the way; `measure`
     /// tells it at an equilibrium.
     pub fn critical(

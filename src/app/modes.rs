@@ -7,7 +7,7 @@ use super::run_error::RunError;
 use super::sweep::{self, SweepSettings};
 use crate::equilibrium::{Kind, Uniform, follow};
 use crate::modes::{self, Composition, Mode, Wanted, Whirl};
-use crate::{Formulation, Joints, Model, Scene, State};
+use crate::{AnyModel, Formulation, Joints, Scene, State};
 
 /// A mode and its sense of whirl.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -174,10 +174,10 @@ pub(super) fn growth(modes: &[SeenMode]) -> Option<f64> {
 /// # Errors
 /// A model that cannot be built; [`RunError::Equilibrium`] where there is no equilibrium or its modes are
 /// not found.
-pub fn modes<M: Model>(model: &M, settings: &SweepSettings) -> Result<Modes, RunError> {
+pub fn modes(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Modes, RunError> {
     let clock = Clock::start();
     let model = sweep::at_the_end(model, settings);
-    let t = sweep::time(&model, settings).map_err(RunError::Settings)?;
+    let t = sweep::time(model.as_ref(), settings).map_err(RunError::Settings)?;
     let mut scene = model
         .build(Formulation::Rncf, Joints::Eliminated)
         .map_err(RunError::Model)?;
@@ -213,7 +213,7 @@ pub fn modes<M: Model>(model: &M, settings: &SweepSettings) -> Result<Modes, Run
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
         newton_iterations: u64::from(found.iterations()),
-        warnings: cautions::cautioned(&model, scene.warnings(&state)),
+        warnings: cautions::cautioned(model.as_ref(), scene.warnings(&state)),
         seconds: clock.seconds(),
     })
 }

@@ -4,7 +4,7 @@ use super::command::Command;
 use super::nearest::nearest;
 use super::sweep::Range;
 use super::units::{Dimension, Number, SECOND, Unit};
-use crate::{Model, Param, ParamKind};
+use crate::{AnyModel, Param, ParamKind};
 
 /// Several values of a parameter, each of which is tried.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,14 +29,14 @@ pub(super) struct Assigned {
 ///
 /// # Errors
 /// All mistakes, one a line: each with the word and what would be right.
-pub(super) fn assign<M: Model>(model: &mut M, words: &[String]) -> Result<Assigned, String> {
-    let mut given = vec![false; M::params().len()];
+pub(super) fn assign(model: &mut dyn AnyModel, words: &[String]) -> Result<Assigned, String> {
+    let mut given = vec![false; model.params().len()];
     let mut mistakes = Vec::new();
     let (mut continued, mut lists): (Option<Range>, Vec<List>) = (None, Vec::new());
     for word in words {
-        match read::<M>(word) {
+        match read(model, word) {
             Ok(Given::One(range) | Given::Several(range, _)) if given[range.param] => {
-                mistakes.push(format!("`{}` is given twice", M::params()[range.param].name));
+                mistakes.push(format!("`{}` is given twice", model.params()[range.param].name));
             }
             Ok(Given::Several(last, values)) => {
                 given[last.param] = true;
@@ -53,7 +53,7 @@ pub(super) fn assign<M: Model>(model: &mut M, words: &[String]) -> Result<Assign
                     continue;
                 }
                 if let Some(first) = continued {
-                    let [first, second] = [first, range].map(|range| M::params()[range.param].name);
+                    let [first, second] = [first, range].map(|range| model.params()[range.param].name);
                     mistakes.push(format!(
                         "`{first}` and `{second}` are both given as ranges: one parameter is continued at a time"
                     ));
@@ -82,15 +82,15 @@ enum Given {
 }
 
 /// The parameter with its value or values in SI.
-fn read<M: Model>(word: &str) -> Result<Given, String> {
+fn read(model: &dyn AnyModel, word: &str) -> Result<Given, String> {
     let Some((name, text)) = word.split_once('=') else {
-        return Err(stray::<M>(word));
+        return Err(stray(model, word));
     };
     let (name, text) = (name.trim(), text.trim());
-    let Some(index) = M::params().iter().position(|param| param.name == name) else {
-        return Err(unknown::<M>(name));
+    let Some(index) = model.params().iter().position(|param| param.name == name) else {
+        return Err(unknown(model, name));
     };
-    let param = &M::params()[index];
+    let param = &model.params()[index];
     let example = format!("{name}={}", quoted(&in_unit(param, param.default)));
     let value = |text: &str| match param.kind {
         ParamKind::Count => count(text),
@@ -148,11 +148,12 @@ fn read<M: Model>(word: &str) -> Result<Given, String> {
     }
 }
 
-fn stray<M: Model>(word: &str) -> String {
+fn stray(model: &dyn AnyModel, word: &str) -> String {
     if let Some(command) = nearest(word, Command::ALL.map(Command::name)) {
         return format!("`{word}` is not a command; did you mean `{command}`? A command comes first");
     }
-    let example = M::params()
+    let example = model
+        .params()
         .iter()
         .find(|param| param.kind == ParamKind::Quantity)
         .map(|param| format!("{}={}", param.name, quoted(&in_unit(param, param.default))));
@@ -165,12 +166,16 @@ fn stray<M: Model>(word: &str) -> String {
     }
 }
 
-fn unknown<M: Model>(name: &str) -> String {
-    let names: Vec<_> = M::params().iter().map(|param| param.name).collect();
+fn unknown(model: &dyn AnyModel, name: &str) -> String {
+    let names: Vec<_> = model.params().iter().map(|param| param.name).collect();
     match nearest(name, names.iter().copied()) {
-        Some(near) => format!("{} has no parameter `{name}`; did you mean `{near}`?", M::NAME),
-        None if names.is_empty() => format!("{} has no parameter `{name}`; it has none at all", M::NAME),
-        None => format!("{} has no parameter `{name}`; it has {}", M::NAME, names.join(", ")),
+        Some(near) => format!("{} has no parameter `{name}`; did you mean `{near}`?", model.name()),
+        None if names.is_empty() => format!("{} has no parameter `{name}`; it has none at all", model.name()),
+        None => format!(
+            "{} has no parameter `{name}`; it has {}",
+            model.name(),
+            names.join(", ")
+        ),
     }
 }
 

@@ -11,7 +11,6 @@ use super::journal::{Journal, Mark};
 use super::run::RunResult;
 use super::run_error::RunError;
 use super::{checkpoint, files, summary};
-use crate::Model;
 
 /// Appends to bytes what takes the run up where it is.
 pub(super) type Written<'w> = &'w mut dyn FnMut(&mut Vec<u8>);
@@ -75,8 +74,8 @@ const PAUSE: Duration = Duration::from_secs(1);
 const SHARE: u32 = 50;
 
 /// The history grows on disk; the summary says from the beginning what runs, and the checkpoint goes on from here.
-pub(super) struct OnDisk<'a, M> {
-    arguments: &'a Arguments<M>,
+pub(super) struct OnDisk<'a> {
+    arguments: &'a Arguments,
     journal: Option<Journal>,
     line: String,
     identity: String,
@@ -86,9 +85,9 @@ pub(super) struct OnDisk<'a, M> {
     due: Option<Instant>,
 }
 
-impl<'a, M: Model> OnDisk<'a, M> {
+impl<'a> OnDisk<'a> {
     /// In the folder of the arguments, which is there.
-    pub fn new(arguments: &'a Arguments<M>) -> Self {
+    pub fn new(arguments: &'a Arguments) -> Self {
         Self {
             arguments,
             journal: None,
@@ -113,14 +112,14 @@ impl<'a, M: Model> OnDisk<'a, M> {
     }
 }
 
-impl<M: Model> Recorder for OnDisk<'_, M> {
+impl Recorder for OnDisk<'_> {
     fn is_on_disk(&self) -> bool {
         true
     }
 
     fn taken_up(&mut self, result: &RunResult) -> Result<Option<Earlier>, RunError> {
         let size = Some([result.unknowns, result.constraints]);
-        let identity = checkpoint::identity(&self.arguments.model, &result.settings, size);
+        let identity = checkpoint::identity(self.arguments.model(), &result.settings, size);
         self.identity = Value::Object(identity.clone()).to_string();
         if !self.arguments.resume {
             return Ok(None);
@@ -145,7 +144,7 @@ impl<M: Model> Recorder for OnDisk<'_, M> {
             }
         };
         files::remove(folder, &["report.html", "animation.html", "paraview.pvd"])?;
-        let mut known = summary::of_run(&self.arguments.model, result);
+        let mut known = summary::of_run(self.arguments.model(), result);
         summary::outcome(&mut known, Some(UNFINISHED.into()));
         summary::command_line(&mut known, &self.arguments.line);
         files::write(folder, "summary.json", &summary::to_text(&known))?;

@@ -14,13 +14,13 @@ use super::section_table;
 use super::steady::Equilibria;
 use super::summary::{SETTINGS, STATISTICS, Summary};
 use crate::modes::Critical;
-use crate::{Caution, Model, Output};
+use crate::{AnyModel, Caution, Output};
 
 const STYLE: &str = include_str!("page.css");
 
 /// The page of a command; `results` is what it found.
-pub(super) fn page<M: Model>(model: &M, what: &str, summary: &Summary, results: &str) -> String {
-    let title = format!("{}: {what}", M::NAME);
+pub(super) fn page(model: &dyn AnyModel, what: &str, summary: &Summary, results: &str) -> String {
+    let title = format!("{}: {what}", model.name());
     let mut page = String::new();
     page += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
     page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
@@ -29,7 +29,7 @@ pub(super) fn page<M: Model>(model: &M, what: &str, summary: &Summary, results: 
         "<title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n",
         escape(&title)
     );
-    header::<M>(&mut page, &title, summary);
+    header(model, &mut page, &title, summary);
     page += "<h2>Results</h2>\n";
     page += results;
     page += &section_table::table(summary);
@@ -41,7 +41,7 @@ pub(super) fn page<M: Model>(model: &M, what: &str, summary: &Summary, results: 
     }
     page += "</div>\n";
     notes(&mut page, summary);
-    let _ = write!(page, "<h2>Model</h2>\n<pre>{}</pre>\n", escape(M::SOURCE.trim()));
+    let _ = write!(page, "<h2>Model</h2>\n<pre>{}</pre>\n", escape(model.source().trim()));
     let version = env!("CARGO_PKG_VERSION");
     let _ = writeln!(
         page,
@@ -55,13 +55,14 @@ pub(super) fn page<M: Model>(model: &M, what: &str, summary: &Summary, results: 
 ///
 /// # Errors
 /// A chart that cannot be drawn.
-pub(super) fn run_part<M: Model>(
+pub(super) fn run_part(
+    model: &dyn AnyModel,
     history: &History,
     steps: &[StepTaken],
     cautions: &[Caution],
 ) -> Result<String, String> {
     let mut part = cautions::above(cautions);
-    results::<M>(&mut part, history, &[], cautions)?;
+    results(model, &mut part, history, &[], cautions)?;
     if !steps.is_empty() {
         step_chart(&mut part, steps)?;
     }
@@ -72,21 +73,21 @@ pub(super) fn run_part<M: Model>(
 ///
 /// # Errors
 /// A chart that cannot be drawn.
-pub(super) fn equilibria_part<M: Model>(result: &Equilibria) -> Result<String, String> {
+pub(super) fn equilibria_part(model: &dyn AnyModel, result: &Equilibria) -> Result<String, String> {
     let mut part = cautions::above(&result.cautions);
     for line in critical_lines(&result.history.key, &result.critical, BUCKLING) {
         let _ = writeln!(part, "<p>{}</p>", escape(&line));
     }
-    results::<M>(&mut part, &result.history, &result.critical, &result.cautions)?;
+    results(model, &mut part, &result.history, &result.critical, &result.cautions)?;
     Ok(part)
 }
 
 /// What happens where the stiffness of a static equilibrium changes its sign.
 pub(super) const BUCKLING: &str = "Critical value (buckling, snap-through or a return from them)";
 
-fn header<M: Model>(page: &mut String, title: &str, summary: &Summary) {
+fn header(model: &dyn AnyModel, page: &mut String, title: &str, summary: &Summary) {
     let _ = writeln!(page, "<h1>{}</h1>", escape(title));
-    for paragraph in M::DOC.trim().split("\n\n").filter(|text| !text.is_empty()) {
+    for paragraph in model.doc().trim().split("\n\n").filter(|text| !text.is_empty()) {
         let _ = writeln!(page, "<p class=\"doc\">{}</p>", escape(paragraph));
     }
     let reason = summary.get("reason").and_then(Value::as_str);
@@ -117,14 +118,15 @@ fn header<M: Model>(page: &mut String, title: &str, summary: &Summary) {
 }
 
 /// One chart for each output; components of a vector share theirs.
-fn results<M: Model>(
+fn results(
+    model: &dyn AnyModel,
     page: &mut String,
     history: &History,
     critical: &[Critical],
     cautions: &[Caution],
 ) -> Result<(), String> {
     let mut column = 0;
-    for (index, output) in M::outputs().iter().enumerate() {
+    for (index, output) in model.outputs().iter().enumerate() {
         let count = output.components.len().max(1);
         let line = |index: usize| Line::new(history.keys.iter().copied().zip(history.column(index)), index - column);
         // Over time the table below the chart is enough.
@@ -205,10 +207,10 @@ pub(super) fn figure(page: &mut String, caption: &str, chart: &Chart, below: &st
     Ok(())
 }
 
-fn parameters<M: Model>(page: &mut String, model: &M) {
+fn parameters(page: &mut String, model: &dyn AnyModel) {
     page.push_str("<div class=\"scroll\"><table>\n");
     page.push_str("<tr><th>Name</th><th>Value</th><th>Default</th><th></th></tr>\n");
-    for (index, param) in M::params().iter().enumerate() {
+    for (index, param) in model.params().iter().enumerate() {
         let _ = writeln!(
             page,
             "<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"doc\">{}</td></tr>",

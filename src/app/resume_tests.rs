@@ -21,7 +21,7 @@ fn run(out: &Path, words: &[&str], ends: Option<u64>) -> Result<String, Failure>
         more: "",
         out: out.into(),
     };
-    let Ok(mut arguments) = parse::<Rotor>(&program, words.iter().map(OsString::from)) else {
+    let Ok(mut arguments) = parse(&Rotor::default(), &program, words.iter().map(OsString::from)) else {
         panic!("a mistake on the command line: {words:?}")
     };
     arguments.settings.options.renewed_after = Some(150);

@@ -14,7 +14,7 @@ use super::run_error::{Incomplete, RunError};
 use super::steady;
 use crate::mesh::Fidelity;
 use crate::{
-    Caution, Formulation, Integrator, Joints, Method, Model, Options, Scene, Start, State, Statistics, StepSize,
+    AnyModel, Caution, Formulation, Integrator, Joints, Method, Options, Scene, Start, State, Statistics, StepSize,
 };
 
 /// What to run and how.
@@ -120,7 +120,7 @@ const MOST_ROWS: [f64; 2] = [1e7, 1e9];
 ///
 /// # Errors
 /// [`RunError`]; a run that stopped on its way is an error too and carries its result.
-pub fn run<M: Model>(model: &M, settings: &RunSettings) -> Result<RunResult, RunError> {
+pub fn run(model: &dyn AnyModel, settings: &RunSettings) -> Result<RunResult, RunError> {
     run_watched(model, settings, |_| ControlFlow::Continue(()))
 }
 
@@ -128,8 +128,8 @@ pub fn run<M: Model>(model: &M, settings: &RunSettings) -> Result<RunResult, Run
 ///
 /// # Errors
 /// As [`run`].
-pub fn run_watched<M: Model>(
-    model: &M,
+pub fn run_watched(
+    model: &dyn AnyModel,
     settings: &RunSettings,
     watch: impl FnMut(&Progress) -> ControlFlow<()>,
 ) -> Result<RunResult, RunError> {
@@ -137,8 +137,8 @@ pub fn run_watched<M: Model>(
 }
 
 /// As [`run_watched`] with a recorder.
-pub(super) fn run_recorded<M: Model>(
-    model: &M,
+pub(super) fn run_recorded(
+    model: &dyn AnyModel,
     settings: &RunSettings,
     recorder: &mut dyn Recorder,
     watch: impl FnMut(&Progress) -> ControlFlow<()>,
@@ -158,7 +158,7 @@ pub(super) fn run_recorded<M: Model>(
     let (t_end, _) = times(&settings);
     let mut result = RunResult {
         settings,
-        history: History::new::<M>(Column::time()),
+        history: History::new(model, Column::time()),
         envelopes: Envelopes::new(scene.as_ref(), &Column::time()),
         pictures: None,
         steps: Vec::new(),
@@ -173,7 +173,7 @@ pub(super) fn run_recorded<M: Model>(
         incomplete: None,
     };
     integrate(scene.as_mut(), start, &mut result, clock, recorder, watch)?;
-    let told = cautions::sentences::<M>(&result.cautions);
+    let told = cautions::sentences(model, &result.cautions);
     let told = told.into_iter().chain(doubts(model, result.settings.options.rtol));
     result.warnings.splice(0..0, told);
     match result.incomplete {

@@ -12,7 +12,7 @@ use super::sweep::{Line, Measured, SweepProgress, SweepSettings};
 use crate::equilibrium::{self, Kind};
 use crate::model::FrameState;
 use crate::modes::Critical;
-use crate::{Caution, Formulation, Joints, Model};
+use crate::{AnyModel, Caution, Formulation, Joints};
 
 /// Equilibria one after the other; always in referenced coordinates with eliminated joints.
 #[derive(Clone, Debug)]
@@ -54,7 +54,7 @@ pub struct Equilibria {
 /// # Errors
 /// A model that cannot be built; [`RunError::Equilibrium`] where none exists, with the frame or load that
 /// stands against it; [`RunError::Equilibria`] with the rows found where the way ends early.
-pub fn steady<M: Model>(model: &M, settings: &SweepSettings) -> Result<Equilibria, RunError> {
+pub fn steady(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Equilibria, RunError> {
     equilibria(model, Kind::Steady, settings, |_| ControlFlow::Continue(()))
 }
 
@@ -62,7 +62,7 @@ pub fn steady<M: Model>(model: &M, settings: &SweepSettings) -> Result<Equilibri
 ///
 /// # Errors
 /// As [`steady`].
-pub fn static_equilibria<M: Model>(model: &M, settings: &SweepSettings) -> Result<Equilibria, RunError> {
+pub fn static_equilibria(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Equilibria, RunError> {
     equilibria(model, Kind::Static, settings, |_| ControlFlow::Continue(()))
 }
 
@@ -71,15 +71,15 @@ pub fn static_equilibria<M: Model>(model: &M, settings: &SweepSettings) -> Resul
 ///
 /// # Errors
 /// As [`steady`].
-pub fn equilibria<M: Model>(
-    model: &M,
+pub fn equilibria(
+    model: &dyn AnyModel,
     kind: Kind,
     settings: &SweepSettings,
     mut watch: impl FnMut(&SweepProgress) -> ControlFlow<()>,
 ) -> Result<Equilibria, RunError> {
     let clock = Clock::start();
     let mut line = Line::start(model, kind, settings)?;
-    let mut history = History::new::<M>(line.column());
+    let mut history = History::new(model, line.column());
     let mut envelopes = Envelopes::new(line.station().scene, &history.key);
     let mut critical = Vec::new();
     let mut incomplete = record(&mut line, &mut history, &mut envelopes).err();
@@ -101,7 +101,7 @@ pub fn equilibria<M: Model>(
     let leaps = line.warnings();
     let station = line.station();
     let cautions = super::sweep::at_the_end(model, settings).cautions(0.0);
-    let mut warnings = cautions::sentences::<M>(&cautions);
+    let mut warnings = cautions::sentences(model, &cautions);
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));
     warnings.extend(envelopes.warning());
     warnings.extend(leaps);
@@ -127,11 +127,7 @@ pub fn equilibria<M: Model>(
     }
 }
 
-fn record<M: Model>(
-    line: &mut Line<'_, M>,
-    history: &mut History,
-    envelopes: &mut Envelopes,
-) -> Result<(), Incomplete> {
+fn record(line: &mut Line<'_>, history: &mut History, envelopes: &mut Envelopes) -> Result<(), Incomplete> {
     let station = line.station();
     let mut row = vec![0.0; station.scene.output_columns()];
     station.scene.uniform_outputs(&station.at, station.state, &mut row);
@@ -141,7 +137,7 @@ fn record<M: Model>(
 }
 
 /// Where the number of negative directions changed in the last step.
-fn buckling<M: Model>(line: &mut Line<'_, M>) -> Vec<Critical> {
+fn buckling(line: &mut Line<'_>) -> Vec<Critical> {
     let (Some(before), after) = line.last_two() else {
         return Vec::new();
     };
@@ -162,7 +158,7 @@ fn buckling<M: Model>(line: &mut Line<'_, M>) -> Vec<Critical> {
 }
 
 /// Nodal vectors of the relative equilibrium with the spin at `t`, for a start in any formulation.
-pub(super) fn frame_state<M: Model>(model: &M, t: f64) -> Result<FrameState, RunError> {
+pub(super) fn frame_state(model: &dyn AnyModel, t: f64) -> Result<FrameState, RunError> {
     let mut scene = model
         .build(Formulation::Rncf, Joints::Eliminated)
         .map_err(RunError::Model)?;

@@ -16,7 +16,7 @@ use super::sweep::SweepSettings;
 use crate::equilibrium::Kind;
 use crate::mesh::Fidelity;
 use crate::modes::{Composition, Critical, Whirl};
-use crate::{Joints, Method, Model, ParamKind, Start, StepSize};
+use crate::{AnyModel, Joints, Method, ParamKind, Start, StepSize};
 
 /// Keys in the order in which they are written.
 pub(super) type Summary = Map<String, Value>;
@@ -72,7 +72,7 @@ pub(super) const STATISTICS: &[&str] = &[
 ];
 
 /// Summary of a run in time.
-pub(super) fn of_run<M: Model>(model: &M, result: &RunResult) -> Summary {
+pub(super) fn of_run(model: &dyn AnyModel, result: &RunResult) -> Summary {
     let mut summary = head(model, "run");
     let reason = result.incomplete.as_ref().map(ToString::to_string);
     outcome(&mut summary, reason);
@@ -96,16 +96,16 @@ pub(super) fn of_run<M: Model>(model: &M, result: &RunResult) -> Summary {
         json!(result.statistics.velocity_correction),
     );
     section_table::put(&mut summary, &result.envelopes);
-    tail::<M>(&mut summary, &result.history, &result.warnings);
+    tail(model, &mut summary, &result.history, &result.warnings);
     summary
 }
 
 /// Summary of relative or static equilibria.
-pub(super) fn of_equilibria<M: Model>(model: &M, result: &Equilibria) -> Summary {
+pub(super) fn of_equilibria(model: &dyn AnyModel, result: &Equilibria) -> Summary {
     let is_static = result.kind == Kind::Static;
     let mut summary = head(model, if is_static { "static" } else { "steady" });
     outcome(&mut summary, result.incomplete.as_ref().map(ToString::to_string));
-    equilibrium::<M>(&mut summary, &result.settings, result.t);
+    equilibrium(model, &mut summary, &result.settings, result.t);
     if is_static {
         put(
             &mut summary,
@@ -123,15 +123,16 @@ pub(super) fn of_equilibria<M: Model>(model: &M, result: &Equilibria) -> Summary
     put(&mut summary, "steps", json!(result.history.keys.len()));
     seconds(&mut summary, result.seconds);
     section_table::put(&mut summary, &result.envelopes);
-    tail::<M>(&mut summary, &result.history, &result.warnings);
+    tail(model, &mut summary, &result.history, &result.warnings);
     summary
 }
 
 /// Summary of the modes about an equilibrium.
-pub(super) fn of_modes<M: Model>(model: &M, result: &Modes) -> Summary {
+pub(super) fn of_modes(model: &dyn AnyModel, result: &Modes) -> Summary {
     let mut summary = head(model, "modes");
     outcome(&mut summary, None);
-    equilibrium::<M>(
+    equilibrium(
+        model,
         &mut summary,
         &SweepSettings {
             range: None,
@@ -161,15 +162,15 @@ pub(super) fn of_modes<M: Model>(model: &M, result: &Modes) -> Summary {
         result.newton_iterations,
     );
     seconds(&mut summary, result.seconds);
-    put(&mut summary, "notes", notes::<M>(&result.warnings));
+    put(&mut summary, "notes", notes(model, &result.warnings));
     summary
 }
 
 /// Summary of a Campbell diagram.
-pub(super) fn of_campbell<M: Model>(model: &M, result: &Campbell) -> Summary {
+pub(super) fn of_campbell(model: &dyn AnyModel, result: &Campbell) -> Summary {
     let mut summary = head(model, "campbell");
     outcome(&mut summary, result.incomplete.as_ref().map(ToString::to_string));
-    equilibrium::<M>(&mut summary, &result.settings, result.t);
+    equilibrium(model, &mut summary, &result.settings, result.t);
     put(&mut summary, "frame_of_observation", json!(REFERENCE));
     put(&mut summary, "circular_whirl", json!(result.is_round));
     put(
@@ -223,7 +224,7 @@ pub(super) fn of_campbell<M: Model>(model: &M, result: &Campbell) -> Summary {
     );
     put(&mut summary, "steps", json!(result.keys.len()));
     seconds(&mut summary, result.seconds);
-    put(&mut summary, "notes", notes::<M>(&result.warnings));
+    put(&mut summary, "notes", notes(model, &result.warnings));
     summary
 }
 
@@ -275,12 +276,12 @@ fn criticals(key: &Column, critical: &[Critical]) -> Value {
 }
 
 /// What was asked of equilibria.
-fn equilibrium<M: Model>(summary: &mut Summary, settings: &SweepSettings, t: f64) {
+fn equilibrium(model: &dyn AnyModel, summary: &mut Summary, settings: &SweepSettings, t: f64) {
     put(summary, "formulation", json!("rncf"));
     put(summary, "joints", json!(joints(Joints::Eliminated)));
     put(summary, "at", json!(t));
     if let Some(range) = settings.range {
-        let param = &M::params()[range.param];
+        let param = &model.params()[range.param];
         let [from, to] = [range.from, range.to].map(|value| in_unit(param, value));
         put(summary, "continued", json!(format!("{} = {from} .. {to}", param.name)));
     }
@@ -297,13 +298,13 @@ pub(super) fn put(summary: &mut Summary, key: &str, value: Value) {
     summary.insert(key.into(), value);
 }
 
-pub(super) fn head<M: Model>(model: &M, command: &str) -> Summary {
+pub(super) fn head(model: &dyn AnyModel, command: &str) -> Summary {
     let mut summary = Summary::new();
-    put(&mut summary, "model", json!(M::NAME));
+    put(&mut summary, "model", json!(model.name()));
     put(&mut summary, "command", json!(command));
     put(&mut summary, "rncf_version", json!(env!("CARGO_PKG_VERSION")));
     put(&mut summary, "date", json!(date::now()));
-    let parameters = M::params().iter().enumerate().map(|(index, param)| {
+    let parameters = model.params().iter().enumerate().map(|(index, param)| {
         let value = model.get(index);
         let value = match param.kind {
             ParamKind::Count => json!(value as u64),
@@ -312,13 +313,17 @@ pub(super) fn head<M: Model>(model: &M, command: &str) -> Summary {
         (param.name.to_owned(), value)
     });
     put(&mut summary, "parameters", Value::Object(parameters.collect()));
-    let given = M::params().iter().enumerate().map(|(index, param)| {
+    let given = model.params().iter().enumerate().map(|(index, param)| {
         let value = json!(in_unit(param, model.get(index)));
         (param.name.to_owned(), value)
     });
     put(&mut summary, "parameters_in_units", Value::Object(given.collect()));
-    put(&mut summary, "model_hash", json!(format!("{:016x}", hash(M::SOURCE))));
-    put(&mut summary, "model_text", json!(M::SOURCE));
+    put(
+        &mut summary,
+        "model_hash",
+        json!(format!("{:016x}", hash(model.source()))),
+    );
+    put(&mut summary, "model_text", json!(model.source()));
     summary
 }
 
@@ -420,7 +425,7 @@ pub(super) fn seconds(summary: &mut Summary, seconds: Seconds) {
     put(summary, "wall_seconds", json!(seconds.wall));
 }
 
-fn tail<M: Model>(summary: &mut Summary, history: &History, notes_of_run: &[String]) {
+fn tail(model: &dyn AnyModel, summary: &mut Summary, history: &History, notes_of_run: &[String]) {
     put(summary, "rows", json!(history.rows()));
     // `t_min` reads as in the first column: a time, or a spin in a steady run.
     let (low_at, high_at) = (format!("{}_min", history.key.name), format!("{}_max", history.key.name));
@@ -437,12 +442,12 @@ fn tail<M: Model>(summary: &mut Summary, history: &History, notes_of_run: &[Stri
         Value::Object(entry)
     });
     put(summary, "outputs", outputs.collect());
-    put(summary, "notes", notes::<M>(notes_of_run));
+    put(summary, "notes", notes(model, notes_of_run));
 }
 
 /// What the generator and the scene have to say.
-pub(super) fn notes<M: Model>(warnings: &[String]) -> Value {
-    let all = M::NOTES.iter().copied().chain(warnings.iter().map(String::as_str));
+pub(super) fn notes(model: &dyn AnyModel, warnings: &[String]) -> Value {
+    let all = model.notes().iter().copied().chain(warnings.iter().map(String::as_str));
     all.map(|text| json!(text)).collect()
 }
 

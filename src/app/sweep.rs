@@ -6,7 +6,7 @@ use super::parameters::digits;
 use super::run_error::RunError;
 use crate::equilibrium::{Continued, Kind, Spin, Uniform, continue_from, follow};
 use crate::error::SolveErrorKind;
-use crate::{Formulation, Joints, Model, ParamKind, Scene, SolveError, State};
+use crate::{AnyModel, Formulation, Joints, ParamKind, Scene, SolveError, State};
 
 /// A parameter that is continued from one value to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,8 +64,8 @@ const SHORT: u64 = 128;
 const MOST_STEPS: u32 = 1_000_000;
 
 /// The way and where on it the last equilibrium is.
-pub(super) struct Line<'m, M> {
-    model: &'m M,
+pub(super) struct Line<'m> {
+    model: &'m dyn AnyModel,
     kind: Kind,
     settings: SweepSettings,
     /// Spin at the end of the way, rad/s, where it grows.
@@ -127,13 +127,13 @@ pub(super) struct Station<'l> {
     pub spin: f64,
 }
 
-impl<'m, M: Model> Line<'m, M> {
+impl<'m> Line<'m> {
     /// The first equilibrium: at the first value of the parameter, or without spin and loads.
     ///
     /// # Errors
     /// Settings out of range, a model that cannot be built, and the reason why there is no equilibrium.
-    pub fn start(model: &'m M, kind: Kind, settings: &SweepSettings) -> Result<Self, RunError> {
-        check::<M>(settings)?;
+    pub fn start(model: &'m dyn AnyModel, kind: Kind, settings: &SweepSettings) -> Result<Self, RunError> {
+        check(model, settings)?;
         let (mut scene, mut at) = placed(model, kind, settings, 0.0).map_err(|failure| match failure {
             Unplaced::Model(error) => RunError::Model(error),
             Unplaced::Time(text) => RunError::Settings(text),
@@ -158,7 +158,7 @@ impl<'m, M: Model> Line<'m, M> {
                     step *= 2;
                 }
                 let found = found.map_err(|error| {
-                    let value = value_of::<M>(range.param, range.from);
+                    let value = value_of(model, range.param, range.from);
                     RunError::Equilibrium(format!("at {value}: {}", reason(&error, true)))
                 })?;
                 iterations = u64::from(found.iterations());
@@ -200,7 +200,7 @@ impl<'m, M: Model> Line<'m, M> {
     pub fn column(&self) -> Column {
         match (self.settings.range, self.kind) {
             (Some(range), _) => {
-                let param = &M::params()[range.param];
+                let param = &self.model.params()[range.param];
                 Column {
                     name: param.name.into(),
                     unit: if param.unit.is_empty() { "1" } else { param.unit },
@@ -220,7 +220,7 @@ impl<'m, M: Model> Line<'m, M> {
     /// Value of the first column at a part of the way.
     pub fn key(&self, share: f64) -> f64 {
         match (self.settings.range, self.kind) {
-            (Some(range), _) => between(range, share) / M::params()[range.param].unit_si,
+            (Some(range), _) => between(range, share) / self.model.params()[range.param].unit_si,
             (None, Kind::Steady) => share * self.full_spin,
             (None, Kind::Static) => share,
         }
@@ -452,19 +452,19 @@ impl std::fmt::Display for Unplaced {
 
 /// The scene at a part of the way, and its uniform motion; eliminated joints give the same equilibrium
 /// with fewer unknowns.
-fn placed<M: Model>(
-    model: &M,
+fn placed(
+    model: &dyn AnyModel,
     kind: Kind,
     settings: &SweepSettings,
     share: f64,
 ) -> Result<(Box<dyn Scene>, Uniform), Unplaced> {
-    let mut model = model.clone();
+    let mut model = model.boxed();
     let mut scale = share;
     if let Some(range) = settings.range {
         model.set(range.param, between(range, share));
         scale = 1.0;
     }
-    let t = time(&model, settings).map_err(Unplaced::Time)?;
+    let t = time(model.as_ref(), settings).map_err(Unplaced::Time)?;
     let scene = model
         .build(Formulation::Rncf, Joints::Eliminated)
         .map_err(Unplaced::Model)?;
@@ -478,7 +478,7 @@ fn placed<M: Model>(
 }
 
 /// The time whose motions and loads hold, s.
-pub(super) fn time<M: Model>(model: &M, settings: &SweepSettings) -> Result<f64, String> {
+pub(super) fn time(model: &dyn AnyModel, settings: &SweepSettings) -> Result<f64, String> {
     let t = settings.at.unwrap_or_else(|| model.run().t_end);
     if t >= 0.0 && t.is_finite() {
         Ok(t)
@@ -488,8 +488,8 @@ pub(super) fn time<M: Model>(model: &M, settings: &SweepSettings) -> Result<f64,
 }
 
 /// The model with the last value of the parameter that is continued.
-pub(super) fn at_the_end<M: Model>(model: &M, settings: &SweepSettings) -> M {
-    let mut model = model.clone();
+pub(super) fn at_the_end(model: &dyn AnyModel, settings: &SweepSettings) -> Box<dyn AnyModel> {
+    let mut model = model.boxed();
     if let Some(range) = settings.range {
         model.set(range.param, range.to);
     }
@@ -514,8 +514,8 @@ fn between(range: Range, share: f64) -> f64 {
 }
 
 /// A parameter and its value in the declared unit.
-pub(super) fn value_of<M: Model>(param: usize, value: f64) -> String {
-    let param = &M::params()[param];
+pub(super) fn value_of(model: &dyn AnyModel, param: usize, value: f64) -> String {
+    let param = &model.params()[param];
     format!("{} = {}", param.name, super::parameters::in_unit(param, value))
 }
 
@@ -530,7 +530,7 @@ pub(super) fn reason(error: &SolveError, whole: bool) -> String {
     text
 }
 
-fn check<M: Model>(settings: &SweepSettings) -> Result<(), RunError> {
+fn check(model: &dyn AnyModel, settings: &SweepSettings) -> Result<(), RunError> {
     if !(1..=MOST_STEPS).contains(&settings.steps) {
         let text = format!("{} steps: the number lies between 1 and {MOST_STEPS}", settings.steps);
         return Err(RunError::Settings(text));
@@ -538,10 +538,10 @@ fn check<M: Model>(settings: &SweepSettings) -> Result<(), RunError> {
     let Some(range) = settings.range else {
         return Ok(());
     };
-    let Some(param) = M::params().get(range.param) else {
+    let Some(param) = model.params().get(range.param) else {
         return Err(RunError::Settings(format!(
             "{} has no parameter {}",
-            M::NAME,
+            model.name(),
             range.param
         )));
     };

@@ -6,7 +6,7 @@ use super::modes::{Inertial, SeenMode, is_round};
 use super::sweep::{self, Found, Line, Measured};
 use crate::equilibrium::{Continued, Uniform};
 use crate::modes::{self, Composition, Mode, Wanted, Whirl};
-use crate::{Model, Scene, SolveError, State};
+use crate::{Scene, SolveError, State};
 
 /// Modes that are looked at beyond those shown, so that one that leaves them is not lost at once.
 const BEYOND: usize = 6;
@@ -69,7 +69,7 @@ impl Tracker {
     ///
     /// # Errors
     /// Why there are no modes, with the value at which.
-    pub fn look<M: Model>(&mut self, line: &mut Line<'_, M>, diagram: &mut Campbell) -> Result<(), String> {
+    pub fn look(&mut self, line: &mut Line<'_>, diagram: &mut Campbell) -> Result<(), String> {
         let count = diagram.settings.count;
         let station = line.station();
         let (at, key, spin) = (station.at, station.key, station.spin);
@@ -180,9 +180,9 @@ impl Tracker {
     }
 
     /// Partners of the tracks found by way of equilibria between the last two; `None` where that loses modes as well.
-    fn followed_between<M: Model>(
+    fn followed_between(
         &self,
-        line: &mut Line<'_, M>,
+        line: &mut Line<'_>,
         fresh: &[usize],
         expected: &[Mode],
         found: &Looked,
@@ -222,7 +222,7 @@ impl Tracker {
     }
 
     /// The critical values in the last step.
-    fn locate<M: Model>(&mut self, line: &mut Line<'_, M>, diagram: &mut Campbell, measured: Option<Measured>) {
+    fn locate(&mut self, line: &mut Line<'_>, diagram: &mut Campbell, measured: Option<Measured>) {
         let before = std::mem::replace(&mut self.measured, measured.clone());
         let (Some(before), Some(measured), (Some(first), last)) = (before, measured, line.last_two()) else {
             return;
@@ -240,7 +240,7 @@ impl Tracker {
     }
 
     /// Crossings with the spin and twice the spin in the last step.
-    fn cross<M: Model>(&self, line: &mut Line<'_, M>, diagram: &mut Campbell, before: &[Mode]) {
+    fn cross(&self, line: &mut Line<'_>, diagram: &mut Campbell, before: &[Mode]) {
         let (Some(first), last) = line.last_two() else {
             return;
         };
@@ -344,8 +344,8 @@ fn crossed(diagram: &Campbell) -> Vec<Crossing> {
 }
 
 /// The same crossing from equilibria between the steps.
-fn refined<M: Model>(
-    line: &mut Line<'_, M>,
+fn refined(
+    line: &mut Line<'_>,
     crossing: Crossing,
     mode: &Mode,
     [first, last]: [&Found; 2],

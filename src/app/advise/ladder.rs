@@ -2,7 +2,7 @@
 
 use crate::app::parameters::List;
 use crate::mesh::{DescribedBody, Fidelity};
-use crate::{Formulation, Joints, Model, ModelError, ParamKind};
+use crate::{AnyModel, Formulation, Joints, ModelError, ParamKind};
 
 /// Numbers of modes on the ladder.
 const MODES: [usize; 4] = [1, 2, 4, 8];
@@ -65,7 +65,7 @@ impl Choices {
     ///
     /// # Errors
     /// That of the scene as declared, or of a list that is no mesh.
-    pub fn of<M: Model>(model: &M, formulation: Formulation, joints: Joints, lists: &[List]) -> Result<Self, String> {
+    pub fn of(model: &dyn AnyModel, formulation: Formulation, joints: Joints, lists: &[List]) -> Result<Self, String> {
         let scene = model.build(formulation, joints).map_err(|error| error.to_string())?;
         let all = scene.bodies();
         let counted = counted(model, &all, |model| {
@@ -102,7 +102,7 @@ impl Choices {
             (
                 param,
                 if is_listed {
-                    M::params()[param].default
+                    model.params()[param].default
                 } else {
                     model.get(param)
                 },
@@ -112,7 +112,7 @@ impl Choices {
         let meshes = if lists.is_empty() {
             scaled(&declared)
         } else {
-            listed::<M>(&declared, lists)?
+            listed(model, &declared, lists)?
         };
         Ok(Self {
             bodies,
@@ -165,7 +165,7 @@ impl Choices {
     }
 
     /// A setting in words: `modal(2)`, `full, elements = 8`, `crank: rigid, rod: modal(2)`.
-    pub fn name<M: Model>(&self, setting: &Setting) -> String {
+    pub fn name(&self, model: &dyn AnyModel, setting: &Setting) -> String {
         let mut words: Vec<String> = Vec::new();
         match &setting.fidelity[..] {
             [] => words.push("as declared".into()),
@@ -179,7 +179,7 @@ impl Choices {
                 setting
                     .counts
                     .iter()
-                    .map(|&(param, value)| format!("{} = {value}", M::params()[param].name)),
+                    .map(|&(param, value)| format!("{} = {value}", model.params()[param].name)),
             );
         }
         words.join(", ")
@@ -187,20 +187,22 @@ impl Choices {
 }
 
 /// Params that count elements, with the bodies whose elements they count.
-fn counted<M: Model>(
-    model: &M,
+fn counted(
+    model: &dyn AnyModel,
     bodies: &[DescribedBody],
-    bodies_of: impl Fn(&M) -> Result<Vec<DescribedBody>, ModelError>,
+    bodies_of: impl Fn(&dyn AnyModel) -> Result<Vec<DescribedBody>, ModelError>,
 ) -> Vec<(usize, Vec<&'static str>)> {
     let mut found = Vec::new();
-    for (index, param) in M::params().iter().enumerate() {
+    for (index, param) in model.params().iter().enumerate() {
         if param.kind != ParamKind::Count {
             continue;
         }
-        let mut other = model.clone();
+        let mut other = model.boxed();
         other.set(index, 2.0 * model.get(index));
         // A count with which there is no scene counts something else.
-        let Ok(others) = bodies_of(&other) else { continue };
+        let Ok(others) = bodies_of(other.as_ref()) else {
+            continue;
+        };
         let alike = |(a, b): (&DescribedBody, &DescribedBody)| a.name == b.name && a.repetitions == b.repetitions;
         if others.len() != bodies.len() || !bodies.iter().zip(&others).all(alike) {
             continue;
@@ -229,9 +231,9 @@ fn scaled(declared: &[(usize, f64)]) -> Vec<Vec<(usize, f64)>> {
 }
 
 /// Meshes that are given, from coarse to fine.
-fn listed<M: Model>(declared: &[(usize, f64)], lists: &[List]) -> Result<Vec<Vec<(usize, f64)>>, String> {
+fn listed(model: &dyn AnyModel, declared: &[(usize, f64)], lists: &[List]) -> Result<Vec<Vec<(usize, f64)>>, String> {
     for list in lists {
-        let name = M::params()[list.param].name;
+        let name = model.params()[list.param].name;
         if declared.iter().all(|(param, _)| *param != list.param) {
             return Err(format!(
                 "`{name}` is given as a list but counts no elements: `advise` varies meshes and descriptions of bodies alone"
@@ -240,7 +242,7 @@ fn listed<M: Model>(declared: &[(usize, f64)], lists: &[List]) -> Result<Vec<Vec
         if list.values.len() != lists[0].values.len() {
             return Err(format!(
                 "`{}` and `{name}` are given as lists of different lengths: the meshes take one of each, from coarse to fine",
-                M::params()[lists[0].param].name
+                model.params()[lists[0].param].name
             ));
         }
     }

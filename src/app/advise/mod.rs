@@ -25,7 +25,7 @@ use super::execute::{FAILURE, Failure, INTERRUPTION, MISTAKE, write};
 use super::parameters::List;
 use super::progress::Bar;
 use super::run::{RunSettings, complete};
-use crate::Model;
+use crate::AnyModel;
 use crate::mesh::Fidelity;
 
 /// Accuracy where none is given.
@@ -51,14 +51,14 @@ pub(super) fn flags() -> Vec<Arg> {
 ///
 /// # Errors
 /// The flag and what would be right.
-pub(super) fn settings<M: Model>(matches: &ArgMatches) -> Result<AdviseSettings, String> {
+pub(super) fn settings(model: &dyn AnyModel, matches: &ArgMatches) -> Result<AdviseSettings, String> {
     let wanted = match text(matches, "wanted") {
         None => vec![WANTED],
         Some(_) => shared::wanted(matches)?,
     };
     Ok(AdviseSettings {
         wanted,
-        outputs: shared::outputs::<M>(matches)?,
+        outputs: shared::outputs(model, matches)?,
         limit: shared::limit(matches)?,
     })
 }
@@ -127,7 +127,7 @@ pub struct Advised {
 ///
 /// # Errors
 /// Settings or parameters that make no sense, nothing to choose from, or a model that does not run as declared.
-pub fn advise<M: Model>(model: &M, settings: &RunSettings, wanted: &Wanted) -> Result<Advised, String> {
+pub fn advise(model: &dyn AnyModel, settings: &RunSettings, wanted: &Wanted) -> Result<Advised, String> {
     let task = Task {
         model,
         settings,
@@ -162,13 +162,13 @@ pub fn advise<M: Model>(model: &M, settings: &RunSettings, wanted: &Wanted) -> R
         named: found.named,
         declared: found.declared,
         rtol: searched.rtol,
-        sentences: advice.sentences::<M>(),
+        sentences: advice.sentences(model),
     })
 }
 
 /// A search to be done.
-struct Task<'t, M> {
-    model: &'t M,
+struct Task<'t> {
+    model: &'t dyn AnyModel,
     settings: &'t RunSettings,
     lists: &'t [List],
     wanted: f64,
@@ -189,7 +189,7 @@ struct Searched {
     warnings: Vec<String>,
 }
 
-impl<M: Model> Task<'_, M> {
+impl Task<'_> {
     /// # Errors
     /// With its exit code: a mistake in settings or parameters; a model that does not run; nothing to choose; Ctrl-C before
     /// anything was known.
@@ -200,7 +200,7 @@ impl<M: Model> Task<'_, M> {
         if choices.bodies.is_empty() && choices.meshes.len() == 1 {
             return Err(mistake(format!(
                 "{} has nothing to choose from: no meshed body that is not repeated, and no param that counts elements",
-                M::NAME
+                self.model.name()
             )));
         }
         let clock = Clock::start();
@@ -217,9 +217,10 @@ impl<M: Model> Task<'_, M> {
             work.bar.clear();
             match stop {
                 Stop::Interrupted => Failure::new(INTERRUPTION, "interrupted by the user before anything was known"),
-                Stop::Impossible(reason) => {
-                    Failure::new(FAILURE, format!("as declared, {} does not run: {reason}", M::NAME))
-                }
+                Stop::Impossible(reason) => Failure::new(
+                    FAILURE,
+                    format!("as declared, {} does not run: {reason}", self.model.name()),
+                ),
             }
         })?;
         let found = Search {
@@ -228,7 +229,7 @@ impl<M: Model> Task<'_, M> {
             outputs: self.outputs,
             solve: &mut |setting, name, share| work.solve(setting, name, share),
         }
-        .run::<M>();
+        .run(self.model);
         let of_named = found.named.and_then(|named| work.time_error_of(&found, named));
         work.bar.clear();
         if found.richest.is_some() && found.chosen.is_empty() {
@@ -269,7 +270,7 @@ impl Searched {
 /// # Errors
 /// With its exit code: a mistake in flags or parameters; a model that does not run; nothing to choose; a file that cannot
 /// be written; Ctrl-C, where all that is known is written.
-pub(super) fn execute<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
+pub(super) fn execute(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
     let settings = &arguments.advise;
     let &[wanted] = &settings.wanted[..] else {
         return Err(Failure::new(
@@ -278,7 +279,7 @@ pub(super) fn execute<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn()
         ));
     };
     let task = Task {
-        model: &arguments.model,
+        model: arguments.model(),
         settings: &arguments.settings,
         lists: &arguments.lists,
         wanted,
@@ -287,10 +288,10 @@ pub(super) fn execute<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn()
     };
     let searched = task.search(&interrupted, Bar::new(arguments.quiet))?;
     let advice = searched.advice();
-    let summary = advice.summary(&arguments.model);
-    let table = ("advise.csv", advice.csv::<M>());
-    let files = write(arguments, "advice", table, &summary, Ok(advice.page::<M>()))?;
-    let text = format!("{}\n{files}", advice.text::<M>());
+    let summary = advice.summary(arguments.model());
+    let table = ("advise.csv", advice.csv(task.model));
+    let files = write(arguments, "advice", table, &summary, Ok(advice.page(task.model)))?;
+    let text = format!("{}\n{files}", advice.text(task.model));
     if searched.found.is_interrupted {
         return Err(Failure::new(
             INTERRUPTION,

@@ -1,7 +1,7 @@
 //! The search: runs the ladder, estimates errors, and finds the simplest rung that suffices.
 
 use super::ladder::{Choices, Setting, descriptions};
-use crate::Model;
+use crate::AnyModel;
 use crate::app::chart::errors::{errors, scales, worst};
 use crate::app::history::History;
 use crate::mesh::Fidelity;
@@ -104,30 +104,30 @@ pub(super) struct Search<'s> {
 
 impl Search<'_> {
     /// Runs the ladder.
-    pub fn run<M: Model>(mut self) -> Found {
+    pub fn run(mut self, model: &dyn AnyModel) -> Found {
         let mut found = Found::default();
-        let full = self.meshes::<M>(&mut found);
+        let full = self.meshes(model, &mut found);
         if !found.is_interrupted {
-            self.descriptions::<M>(&mut found, &full);
+            self.descriptions(model, &mut found, &full);
         }
-        self.declared::<M>(&mut found);
+        self.declared(model, &mut found);
         if found.richest.is_none() {
             return found;
         }
         self.judge(&mut found);
         found.named = simplest(&found);
         if !found.is_interrupted {
-            self.each_body::<M>(&mut found);
+            self.each_body(model, &mut found);
         }
         found
     }
 
     /// Runs one setting, unless it has run.
-    fn tried<M: Model>(&mut self, found: &mut Found, setting: Setting) -> Option<usize> {
+    fn tried(&mut self, model: &dyn AnyModel, found: &mut Found, setting: Setting) -> Option<usize> {
         if let Some(place) = found.rungs.iter().position(|rung| rung.setting == setting) {
             return Some(place);
         }
-        let name = self.choices.name::<M>(&setting);
+        let name = self.choices.name(model, &setting);
         let all = self.choices.meshes.len() + descriptions().len();
         let share = found.rungs.len() as f64 / (all + 3 * self.choices.bodies.len().saturating_sub(1)) as f64;
         let outcome = (self.solve)(&setting, &name, share.min(1.0));
@@ -146,11 +146,11 @@ impl Search<'_> {
     }
 
     /// All nodal vectors on all meshes, from coarse to fine: the rungs that ran.
-    fn meshes<M: Model>(&mut self, found: &mut Found) -> Vec<usize> {
+    fn meshes(&mut self, model: &dyn AnyModel, found: &mut Found) -> Vec<usize> {
         let mut ran = Vec::new();
         for mesh in 0..self.choices.meshes.len() {
             let setting = self.choices.together(Fidelity::Full, mesh);
-            let Some(rung) = self.tried::<M>(found, setting) else {
+            let Some(rung) = self.tried(model, found, setting) else {
                 break;
             };
             if found.rungs[rung].trial().is_some() {
@@ -158,18 +158,18 @@ impl Search<'_> {
             }
         }
         if let Some(&richest) = ran.last() {
-            self.measure::<M>(found, richest);
+            self.measure(model, found, richest);
             found.remaining = self.remaining(found, &ran);
         }
         ran
     }
 
     /// Takes a rung as the one that counts as exact.
-    fn measure<M: Model>(&self, found: &mut Found, richest: usize) {
+    fn measure(&self, model: &dyn AnyModel, found: &mut Found, richest: usize) {
         let Some(trial) = found.rungs[richest].trial() else {
             return;
         };
-        (found.scales, found.chosen) = measure::<M>(&trial.history, self.outputs);
+        (found.scales, found.chosen) = measure(model, &trial.history, self.outputs);
         found.richest = Some(richest);
     }
 
@@ -195,7 +195,7 @@ impl Search<'_> {
 
     /// The cheaper descriptions, from cheap to rich, on the coarsest mesh that suffices with all nodal vectors; they
     /// are put before those with all nodal vectors.
-    fn descriptions<M: Model>(&mut self, found: &mut Found, full: &[usize]) {
+    fn descriptions(&mut self, model: &dyn AnyModel, found: &mut Found, full: &[usize]) {
         let richest = found.richest;
         let suffices = |&&rung: &&usize| {
             let error = richest.and_then(|richest| self.difference(found, rung, richest));
@@ -212,7 +212,7 @@ impl Search<'_> {
             .filter(|fidelity| *fidelity != Fidelity::Full)
         {
             let setting = self.choices.together(fidelity, mesh);
-            if self.tried::<M>(found, setting).is_none() {
+            if self.tried(model, found, setting).is_none() {
                 break;
             }
         }
@@ -224,15 +224,15 @@ impl Search<'_> {
                 .rev()
                 .find(|&rung| found.rungs[rung].trial().is_some())
         {
-            self.measure::<M>(found, last);
+            self.measure(model, found, last);
         }
     }
 
     /// The model as it is declared, where it is no rung yet.
-    fn declared<M: Model>(&mut self, found: &mut Found) {
+    fn declared(&mut self, model: &dyn AnyModel, found: &mut Found) {
         if !found.is_interrupted {
             let before = found.rungs.len();
-            found.declared = self.tried::<M>(found, self.choices.as_declared());
+            found.declared = self.tried(model, found, self.choices.as_declared());
             found.is_beside = found.rungs.len() > before;
         }
     }
@@ -282,7 +282,7 @@ impl Search<'_> {
     }
 
     /// Takes each body alone as far down as it goes, with the others as found.
-    fn each_body<M: Model>(&mut self, found: &mut Found) {
+    fn each_body(&mut self, model: &dyn AnyModel, found: &mut Found) {
         if self.choices.bodies.len() < 2 {
             return;
         }
@@ -294,7 +294,7 @@ impl Search<'_> {
             let base = found.rungs[above[0]].setting.clone();
             let mut failures = 0;
             for lower in self.choices.below(body, fidelity) {
-                let Some(rung) = self.tried::<M>(found, Choices::with(&base, body, lower)) else {
+                let Some(rung) = self.tried(model, found, Choices::with(&base, body, lower)) else {
                     return;
                 };
                 if found.rungs[rung].trial().is_none() {
@@ -319,8 +319,8 @@ impl Search<'_> {
 }
 
 /// Scales of all columns, SI, and those of the given columns (all without them) that change by more than round-off.
-pub(super) fn measure<M: Model>(history: &History, outputs: Option<&[usize]>) -> (Vec<f64>, Vec<usize>) {
-    let (scales, columns) = (scales::<M>(history), &history.columns);
+pub(super) fn measure(model: &dyn AnyModel, history: &History, outputs: Option<&[usize]>) -> (Vec<f64>, Vec<usize>) {
+    let (scales, columns) = (scales(model, history), &history.columns);
     let moves = |&index: &usize| {
         let same = (0..columns.len()).filter(|&other| columns[other].unit == columns[index].unit);
         let most = same.map(|other| scales[other]).fold(0.0, f64::max);

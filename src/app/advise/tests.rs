@@ -27,7 +27,7 @@ type Model<'m> = &'m dyn Fn(&Setting) -> Result<(f64, f64), &'static str>;
 fn found(choices: &Choices, wanted: f64, model: Model<'_>) -> Found {
     let mut solve = |setting: &Setting, _: &str, _: f64| match model(setting) {
         Ok((error, cpu)) => {
-            let mut history = History::new::<Rotor>(Column::time());
+            let mut history = History::new(&Rotor::default(), Column::time());
             history.push(0.0, &[0.0, 2.0, 5.0]).unwrap();
             history.push(1.0, &[1.0 + error, 2.0, 5.0]).unwrap();
             Outcome::Ran(Box::new(Trial {
@@ -47,7 +47,7 @@ fn found(choices: &Choices, wanted: f64, model: Model<'_>) -> Found {
         outputs: None,
         solve: &mut solve,
     }
-    .run::<Rotor>()
+    .run(&Rotor::default())
 }
 
 fn named(found: &Found) -> Option<&str> {
@@ -65,7 +65,7 @@ fn sentences(choices: &Choices, found: &Found, wanted: f64) -> String {
         seconds: Seconds::default(),
         warnings: &[],
     };
-    advice.sentences::<Rotor>().join("\n")
+    advice.sentences(&Rotor::default()).join("\n")
 }
 
 fn modes(fidelity: Fidelity) -> usize {

@@ -8,7 +8,7 @@ use super::ladder::{Choices, Setting};
 use super::picture;
 use super::search::{Found, Outcome, Rung};
 use super::work::TIGHTEST;
-use crate::Model;
+use crate::AnyModel;
 use crate::app::clock::Seconds;
 use crate::app::parameters::digits;
 use crate::app::report::escape;
@@ -116,10 +116,10 @@ impl Advice<'_> {
     }
 
     /// Table, sentences and warnings for standard output.
-    pub fn text<M: Model>(&self) -> String {
+    pub fn text(&self, model: &dyn AnyModel) -> String {
         let mut text = format!(
             "{}: {} rungs at rtol {:e}, {} s\n",
-            M::NAME,
+            model.name(),
             self.found.rungs.len(),
             self.rtol,
             digits(self.seconds.cpu, 3)
@@ -136,7 +136,7 @@ impl Advice<'_> {
             text += line.trim_end();
             text.push('\n');
         }
-        for line in self.sentences::<M>() {
+        for line in self.sentences(model) {
             text += &line;
             text.push('\n');
         }
@@ -147,17 +147,17 @@ impl Advice<'_> {
     }
 
     /// The advice, or why there is none.
-    pub fn sentences<M: Model>(&self) -> Vec<String> {
+    pub fn sentences(&self, model: &dyn AnyModel) -> Vec<String> {
         let Some((index, rung, trial)) = self.found.named.and_then(|index| {
             let rung = &self.found.rungs[index];
             Some((index, rung, rung.trial()?))
         }) else {
-            return vec![self.nothing::<M>()];
+            return vec![self.nothing(model)];
         };
         let error = size(self.found.error(index).unwrap_or_default());
         let mut sentence = format!(
             "{} for {:e} (error about {error}, {}",
-            self.descriptions::<M>(&rung.setting),
+            self.descriptions(model, &rung.setting),
             self.wanted,
             time(trial.cpu)
         );
@@ -171,20 +171,20 @@ impl Advice<'_> {
             None => sentence += ").",
         }
         let mut lines = vec![sentence];
-        lines.extend(self.changes::<M>(&rung.setting));
+        lines.extend(self.changes(model, &rung.setting));
         lines.extend(self.faster(index));
         lines.extend(trial.warnings.iter().map(|warning| format!("It warns: {warning}")));
         lines
     }
 
     /// `` `rod`: rigid suffices``, with the mesh where it counts.
-    fn descriptions<M: Model>(&self, setting: &Setting) -> String {
+    fn descriptions(&self, model: &dyn AnyModel, setting: &Setting) -> String {
         let kinds: Vec<Fidelity> = setting.fidelity.iter().map(|(_, fidelity)| *fidelity).collect();
         let counts = || {
             let counts = setting
                 .counts
                 .iter()
-                .map(|&(param, value)| format!("{} = {value}", M::params()[param].name));
+                .map(|&(param, value)| format!("{} = {value}", model.params()[param].name));
             counts.collect::<Vec<_>>().join(", ")
         };
         let has_mesh = self.choices.meshes.len() > 1;
@@ -228,7 +228,7 @@ impl Advice<'_> {
     }
 
     /// What to write into the model for a setting, and how to try it; nothing where it is as declared.
-    fn changes<M: Model>(&self, setting: &Setting) -> Vec<String> {
+    fn changes(&self, model: &dyn AnyModel, setting: &Setting) -> Vec<String> {
         let declared = self.choices.as_declared();
         if *setting == declared {
             return Vec::new();
@@ -248,7 +248,7 @@ impl Advice<'_> {
         let counts = counts.filter(|(new, old)| new != old && self.choices.deforms(setting));
         let counts: Vec<_> = counts.map(|(new, _)| *new).collect();
         for &(param, value) in &counts {
-            parts.push(format!("`param {}: count = {value};`", M::params()[param].name));
+            parts.push(format!("`param {}: count = {value};`", model.params()[param].name));
         }
         if parts.is_empty() {
             return Vec::new();
@@ -257,7 +257,7 @@ impl Advice<'_> {
         words.extend(
             counts
                 .iter()
-                .map(|&(param, value)| format!("{}={value}", M::params()[param].name)),
+                .map(|&(param, value)| format!("{}={value}", model.params()[param].name)),
         );
         if !changed.is_empty() {
             let changed: Vec<_> = changed.iter().map(|(new, _)| (*new).clone()).collect();
@@ -271,7 +271,7 @@ impl Advice<'_> {
     }
 
     /// Why no rung suffices, and what to do.
-    fn nothing<M: Model>(&self) -> String {
+    fn nothing(&self, model: &dyn AnyModel) -> String {
         let (found, wanted) = (self.found, self.wanted);
         let Some(richest) = found.richest else {
             return "No rung of the ladder ran: the table says why.".into();
@@ -282,7 +282,7 @@ impl Advice<'_> {
         }
         let finer = |what: &str| match self.choices.meshes.last().map(|mesh| &mesh[..]) {
             Some([(param, value), ..]) => {
-                let param = M::params()[*param].name;
+                let param = model.params()[*param].name;
                 format!(
                     "{what} finer meshes, e.g. `{param}={value},{},{}`",
                     2.0 * value,
@@ -338,7 +338,7 @@ impl Advice<'_> {
     }
 
     /// The rungs as comma-separated text; errors are relative to the largest change of the output.
-    pub fn csv<M: Model>(&self) -> String {
+    pub fn csv(&self, model: &dyn AnyModel) -> String {
         let richest = self.found.richest.and_then(|richest| self.found.rungs[richest].trial());
         let columns = richest.map_or(&[][..], |trial| &trial.history.columns[..]);
         let mut text = "rung,fidelity,mesh,unknowns,steps,cpu_s,error,to_next,to_second,to_richest,suffices,named,as_declared,reason".to_string();
@@ -351,7 +351,7 @@ impl Advice<'_> {
             let (trial, estimate) = (rung.trial(), rung.estimate);
             let counts = rung.setting.counts.iter();
             let counts: Vec<String> = counts
-                .map(|&(p, value)| format!("{}={value}", M::params()[p].name))
+                .map(|&(p, value)| format!("{}={value}", model.params()[p].name))
                 .collect();
             let reason = match &rung.outcome {
                 Outcome::Impossible(reason) => reason.as_str(),
@@ -390,7 +390,7 @@ impl Advice<'_> {
     }
 
     /// The summary for the files.
-    pub fn summary<M: Model>(&self, model: &M) -> Summary {
+    pub fn summary(&self, model: &dyn AnyModel) -> Summary {
         let mut summary = summary::head(model, "advise");
         let reason = self.found.is_interrupted.then(|| "interrupted by the user".to_owned());
         summary::outcome(&mut summary, reason);
@@ -398,7 +398,7 @@ impl Advice<'_> {
         put(&mut summary, "wanted", json!(self.wanted));
         put(&mut summary, "time_error", json!(self.time_error));
         put(&mut summary, "remaining_error", json!(self.found.remaining));
-        put(&mut summary, "advice", json!(self.sentences::<M>()));
+        put(&mut summary, "advice", json!(self.sentences(model)));
         put(
             &mut summary,
             "named",
@@ -420,14 +420,14 @@ impl Advice<'_> {
         });
         put(&mut summary, "rungs", rungs.collect());
         summary::seconds(&mut summary, self.seconds);
-        put(&mut summary, "notes", summary::notes::<M>(&self.notes()));
+        put(&mut summary, "notes", summary::notes(model, &self.notes()));
         summary
     }
 
     /// Chart and table for the report.
-    pub fn page<M: Model>(&self) -> String {
+    pub fn page(&self, model: &dyn AnyModel) -> String {
         let mut page = String::new();
-        for line in self.sentences::<M>() {
+        for line in self.sentences(model) {
             let _ = writeln!(page, "<p>{}</p>", escape(&line));
         }
         let _ = write!(

@@ -9,7 +9,7 @@ use crate::app::parameters::short;
 use crate::app::progress::Bar;
 use crate::app::run::{RunResult, RunSettings, run_watched};
 use crate::app::run_error::{Incomplete, RunError};
-use crate::{Model, Options};
+use crate::{AnyModel, Options};
 
 /// Runs that take less than this altogether, s, are repeated, and the least time counts.
 const REPEATED: f64 = 0.3;
@@ -27,8 +27,8 @@ pub(super) enum Stop {
 }
 
 /// Runs settings of one model.
-pub(super) struct Work<'w, M> {
-    pub model: &'w M,
+pub(super) struct Work<'w> {
+    pub model: &'w dyn AnyModel,
     pub base: RunSettings,
     /// Processor time after which a run is ended, s.
     pub limit: f64,
@@ -40,7 +40,7 @@ pub(super) struct Work<'w, M> {
     pub warnings: Vec<String>,
 }
 
-impl<M: Model> Work<'_, M> {
+impl Work<'_> {
     /// Finds the tolerance with which the integration in time takes no more than its share of the wanted accuracy,
     /// with the model as declared: the tolerance and the error that it makes.
     ///
@@ -65,7 +65,7 @@ impl<M: Model> Work<'_, M> {
     }
 
     fn time_error(&self, fine: &RunResult, rough: &RunResult) -> f64 {
-        let (scales, chosen) = measure::<M>(&fine.history, self.outputs);
+        let (scales, chosen) = measure(self.model, &fine.history, self.outputs);
         let found = Found {
             scales,
             chosen,
@@ -117,7 +117,7 @@ impl<M: Model> Work<'_, M> {
     }
 
     fn run(&self, setting: &Setting, rtol: f64) -> Result<RunResult, Stop> {
-        let mut model = self.model.clone();
+        let mut model = self.model.boxed();
         for &(param, value) in &setting.counts {
             model.set(param, value);
         }
@@ -131,7 +131,7 @@ impl<M: Model> Work<'_, M> {
         };
         let clock = Clock::start();
         let mut is_too_long = false;
-        let outcome = run_watched(&model, &settings, |_| {
+        let outcome = run_watched(model.as_ref(), &settings, |_| {
             is_too_long = clock.seconds().cpu > self.limit;
             if is_too_long || (self.interrupted)() {
                 ControlFlow::Break(())

@@ -1,6 +1,6 @@
 //! How far outputs are from a reference (THEORY 10, metric i): largest and rms difference over the rows of the history.
 
-use crate::Model;
+use crate::AnyModel;
 use crate::app::history::History;
 
 /// Difference of one column from that of a reference, in the SI unit of the output.
@@ -32,14 +32,14 @@ pub(in crate::app) fn errors(history: &History, reference: &History) -> Vec<Colu
 
 /// For each column the largest |value - first value| of its output, SI, by which errors are divided. The components of
 /// a vector share theirs: what hardly moves along one axis is measured by the motion along the others.
-pub(in crate::app) fn scales<M: Model>(reference: &History) -> Vec<f64> {
+pub(in crate::app) fn scales(model: &dyn AnyModel, reference: &History) -> Vec<f64> {
     let change = |index: usize| {
         let mut column = reference.column(index);
         let first = column.next().unwrap_or(0.0);
         column.fold(0.0_f64, |largest, value| largest.max((value - first).abs()))
     };
     let mut scales = Vec::with_capacity(reference.columns.len());
-    for output in M::outputs() {
+    for output in model.outputs() {
         let count = output.components.len().max(1);
         let columns = scales.len()..scales.len() + count;
         let largest = columns.map(change).fold(0.0, f64::max);
@@ -61,7 +61,7 @@ mod tests {
     use crate::app::testing::Rotor;
 
     fn history(rows: &[[f64; 3]]) -> History {
-        let mut history = History::new::<Rotor>(Column::time());
+        let mut history = History::new(&Rotor::default(), Column::time());
         for (index, row) in rows.iter().enumerate() {
             history.push(index as f64, row).unwrap();
         }
@@ -78,7 +78,7 @@ mod tests {
             assert!((error.max - max).abs() < 1e-15, "{error:?}");
             assert!((error.rms - sum / 3f64.sqrt()).abs() < 1e-15, "{error:?}");
         }
-        let scales = scales::<Rotor>(&reference);
+        let scales = scales(&Rotor::default(), &reference);
         assert_eq!(scales, [4.0, 4.0, 1.0]);
         assert!((worst(&found, &scales, &[0, 1]) - 0.1).abs() < 1e-15);
         assert!((worst(&found, &scales, &[0, 2]) - 0.3).abs() < 1e-15);

@@ -5,7 +5,7 @@ use clap::{Arg, ArgAction, ArgMatches};
 use crate::app::arguments::text;
 use crate::app::nearest::nearest;
 use crate::app::parameters::{short, time};
-use crate::{Formulation, Method, Model, Output};
+use crate::{AnyModel, Formulation, Method, Output};
 
 /// Tolerances, loosest first, where none are given.
 const RTOLS: &str = "1e-3..1e-9";
@@ -197,11 +197,11 @@ pub(in crate::app) fn fresh(matches: &ArgMatches) -> bool {
 ///
 /// # Errors
 /// The name and what would be right.
-pub(in crate::app) fn outputs<M: Model>(matches: &ArgMatches) -> Result<Option<Vec<usize>>, String> {
+pub(in crate::app) fn outputs(model: &dyn AnyModel, matches: &ArgMatches) -> Result<Option<Vec<usize>>, String> {
     let Some(given) = text(matches, "outputs") else {
         return Ok(None);
     };
-    let names = column_names(M::outputs());
+    let names = column_names(model.outputs());
     let mut columns = Vec::new();
     for word in given.split(',').map(str::trim) {
         let before = columns.len();

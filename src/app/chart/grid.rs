@@ -5,7 +5,7 @@ use super::flags::method_name;
 use crate::app::hash::hash;
 use crate::app::parameters::{List, short};
 use crate::app::run::RunSettings;
-use crate::{Formulation, Method, Model, Options, ParamKind};
+use crate::{AnyModel, Formulation, Method, Options, ParamKind};
 
 /// All that is compared.
 #[derive(Clone, Debug)]
@@ -69,8 +69,8 @@ impl Grid {
     }
 
     /// The model on a mesh.
-    pub fn model<M: Model>(&self, model: &M, mesh: usize) -> M {
-        let mut model = model.clone();
+    pub fn model(&self, model: &dyn AnyModel, mesh: usize) -> Box<dyn AnyModel> {
+        let mut model = model.boxed();
         for &(param, value) in &self.meshes[mesh].counts {
             model.set(param, value);
         }
@@ -92,13 +92,15 @@ impl Grid {
 
     /// Number that stands for the problem and the settings of a run: the text of the model, all parameters, the times and
     /// options, the version of this crate.
-    pub fn identity<M: Model>(&self, model: &M, setting: &Setting) -> u64 {
+    pub fn identity(&self, model: &dyn AnyModel, setting: &Setting) -> u64 {
         let model = self.model(model, setting.mesh);
-        let params: Vec<u64> = (0..M::params().len()).map(|index| model.get(index).to_bits()).collect();
+        let params: Vec<u64> = (0..model.params().len())
+            .map(|index| model.get(index).to_bits())
+            .collect();
         let version = env!("CARGO_PKG_VERSION");
         hash(&format!(
             "{version}\n{}\n{params:?}\n{:?}",
-            M::SOURCE,
+            model.source(),
             self.run(setting)
         ))
     }
@@ -124,13 +126,13 @@ impl Grid {
 ///
 /// # Errors
 /// A list of something that is no count: its values make different problems, not meshes of one.
-pub(super) fn meshes<M: Model>(lists: &[List]) -> Result<Vec<Mesh>, String> {
+pub(super) fn meshes(model: &dyn AnyModel, lists: &[List]) -> Result<Vec<Mesh>, String> {
     let mut meshes = vec![Mesh {
         counts: Vec::new(),
         name: String::new(),
     }];
     for list in lists {
-        let param = &M::params()[list.param];
+        let param = &model.params()[list.param];
         if param.kind != ParamKind::Count {
             return Err(format!(
                 "`{}` is given as a list, but a chart is of one problem on several meshes, and lists are of counts: give one value, and another `--out` for each of them",
@@ -168,7 +170,7 @@ mod tests {
     #[test]
     fn lists_of_counts_make_meshes_and_others_are_refused_by_name() {
         let names = |lists: &[List]| {
-            meshes::<Rotor>(lists).map(|all| all.into_iter().map(|mesh| mesh.name).collect::<Vec<_>>())
+            meshes(&Rotor::default(), lists).map(|all| all.into_iter().map(|mesh| mesh.name).collect::<Vec<_>>())
         };
         assert_eq!(names(&[]).unwrap(), [""]);
         assert_eq!(names(&[list(1, &[8.0, 4.0])]).unwrap(), ["coils=4", "coils=8"]);
@@ -181,7 +183,7 @@ mod tests {
         let rotor = Rotor::default();
         let mut grid = Grid {
             formulations: vec![Formulation::Rncf, Formulation::Ancf],
-            meshes: meshes::<Rotor>(&[list(1, &[2.0, 4.0])]).unwrap(),
+            meshes: meshes(&Rotor::default(), &[list(1, &[2.0, 4.0])]).unwrap(),
             methods: vec![Method::Radau, Method::Hht { alpha: -0.05 }],
             rtols: vec![1e-3, 1e-4],
             base: RunSettings::default(),

@@ -8,7 +8,7 @@ use super::reference::References;
 use super::select::{cheapest, cost_at};
 use super::table::{Outcome, Point};
 use crate::app::parameters::digits;
-use crate::{Formulation, Method, Model};
+use crate::{AnyModel, Formulation, Method};
 
 /// Errors below so many times the reference's own uncertainty are not known well enough.
 const MARGIN: f64 = 3.0;
@@ -35,9 +35,9 @@ impl Measure {
     ///
     /// # Errors
     /// A column that was asked for and does not change; or none does.
-    pub fn new<M: Model>(references: &References, asked: Option<&[usize]>) -> Result<Self, String> {
+    pub fn new(model: &dyn AnyModel, references: &References, asked: Option<&[usize]>) -> Result<Self, String> {
         let exact = &references.exact;
-        let scales = scales::<M>(exact);
+        let scales = scales(model, exact);
         let is_still = |&index: &usize| {
             let size = exact.column(index).fold(0.0_f64, |size, value| size.max(value.abs()));
             let unknown = references.uncertainty.as_ref().map_or(0.0, |errors| errors[index].max);

@@ -34,7 +34,7 @@ use super::parameters::in_unit;
 use super::progress::Bar;
 use super::run::complete;
 use super::{files, report, summary};
-use crate::{Formulation, Method, Model};
+use crate::{AnyModel, Formulation, Method};
 
 /// What is compared and against what.
 #[derive(Clone, Debug, Default)]
@@ -65,14 +65,14 @@ pub(super) fn flags() -> Vec<Arg> {
 ///
 /// # Errors
 /// The flag and what would be right.
-pub(super) fn settings<M: Model>(matches: &ArgMatches) -> Result<ChartSettings, String> {
+pub(super) fn settings(model: &dyn AnyModel, matches: &ArgMatches) -> Result<ChartSettings, String> {
     Ok(ChartSettings {
         formulations: flags::formulations(matches)?,
         methods: flags::integrators(matches)?,
         rtols: flags::rtols(matches)?,
         reference: text(matches, "reference").map(PathBuf::from),
         beside: text(matches, "beside").map(PathBuf::from),
-        outputs: flags::outputs::<M>(matches)?,
+        outputs: flags::outputs(model, matches)?,
         wanted: flags::wanted(matches)?,
         limit: flags::limit(matches)?,
         is_fresh: flags::fresh(matches),
@@ -86,8 +86,8 @@ const AGAIN: &str = "interrupted by the user; the same command again goes on fro
 /// # Errors
 /// With its exit code: a mistake in flags, parameters or files; no reference; a file that cannot be written; Ctrl-C, where
 /// all that is known is written.
-pub(super) fn execute<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
-    let (settings, model, out) = (&arguments.chart, &arguments.model, &arguments.out);
+pub(super) fn execute(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
+    let (settings, model, out) = (&arguments.chart, arguments.model(), &arguments.out);
     let (grid, refused) = grid_of(arguments)?;
     if settings.is_fresh {
         begin_anew(out)?;
@@ -108,7 +108,7 @@ pub(super) fn execute<M: Model>(arguments: &Arguments<M>, interrupted: impl Fn()
             Unreferenced::Failed(text) => Failure::new(FAILURE, text),
         }
     })?;
-    let measure = Measure::new::<M>(&references, settings.outputs.as_deref()).map_err(mistake)?;
+    let measure = Measure::new(model, &references, settings.outputs.as_deref()).map_err(mistake)?;
     let peers = match &settings.beside {
         None => Vec::new(),
         Some(path) => {
@@ -150,19 +150,19 @@ fn mistake(text: String) -> Failure {
 }
 
 /// The grid of what the model can be built in, and a note for each formulation that it cannot.
-fn grid_of<M: Model>(arguments: &Arguments<M>) -> Result<(Grid, Vec<String>), Failure> {
+fn grid_of(arguments: &Arguments) -> Result<(Grid, Vec<String>), Failure> {
     let settings = &arguments.chart;
     let mut grid = Grid {
         formulations: settings.formulations.clone(),
-        meshes: meshes::<M>(&arguments.lists).map_err(mistake)?,
+        meshes: meshes(arguments.model(), &arguments.lists).map_err(mistake)?,
         methods: settings.methods.clone(),
         rtols: settings.rtols.clone(),
-        base: complete(&arguments.settings, arguments.model.run()).map_err(|error| Failure::from(&error))?,
+        base: complete(&arguments.settings, arguments.model().run()).map_err(|error| Failure::from(&error))?,
     };
     let mut refused = Vec::new();
     for &formulation in &settings.formulations {
         let refusal = (0..grid.meshes.len()).find_map(|mesh| {
-            let model = grid.model(&arguments.model, mesh);
+            let model = grid.model(arguments.model(), mesh);
             model.build(formulation, grid.base.joints).err()
         });
         if let Some(refusal) = refusal {
@@ -177,10 +177,10 @@ fn grid_of<M: Model>(arguments: &Arguments<M>) -> Result<(Grid, Vec<String>), Fa
 }
 
 /// The model with the parameters that are neither the default ones nor tried in several values.
-fn title<M: Model>(model: &M, grid: &Grid) -> String {
+fn title(model: &dyn AnyModel, grid: &Grid) -> String {
     let counts = &grid.meshes[0].counts;
-    let mut title = M::NAME.to_owned();
-    for (index, param) in M::params().iter().enumerate() {
+    let mut title = model.name().to_owned();
+    for (index, param) in model.params().iter().enumerate() {
         let value = model.get(index);
         if value != param.default && counts.iter().all(|count| count.0 != index) {
             title += &format!(", {} = {}", param.name, in_unit(param, value));
@@ -214,24 +214,24 @@ fn begin_anew(out: &std::path::Path) -> Result<(), Failure> {
 }
 
 /// Writes the charts, the summary and the report; what to say.
-fn write<M: Model>(
-    arguments: &Arguments<M>,
+fn write(
+    arguments: &Arguments,
     judged: &Judged<'_>,
     is_interrupted: bool,
     refused: &[String],
 ) -> Result<String, String> {
     let notes = outcome::notes(judged, refused);
     let reason = is_interrupted.then(|| AGAIN.to_owned());
-    let mut summary = outcome::summary(&arguments.model, judged, reason, &notes);
+    let mut summary = outcome::summary(arguments.model(), judged, reason, &notes);
     summary::command_line(&mut summary, &arguments.line);
-    let page = report::page(&arguments.model, "chart", &summary, &outcome::part(judged));
+    let page = report::page(arguments.model(), "chart", &summary, &outcome::part(judged));
     let contents = [
         ("chart_time.svg", time_chart(judged).to_svg(true)),
         ("chart_work.svg", work_chart(judged).to_svg(true)),
         ("summary.json", summary::to_text(&summary)),
         ("report.html", page),
     ];
-    let mut text = format!("{}: {}\n", M::NAME, outcome::what(judged));
+    let mut text = format!("{}: {}\n", arguments.model().name(), outcome::what(judged));
     for line in judged.lines() {
         text += &format!("  {line}\n");
     }

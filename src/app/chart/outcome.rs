@@ -13,10 +13,10 @@ use crate::app::parameters::digits;
 use crate::app::report::escape;
 use crate::app::run::times;
 use crate::app::summary::{self, Summary};
-use crate::{Model, ParamKind};
+use crate::{AnyModel, ParamKind};
 
 /// The summary; `reason` says why it is not complete.
-pub(super) fn summary<M: Model>(model: &M, judged: &Judged<'_>, reason: Option<String>, notes: &[String]) -> Summary {
+pub(super) fn summary(model: &dyn AnyModel, judged: &Judged<'_>, reason: Option<String>, notes: &[String]) -> Summary {
     let mut summary = summary::head(model, "chart");
     summary::outcome(&mut summary, reason);
     let grid = judged.grid;
@@ -32,9 +32,9 @@ pub(super) fn summary<M: Model>(model: &M, judged: &Judged<'_>, reason: Option<S
                 .collect();
             values.sort_by(f64::total_cmp);
             values.dedup();
-            debug_assert!(M::params()[param].kind == ParamKind::Count);
+            debug_assert!(model.params()[param].kind == ParamKind::Count);
             let values: Vec<u64> = values.into_iter().map(|value| value as u64).collect();
-            parameters.insert(M::params()[param].name.into(), json!(values));
+            parameters.insert(model.params()[param].name.into(), json!(values));
         }
     }
     let (t_end, every) = times(&grid.base);
@@ -64,7 +64,7 @@ pub(super) fn summary<M: Model>(model: &M, judged: &Judged<'_>, reason: Option<S
         ),
         ("cheapest", cheapest.collect()),
         ("times", times.collect()),
-        ("notes", summary::notes::<M>(notes)),
+        ("notes", summary::notes(model, notes)),
     ];
     for (key, value) in entries {
         summary::put(&mut summary, key, value);

@@ -7,7 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::Model;
+use crate::AnyModel;
 use crate::app::clock::{Clock, thread_cpu_time};
 use crate::app::run::{RunResult, RunSettings, run_watched};
 use crate::app::run_error::{Incomplete, RunError};
@@ -27,7 +27,7 @@ pub(super) enum Ended {
 }
 
 /// Runs a model; `limit` in processor seconds of this thread.
-pub(super) fn solve<M: Model>(model: &M, settings: &RunSettings, limit: f64, stop: &AtomicBool) -> Ended {
+pub(super) fn solve(model: &dyn AnyModel, settings: &RunSettings, limit: f64, stop: &AtomicBool) -> Ended {
     if stop.load(Ordering::Relaxed) {
         return Ended::Interrupted;
     }

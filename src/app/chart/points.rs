@@ -8,7 +8,7 @@ use super::grid::{Grid, Setting};
 use super::parallel::{Ended, on_all_cores, solve};
 use super::reference::References;
 use super::table::{Counts, Outcome, Point, Table};
-use crate::Model;
+use crate::AnyModel;
 use crate::app::hash::hash;
 use crate::app::run::{RunSettings, run_watched};
 use crate::app::run_error::{Incomplete, RunError};
@@ -29,7 +29,7 @@ pub(super) struct Points {
 pub(super) type Told<'t> = &'t mut dyn FnMut(&str, usize, usize);
 
 /// Key of every setting: stands for the problem, the settings and the references.
-pub(super) fn keys<M: Model>(grid: &Grid, model: &M, references: &References) -> Vec<(Setting, u64)> {
+pub(super) fn keys(grid: &Grid, model: &dyn AnyModel, references: &References) -> Vec<(Setting, u64)> {
     let key = |setting: &Setting| {
         let identity = grid.identity(model, setting);
         hash(&format!("{identity:016x}{:016x}", references.key))
@@ -44,8 +44,8 @@ pub(super) fn keys<M: Model>(grid: &Grid, model: &M, references: &References) ->
 ///
 /// # Errors
 /// The table cannot be read or written.
-pub(super) fn find<M: Model>(
-    (grid, model): (&Grid, &M),
+pub(super) fn find(
+    (grid, model): (&Grid, &dyn AnyModel),
     references: &References,
     table: &Table,
     limit: f64,
@@ -77,8 +77,8 @@ pub(super) fn find<M: Model>(
     Ok(points)
 }
 
-fn measure_errors<M: Model>(
-    (grid, model): (&Grid, &M),
+fn measure_errors(
+    (grid, model): (&Grid, &dyn AnyModel),
     references: &References,
     keys: &[(Setting, u64)],
     (table, limit): (&Table, f64),
@@ -103,7 +103,12 @@ fn measure_errors<M: Model>(
     let (mut number, count) = (known.len(), keys.len());
     let work = |&index: &usize, stop: &_| {
         let setting = &keys[index].0;
-        match solve(&grid.model(model, setting.mesh), &grid.run(setting), limit, stop) {
+        match solve(
+            grid.model(model, setting.mesh).as_ref(),
+            &grid.run(setting),
+            limit,
+            stop,
+        ) {
             Ended::Complete(result) => Some(Point {
                 unknowns: result.unknowns as u64,
                 constraints: result.constraints as u64,
@@ -144,8 +149,8 @@ fn empty((setting, key): (Setting, u64), outcome: Outcome) -> Point {
 
 /// Times, one run after the other, with nothing else going on in this process: the least of several repetitions, taken in
 /// turns, so that a disturbance does not meet all repetitions of one point. Whether it was interrupted.
-fn measure_times<M: Model>(
-    (grid, model): (&Grid, &M),
+fn measure_times(
+    (grid, model): (&Grid, &dyn AnyModel),
     found: &mut [Option<Point>],
     table: &Table,
     interrupted: impl Fn() -> bool,
@@ -172,7 +177,7 @@ fn measure_times<M: Model>(
                     ControlFlow::Continue(())
                 }
             };
-            match run_watched(&grid.model(model, point.setting.mesh), &settings, watch) {
+            match run_watched(grid.model(model, point.setting.mesh).as_ref(), &settings, watch) {
                 Ok(result) => spent.add(result.seconds.cpu),
                 Err(RunError::Incomplete(result)) if result.incomplete == Some(Incomplete::Interrupted) => {
                     return Ok(true);

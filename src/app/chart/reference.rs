@@ -10,7 +10,7 @@ use crate::app::files;
 use crate::app::hash::hash;
 use crate::app::history::{Column, History};
 use crate::app::run::times;
-use crate::{Method, Model};
+use crate::{AnyModel, Method};
 
 /// Folder of the converged runs, in that of the chart.
 pub(super) const FOLDER: &str = "reference";
@@ -52,9 +52,9 @@ struct Asked {
 }
 
 /// Finds converged runs: in files of earlier calls, or by running them.
-struct Finder<'f, M> {
+struct Finder<'f> {
     grid: &'f Grid,
-    model: &'f M,
+    model: &'f dyn AnyModel,
     /// Where they are kept.
     folder: PathBuf,
     /// Processor time of a run, s.
@@ -67,9 +67,9 @@ struct Finder<'f, M> {
 ///
 /// # Errors
 /// [`Unreferenced`].
-pub(super) fn references<M: Model>(
+pub(super) fn references(
     grid: &Grid,
-    model: &M,
+    model: &dyn AnyModel,
     (folder, file): (&Path, Option<&Path>),
     limit: f64,
     interrupted: impl Fn() -> bool,
@@ -77,7 +77,7 @@ pub(super) fn references<M: Model>(
 ) -> Result<References, Unreferenced> {
     let folder = folder.join(FOLDER);
     files::create_folder(&folder)?;
-    let given = file.map(|path| read::<M>(grid, path).map(|history| (history, path)));
+    let given = file.map(|path| read(model, grid, path).map(|history| (history, path)));
     let given = given.transpose()?;
     let finder = Finder {
         grid,
@@ -136,7 +136,7 @@ fn converged(grid: &Grid, mesh: usize, decades: i32) -> Setting {
     }
 }
 
-impl<M: Model> Finder<'_, M> {
+impl Finder<'_> {
     fn find(
         &self,
         wanted: Vec<Setting>,
@@ -145,7 +145,7 @@ impl<M: Model> Finder<'_, M> {
     ) -> Result<Vec<Asked>, Unreferenced> {
         let (mut all, mut tasks) = (Vec::new(), Vec::new());
         for setting in wanted {
-            match read::<M>(self.grid, &self.folder.join(self.file(&setting))) {
+            match read(self.model, self.grid, &self.folder.join(self.file(&setting))) {
                 Ok(history) => all.push(Asked {
                     setting,
                     found: Ok(history),
@@ -156,7 +156,7 @@ impl<M: Model> Finder<'_, M> {
         let (count, mut number, mut is_interrupted) = (tasks.len(), 0, false);
         let work = |setting: &Setting, stop: &_| {
             let model = self.grid.model(self.model, setting.mesh);
-            solve(&model, &self.grid.run(setting), self.limit, stop)
+            solve(model.as_ref(), &self.grid.run(setting), self.limit, stop)
         };
         on_all_cores(tasks, interrupted, work, |setting, ended| {
             number += 1;
@@ -221,10 +221,10 @@ fn best_two(grid: &Grid, asked: Vec<Asked>) -> Result<(Converged, Converged), St
 ///
 /// # Errors
 /// The path, and the column, row or number that is missing or wrong.
-fn read<M: Model>(grid: &Grid, path: &Path) -> Result<History, String> {
+fn read(model: &dyn AnyModel, grid: &Grid, path: &Path) -> Result<History, String> {
     let name = path.display();
     let text = fs::read_to_string(path).map_err(|error| format!("cannot read {name}: {error}"))?;
-    let mut history = History::new::<M>(Column::time());
+    let mut history = History::new(model, Column::time());
     let mut lines = text.lines();
     let heads: Vec<&str> = lines.next().unwrap_or("").split(',').map(str::trim).collect();
     let place = |head: String| {
@@ -267,7 +267,7 @@ mod tests {
     fn grid() -> Grid {
         Grid {
             formulations: vec![crate::Formulation::Rncf],
-            meshes: meshes::<Rotor>(&[]).unwrap(),
+            meshes: meshes(&Rotor::default(), &[]).unwrap(),
             methods: vec![Method::Radau],
             rtols: vec![1e-3, 1e-6],
             base: RunSettings {
@@ -347,7 +347,7 @@ mod tests {
         );
         let refusal = |name: &str, text: &str| {
             files::write(&folder, name, text).unwrap();
-            read::<Rotor>(&grid, &folder.join(name)).unwrap_err()
+            read(&Rotor::default(), &grid, &folder.join(name)).unwrap_err()
         };
         let text = finer.to_csv();
         let cases = [
@@ -372,7 +372,7 @@ mod tests {
             assert!(refusal.contains(expected), "{refusal}");
         }
         assert!(
-            read::<Rotor>(&grid, &folder.join("none.csv"))
+            read(&Rotor::default(), &grid, &folder.join("none.csv"))
                 .unwrap_err()
                 .starts_with("cannot read ")
         );

@@ -21,7 +21,7 @@ fn command(out: &Path, words: &[&str], interrupted: impl Fn() -> bool) -> Result
         out: PathBuf::new(),
     };
     let words = words.iter().map(OsString::from);
-    match parse::<Rotor>(&program, words.chain(["--out".into(), out.into()])) {
+    match parse(&Rotor::default(), &program, words.chain(["--out".into(), out.into()])) {
         Ok(arguments) => execute(&arguments, interrupted),
         Err(Refusal::Mistake(text) | Refusal::Help(text)) => Err(Failure::new(MISTAKE, text)),
     }
