@@ -3,6 +3,8 @@
 // Models from one template do not use all of its params.
 #![allow(deprecated)]
 
+mod unfolded;
+
 use rncf::prelude::*;
 use rncf::system::State;
 

@@ -99,6 +99,8 @@ impl Mistake {
 pub struct Errors {
     mistakes: Vec<Mistake>,
     asked: bool,
+    /// Whether of several at one place the first is enough.
+    once: bool,
 }
 
 impl Errors {
@@ -127,16 +129,34 @@ impl Errors {
         self.mistakes.len()
     }
 
+    /// Items stand there more than once: of mistakes at one place in the text the first is enough.
+    pub fn at_each_place_once(&mut self) {
+        self.once = true;
+    }
+
     /// All mistakes in the order in which they were found.
     pub fn finish(mut self) -> Vec<Mistake> {
         self.asked = true;
-        std::mem::take(&mut self.mistakes)
+        let mistakes = std::mem::take(&mut self.mistakes);
+        if self.once {
+            at_each_place_once(mistakes)
+        } else {
+            mistakes
+        }
     }
 
     /// One `compile_error!` per mistake; nothing where there is none.
     pub fn into_tokens(self) -> TokenStream {
         self.finish().iter().map(Mistake::to_tokens).collect()
     }
+}
+
+/// The first mistake at each place in the text.
+pub fn at_each_place_once(mut mistakes: Vec<Mistake>) -> Vec<Mistake> {
+    let mut places = std::collections::HashSet::new();
+    // A span has no equality, but its bytes in the text are shown.
+    mistakes.retain(|mistake| places.insert(format!("{:?} {:?}", mistake.area.start, mistake.area.end)));
+    mistakes
 }
 
 impl Drop for Errors {

@@ -10,14 +10,15 @@ use crate::check::influence::influence;
 use crate::elements::Library;
 use crate::errors::{Errors, Mistake};
 use crate::model::Model;
-use crate::{check, emit, parse, stub};
+use crate::parse::tree::Tree;
+use crate::{check, emit, parse, stub, unfold};
 
 /// Expands a declaration with the standard elements. Mistakes become `compile_error!`s where they
 /// were made, beside a stand-in for the struct that keeps the rest of the crate free of them. What has no influence
 /// becomes a warning.
 pub fn expand(tokens: TokenStream) -> TokenStream {
     let mut errors = Errors::new();
-    let tree = parse::parse(tokens, &mut errors);
+    let tree = read(tokens, None, &mut errors);
     let model = tree
         .as_ref()
         .and_then(|tree| check::check(tree, &Library::standard(), &mut errors));
@@ -57,6 +58,15 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     }
 }
 
+/// The syntax tree, with a folder for files of tables instead of that of the crate that is built.
+fn read(tokens: TokenStream, folder: Option<&Path>, errors: &mut Errors) -> Option<Tree> {
+    let mut tree = parse::parse(tokens, errors)?;
+    if let Some(folder) = folder {
+        tree.folder = folder.into();
+    }
+    Some(unfold::unfold(tree, errors))
+}
+
 fn name_taken(name: &str) -> String {
     format!("`{name}` is the name of something that is written for this model: choose another name")
 }
@@ -87,10 +97,7 @@ pub fn text(tokens: TokenStream, library: &Library) -> Result<String, Vec<Mistak
 /// All mistakes of the declaration.
 pub fn text_beside(tokens: TokenStream, library: &Library, folder: Option<&Path>) -> Result<String, Vec<Mistake>> {
     let mut errors = Errors::new();
-    let mut tree = parse::parse(tokens, &mut errors);
-    if let (Some(tree), Some(folder)) = (&mut tree, folder) {
-        tree.folder = folder.into();
-    }
+    let tree = read(tokens, folder, &mut errors);
     let model = tree.as_ref().and_then(|tree| check::check(tree, library, &mut errors));
     let mistakes = errors.finish();
     match model {
@@ -103,7 +110,7 @@ pub fn text_beside(tokens: TokenStream, library: &Library, folder: Option<&Path>
 /// mistakes.
 pub fn warnings(tokens: TokenStream, library: &Library) -> Vec<Mistake> {
     let mut errors = Errors::new();
-    let tree = parse::parse(tokens, &mut errors);
+    let tree = read(tokens, None, &mut errors);
     let model = tree.as_ref().and_then(|tree| check::check(tree, library, &mut errors));
     let is_right = errors.finish().is_empty();
     match (tree, model) {
@@ -122,7 +129,7 @@ pub fn format(text: &str) -> String {
     prettyplease::unparse(&file)
 }
 
-fn names(tree: &parse::tree::Tree) -> HashMap<String, Span> {
+fn names(tree: &Tree) -> HashMap<String, Span> {
     let spans = Spans::of(tree);
     let mut names = HashMap::from([(tree.name.text.clone(), spans.name)]);
     let params = tree

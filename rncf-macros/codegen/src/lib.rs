@@ -3,6 +3,7 @@
 //! | phase | input | output |
 //! |---|---|---|
 //! | [`parse`] | tokens | syntax tree with spans |
+//! | [`unfold`] | syntax tree | syntax tree without parts, and without loops whose number is known |
 //! | [`check`] | syntax tree | [`model::Model`]: names resolved, SI, counted |
 //! | [`tensors`] | element declaration | exact constant tensors |
 //! | [`symbolic`] | energies, constraints, motions | expression graph and its derivatives |
@@ -26,5 +27,6 @@ pub mod stub;
 mod suggest;
 pub mod symbolic;
 pub mod tensors;
+pub mod unfold;
 pub mod units;
 pub mod vocabulary;

@@ -10,6 +10,8 @@ macro_rules! messages {
 }
 
 messages! {
+    index_outside(name) = "`{name}` is the index of a loop and known between its braces only";
+    duplicate(name, kind, line) = "`{name}` is already declared as `{kind}` in line {line}";
     not_ascii(text, plain) = "`{text}` is not ASCII: write `{plain}`";
     not_a_number(text) = "`{text}` is not a decimal number: write e.g. `8`, `0.5` or `1e-5`";
 }

@@ -39,6 +39,14 @@ index!(/** Index into the element library's elements. */ ElementId);
 /// The inertial frame, always first.
 pub const INERTIAL: FrameId = FrameId(0);
 
+/// A name as it stands in identifiers of generated code: `blade[1].rod` as `blade_1_rod`.
+pub fn identifier(name: &str) -> String {
+    name.replace("].", "_")
+        .replace(['[', '.'], "_")
+        .replace("]_", "_")
+        .replace(']', "")
+}
+
 /// A whole model.
 #[derive(Clone, Debug, Default)]
 pub struct Model {
@@ -229,6 +237,13 @@ pub struct Body {
     pub tie: FrameTie,
     /// Where and how fast it starts.
     pub initial: Initial,
+}
+
+impl Body {
+    /// Its name in identifiers of generated code.
+    pub fn identifier(&self) -> String {
+        identifier(&self.name)
+    }
 }
 
 /// What of a body its free frame follows.

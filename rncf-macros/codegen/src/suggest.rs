@@ -1,5 +1,8 @@
 //! 'Did you mean': the nearest valid word, or the list of all of them.
 
+/// Most valid words that are listed.
+const MOST_LISTED: usize = 40;
+
 /// "unknown kind `word`", with the nearest valid word, or with all of them.
 pub fn unknown<'a>(kind: &str, word: &str, valid: impl IntoIterator<Item = &'a str>) -> String {
     let valid: Vec<&str> = valid.into_iter().collect();
@@ -11,6 +14,7 @@ pub fn unknown<'a>(kind: &str, word: &str, valid: impl IntoIterator<Item = &'a s
     match nearest(word, &valid) {
         Some(near) => format!("{head}: did you mean `{near}`?"),
         None if valid.is_empty() => format!("{head}: the model declares none"),
+        None if valid.len() > MOST_LISTED => format!("{head}: use {}, ..", list(&valid[..MOST_LISTED])),
         None => format!("{head}: use {}", list(&valid)),
     }
 }

@@ -31,10 +31,21 @@ const WORDS: &[&str] = &[
     "linear", "law", "torsional", "torsional_law", "stiffness", "rate", "follower", "dot", "norm",
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "min", "max",
     "atan2", "for", "share", "merge", "sum", "mean", "spinning", "slack", "true", "false",
+    "component", "part", "number", "vector", "place",
 ];
 
 /// Items that end with their braces; all others, and sections with a `=`, end with a semicolon.
-const BRACED: &[&str] = &["material", "table", "section", "body", "rigid", "fixture", "run", "for"];
+const BRACED: &[&str] = &[
+    "material",
+    "table",
+    "section",
+    "body",
+    "rigid",
+    "fixture",
+    "run",
+    "for",
+    "component",
+];
 
 fn document(path: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);

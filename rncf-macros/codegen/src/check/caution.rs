@@ -57,7 +57,13 @@ impl<'a> Check<'a> {
         let found = self.model.outputs.iter().position(|output| output.name == name.text);
         if found.is_none() {
             let known = self.known(&[Keyword::Output]);
-            if !known.contains(&name.text.as_str()) && !self.tree.lost.contains(&name.text) {
+            if !known.contains(&name.text.as_str())
+                && !self
+                    .tree
+                    .lost
+                    .iter()
+                    .any(|lost| lost == name.word() || *lost == name.text)
+            {
                 self.errors.at(name.span, suggest::unknown("output", &name.text, known));
             }
         }

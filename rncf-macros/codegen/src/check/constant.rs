@@ -1,10 +1,14 @@
 //! Constants, and quantities that are derived from params.
 
 use super::expr::Scope;
-use super::quantity::Typed;
+use super::quantity::{Typed, Wanted, bare_literal};
 use super::{Check, fold, say};
 use crate::model::Expr as Value;
-use crate::parse::tree::{Expr, Item, ItemKind, Keyword, Name};
+use crate::parse::tree::{Expr, Given, Item, ItemKind, Keyword, Name, ParameterKind};
+use crate::units::Dimension;
+
+/// What a component is told, in a sentence.
+const TOLD: &str = "this";
 
 impl<'a> Check<'a> {
     /// Value of a constant, computed at its first use.
@@ -63,6 +67,37 @@ impl<'a> Check<'a> {
                 None
             }
         }
+    }
+
+    /// Checks what parts were told: it is what their components take.
+    pub(super) fn given(&mut self) {
+        for given in &self.tree.given {
+            if self.is_as_wanted(given).is_none() {
+                // It is told once, and not where it is used.
+                self.values.insert(given.name.as_str(), None);
+            }
+        }
+    }
+
+    fn is_as_wanted(&mut self, Given { kind, value, .. }: &'a Given) -> Option<()> {
+        let dimension = match kind {
+            ParameterKind::Angle => return self.angle(value, Scope::Parameter, TOLD).map(|_| ()),
+            ParameterKind::Number => [0; 6],
+            ParameterKind::Quantity(unit) => {
+                let compound = self.unit(unit)?;
+                if let Some(text) = bare_literal(value).filter(|_| !Dimension::of(compound.dimension).is_none()) {
+                    let kind = Dimension::of(compound.dimension).describe(compound.dimension[5] != 0);
+                    let message = say::no_unit(TOLD, &kind, &text, &unit.text);
+                    self.errors.at(value.area, message);
+                    return None;
+                }
+                compound.dimension
+            }
+            _ => return Some(()),
+        };
+        let (what, unit) = (TOLD, "1");
+        let wanted = Wanted { what, dimension, unit };
+        self.quantity(value, Scope::Parameter, wanted).map(|_| ())
     }
 
     /// Checks constants that nothing uses.

@@ -140,6 +140,9 @@ impl<'a> Check<'a> {
                 self.lone_indexed(base, index);
                 None
             }
+            ExprKind::Index(number) => Some(Typed::new(model::Expr::Number(*number as f64), Dimension::NONE)),
+            // What is left of these has been reported.
+            ExprKind::Numbered { .. } | ExprKind::Applied { .. } => None,
             ExprKind::If(inner) => self.conditional(inner, scope),
             ExprKind::Vector { .. } => {
                 self.errors.at(expr.area, say::VECTOR_IN_EXPRESSION);

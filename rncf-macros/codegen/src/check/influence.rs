@@ -24,12 +24,15 @@ pub fn influence(tree: &Tree, model: &Model, library: &Library) -> Vec<Mistake> 
     let mut warnings = Graph::new(tree).warnings();
     warnings.extend(unread_properties(tree, model, library));
     warnings.extend(loose_ties(tree, model, library));
+    if tree.is_copied {
+        warnings = crate::errors::at_each_place_once(warnings);
+    }
     warnings
 }
 
 /// Whether an item was marked as meant to be without use.
 fn is_meant(item: &Item) -> bool {
-    item.name.text.starts_with('_')
+    item.name.word().starts_with('_')
 }
 
 /// Frames that move in a prescribed way.
@@ -84,6 +87,7 @@ impl<'a> Graph<'a> {
         for field in tree.runs.iter().flat_map(|fields| &fields.fields) {
             super::read::names(&field.value, &mut run);
         }
+        run.extend(tree.counted.iter().map(String::as_str));
         Self {
             roots: find(run).into_iter().collect(),
             items,
@@ -113,8 +117,21 @@ impl<'a> Graph<'a> {
         seen
     }
 
+    /// Of what stands there more than once, in loops and parts, one that is seen or named is enough.
+    fn see_copies(&self, seen: &mut [bool]) {
+        let written = |at: usize| format!("{:?}", self.items[at].name.span);
+        let named: HashSet<usize> = self.reads.iter().flatten().copied().collect();
+        let is_used = |at: &usize| seen[*at] || named.contains(at);
+        let is_copy = |at: &usize| self.items[*at].name.text != self.items[*at].name.word();
+        let used: HashSet<String> = (0..seen.len()).filter(is_copy).filter(is_used).map(written).collect();
+        for at in (0..seen.len()).filter(is_copy) {
+            seen[at] |= used.contains(&written(at));
+        }
+    }
+
     fn warnings(&self) -> Vec<Mistake> {
-        let seen = self.seen();
+        let mut seen = self.seen();
+        self.see_copies(&mut seen);
         let mut warnings = Vec::new();
         let mut told: HashSet<usize> = HashSet::new();
         for (at, item) in self.items.iter().enumerate().filter(|(at, _)| !seen[*at]) {

@@ -1,7 +1,7 @@
 //! What is said about a declaration that makes no sense: what is wrong, and what would be right.
 
 pub use super::messages_along::*;
-pub use crate::messages::{not_a_number, not_ascii};
+pub use crate::messages::{duplicate, index_outside, not_a_number, not_ascii};
 
 pub const LONG_CHAIN: &str = "too many names are defined by each other: shorten the chain";
 pub const NO_TIME: &str = "`t` has no meaning here: only motions, frames, loads and outputs change with time";
@@ -137,15 +137,14 @@ pub const MOVING_REPETITION: &str = "here a repetition needs a constant number, 
 pub const SAME_END_REPEATED: &str = "every repetition of this joint would hold the same end: write the index, e.g. `main[a].start`, or take it out of the loop";
 pub const SAME_ENDS_REPEATED: &str =
     "every repetition of this would be about the same two ends: write the index, or take it out of the loop";
-pub const REPEATED_TO_FREE: &str = "in a loop joints hold ends of bodies in prescribed frames, or in the frame of the body itself: declare this one outside of the loop, for each repetition that needs it";
-pub const FIXTURE_NOT_REPEATED: &str = "fixtures on frames and rigid bodies are not repeated yet: declare one outside of the loop with the mass and inertia of all of them";
+pub const REPEATED_TO_FREE: &str = "in a loop joints hold ends of bodies in prescribed frames, or in the frame of the body itself, where the number is a param: make it a `const n = 3;`, or declare this one outside of the loop, for each repetition that needs it";
+pub const FIXTURE_NOT_REPEATED: &str = "fixtures on frames and rigid bodies are not repeated by a param: make the number of the loop a `const n = 3;`, or declare one outside of it with the mass and inertia of all of them";
 pub const SHARED_INSIDE: &str = "only the ends of bodies are shared: use `start` or `end`, and in between `spherical`";
 pub const SAME_END: &str = "both are the same end: two different ends become one node";
 
 messages! {
     quantity_as_repetitions(name) = "`{name}` is a quantity; a loop needs a count: declare `param {name}: count = 6;`";
     index_in_constant(name) = "`{name}` is the index of a loop and has no place here: this is the same for all repetitions";
-    index_outside(name) = "`{name}` is the index of a loop and known between its braces only";
     repeated(name) = "`{name}` is repeated: write the number of the repetition, e.g. `{name}[0]`";
     repeated_inside(name, index) = "`{name}` is repeated: write `{name}[{index}]`, or a certain one, e.g. `{name}[0]`";
     not_repeated(name) = "`{name}` is not repeated: leave out the brackets";
@@ -154,18 +153,17 @@ messages! {
     beyond_repetitions(name, last) = "repetitions of `{name}` are numbered from 0 to {last}";
     runs_out(index, at, number, name, last) = "for {index} = {at} this is {number}, but repetitions of `{name}` are numbered from 0 to {last}: a ring closes with `%`, e.g. `({index} + 1) % n`";
     reduction_without_loop(name) = "`{name}` goes over repetitions: write e.g. `{name}(a in 0..n, main[a].end.x)`";
-    repeated_reaction(name) = "`{name}` is repeated, and reactions of repeated joints are not observable yet: look at what the body carries there, e.g. `main[0].start.axial_force`";
+    repeated_reaction(name) = "`{name}` is repeated by a param, and reactions of such joints are not observable: make the number of the loop a `const n = 3;`, or look at what the body carries there, e.g. `main[0].start.axial_force`";
     reaction_of_share(name) = "`{name}` is a shared node and exerts nothing: look at what a body carries there, e.g. `main.end.axial_force`";
-    load_not_repeated(word) = "a load `{word}` is not repeated yet, only `density` is: declare it outside of the loop, for each repetition that needs it, e.g. on `main[0].end`";
-    joint_not_repeated(word) = "a `{word}` is not repeated yet: in a loop there are `clamp`, `clamp_full`, `pin`, `hold`, `share` and `merge`";
-    statement_not_repeated(word) = "a repeated body has no `{word}` yet: leave it out, or declare the bodies one by one";
+    load_not_repeated(word) = "a load `{word}` is repeated where the number is known at build time, and that of this loop is a param: make it a `const n = 3;`, or declare the load outside of the loop, for each repetition that needs it, e.g. on `main[0].end`";
+    joint_not_repeated(word) = "a `{word}` is repeated where the number is known at build time, and that of this loop is a param: make it a `const n = 3;`, or use `clamp`, `clamp_full`, `pin`, `hold`, `share` or `merge`";
+    statement_not_repeated(word) = "a body that is repeated by a param has no `{word}`: make the number of the loop a `const n = 3;`, or leave it out";
     shared_modes(name) = "`{name}` is described by modes, or rigid, and has no nodes of its own to share: describe it by all of them, or use `weld` or `spherical`";
     shared_and_held(line) = "this end is held by the joint in line {line}: a node is shared or held; to tie both ends there, hold the other one in the same way and leave this out";
     shared_frames(first, second) = "the bodies are in the frames `{first}` and `{second}`: only nodes in the same frame are shared; use `spherical` or `weld` between them";
     shared_twice(other) = "`{other}` makes one node of these ends already";
     merged_elements(first, second) = "`{first}` and `{second}` have different elements, whose slopes are not alike: use `share`, or the same element";
     reserved(name) = "`{name}` has a meaning of its own: choose another name";
-    duplicate(name, kind, line) = "`{name}` is already declared as `{kind}` in line {line}";
     duplicate_statement(name, line) = "{name} is already given in line {line}: one is enough";
     twice(name) = "`{name}` is given twice";
     wrong_kind(name, kind, wanted) = "`{name}` is a {kind}; a {wanted} is expected here";

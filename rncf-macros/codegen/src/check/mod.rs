@@ -215,9 +215,9 @@ impl<'a> Check<'a> {
     fn names(&mut self) {
         let mut outputs: HashMap<&str, &Item> = HashMap::new();
         for item in &self.tree.items {
-            let name = item.name.text.as_str();
-            if RESERVED.contains(&name) || expr::function(name).is_some() || vector::is_function(name) {
-                self.errors.at(item.name.span, say::reserved(name));
+            let (name, word) = (item.name.text.as_str(), item.name.word());
+            if RESERVED.contains(&word) || expr::function(word).is_some() || vector::is_function(word) {
+                self.errors.at(item.name.span, say::reserved(word));
             }
             let names = if item.keyword == Keyword::Output {
                 &mut outputs
@@ -254,7 +254,14 @@ impl<'a> Check<'a> {
     /// The declared names of some kinds.
     fn known(&self, keywords: &[Keyword]) -> Vec<&'a str> {
         let items = self.tree.items.iter().filter(|item| keywords.contains(&item.keyword));
-        items.map(|item| item.name.text.as_str()).collect()
+        // What stands there more than once is known by the word of its declaration.
+        let mut words: Vec<&str> = Vec::new();
+        for word in items.map(|item| item.name.word()) {
+            if !words.contains(&word) {
+                words.push(word);
+            }
+        }
+        words
     }
 
     /// The item that a name refers to, of the kind that is expected here.

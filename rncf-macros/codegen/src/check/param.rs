@@ -31,6 +31,7 @@ impl<'a> Check<'a> {
             });
             self.values.insert(item.name.text.as_str(), typed);
         }
+        self.given();
         self.constants();
     }
 

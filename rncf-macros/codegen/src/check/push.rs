@@ -24,7 +24,11 @@ pub fn observes(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Number { .. } | ExprKind::Name(_) => false,
         ExprKind::Member { .. } => true,
-        ExprKind::Indexed { .. } | ExprKind::Remainder(..) => false,
+        ExprKind::Index(_)
+        | ExprKind::Indexed { .. }
+        | ExprKind::Numbered { .. }
+        | ExprKind::Applied { .. }
+        | ExprKind::Remainder(..) => false,
         ExprKind::Reduced(reduced) => observes(&reduced.value),
         ExprKind::Call(call) => call.arguments.iter().any(|argument| observes(&argument.value)),
         ExprKind::Negate(inner) => observes(inner),

@@ -41,7 +41,7 @@ pub fn mentioned<'a>(tree: &'a Tree, item: &'a Item) -> Vec<&'a str> {
             names(&caution.left, found);
             names(&caution.right, found);
         }
-        ItemKind::FileTable { .. } | ItemKind::Broken => {}
+        ItemKind::FileTable { .. } | ItemKind::Part(_) | ItemKind::Broken => {}
     }
     std::mem::take(found)
 }
@@ -91,7 +91,7 @@ fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
 /// Names in an expression, those of functions and motions that are called included.
 pub fn names<'a>(expr: &'a Expr, found: &mut Vec<&'a str>) {
     match &expr.kind {
-        ExprKind::Number { .. } => {}
+        ExprKind::Number { .. } | ExprKind::Index(_) => {}
         ExprKind::Name(name) => found.push(&name.text),
         ExprKind::Member { base, arguments, .. } => {
             names(base, found);
@@ -105,6 +105,14 @@ pub fn names<'a>(expr: &'a Expr, found: &mut Vec<&'a str>) {
         ExprKind::Binary(_, a, b) | ExprKind::Remainder(a, b) | ExprKind::Power(a, b) => {
             names(a, found);
             names(b, found);
+        }
+        ExprKind::Numbered { base, index } => {
+            names(base, found);
+            names(index, found);
+        }
+        ExprKind::Applied { base, arguments } => {
+            names(base, found);
+            of_arguments(arguments, found);
         }
         ExprKind::Indexed { base, index } => {
             found.push(&base.text);

@@ -87,10 +87,8 @@ impl<'a> Check<'a> {
 
     /// What is said of a name that is the index of some loop, or that no readable loop has.
     pub(super) fn index_elsewhere(&self, text: &str) -> Option<String> {
-        let mut indices = self.tree.loops.iter().filter_map(|declared| declared.index.as_ref());
-        indices
-            .any(|index| index.text == text)
-            .then(|| say::index_outside(text))
+        let mut indices = self.tree.indices.iter();
+        indices.any(|index| index == text).then(|| say::index_outside(text))
     }
 
     /// Whether the index of the loop could not be read, so that unknown names are no news.
@@ -227,6 +225,7 @@ impl<'a> Check<'a> {
                     _ => say::WHOLE_REPETITION,
                 }
             }
+            ExprKind::Index(number) => return Some(Value::Number(*number as f64)),
             ExprKind::Negate(inner) => return Some(Value::Negate(Box::new(self.number_of(inner)?))),
             ExprKind::Binary(operator, left, right) if *operator != Binary::Divide => {
                 let (left, right) = (self.number_of(left), self.number_of(right));

@@ -104,12 +104,13 @@ impl Parts<'_> {
             };
             let _ = writeln!(
                 text,
-                "/// Coefficients of body `{0}` at the arclength x (m) of its axis, and its masses per length that move with r r, r r_y, r r_z, r_y r_y, r_z r_z, r_y r_z.\n\
+                "/// Coefficients of body `{3}` at the arclength x (m) of its axis, and its masses per length that move with r r, r r_y, r r_z, r_y r_y, r_z r_z, r_y r_z.\n\
                  pub fn along_{0}(model: &{1}, x: f64, length: f64) -> ::std::result::Result<([f64; {2}], [f64; 6]), ::rncf::ModelError> {{\n\
                  {statements}Ok({values})\n}}",
-                body.name,
+                body.identifier(),
                 self.model.name,
-                coefficients.len()
+                coefficients.len(),
+                body.name
             );
         }
         text
@@ -175,7 +176,8 @@ impl Parts<'_> {
         let _ = writeln!(
             text,
             "let at = |x: f64| along_{}(model, x, length).map_err(|error| ::rncf::ModelError::new(format!(\"{{error}}; at x = {{x:.6}} m of body `{}`\")));",
-            body.name, body.name
+            body.identifier(),
+            body.name
         );
         let damping = body.properties.get("damping").filter(|_| variant.damped);
         let damping = damping.map_or(String::new(), |value| format!(", damping: {}", self.expr(value)));
@@ -246,12 +248,12 @@ impl Parts<'_> {
     /// Forces on the fields of a body whose coefficients vary.
     pub(super) fn field_forces_varying(&self, body: &Body, kernel: &str, rates: &str) -> String {
         let instance = if body.repeat.is_some() { "[instance]" } else { "" };
-        let rows = format!("self.row_{}{instance}", body.name);
+        let rows = format!("self.row_{}{instance}", body.identifier());
         let array = "::rncf::mesh::array";
         format!(
             "let [x, length] = at;\nif let Ok((coefficients, _)) = along_{}(&self.model, x, length) {{\n\
              {kernel}(&{rows}[0], &coefficients, {array}(stress_free), {array}(fields), {rates}{array}_mut(forces));\n}}",
-            body.name
+            body.identifier()
         )
     }
 }

@@ -135,14 +135,17 @@ impl Parts<'_> {
         let length = match body.repeat {
             Some(_) if body.varies() => format!(
                 "elements.map(|(body, element)| self.row_{}[self.kind(body).1][element].length)",
-                body.name
+                body.identifier()
             ),
             Some(_) => format!(
                 "elements.map(|(body, _)| self.row_{}[self.kind(body).1].length)",
-                body.name
+                body.identifier()
             ),
-            None if body.varies() => format!("elements.map(|(_, element)| self.row_{}[element].length)", body.name),
-            None => format!("[self.row_{}.length; 4]", body.name),
+            None if body.varies() => format!(
+                "elements.map(|(_, element)| self.row_{}[element].length)",
+                body.identifier()
+            ),
+            None => format!("[self.row_{}.length; 4]", body.identifier()),
         };
         let results: Vec<&str> = results
             .split(", ")

@@ -74,8 +74,8 @@ impl Parts<'_> {
     pub(super) fn row(&self, body: &Body) -> String {
         let element = if body.varies() { "[element]" } else { "" };
         match body.repeat {
-            Some(_) => format!("self.row_{}[instance]{element}", body.name),
-            None => format!("self.row_{}{element}", body.name),
+            Some(_) => format!("self.row_{}[instance]{element}", body.identifier()),
+            None => format!("self.row_{}{element}", body.identifier()),
         }
     }
 
@@ -83,8 +83,8 @@ impl Parts<'_> {
     pub(super) fn reference(&self, index: usize, body: &Body) -> String {
         match self.variant(index).elastic.kept {
             0 => String::new(),
-            _ if body.repeat.is_some() => format!("&self.reference_{}[instance][element], ", body.name),
-            _ => format!("&self.reference_{}[element], ", body.name),
+            _ if body.repeat.is_some() => format!("&self.reference_{}[instance][element], ", body.identifier()),
+            _ => format!("&self.reference_{}[element], ", body.identifier()),
         }
     }
 
@@ -103,7 +103,10 @@ impl Parts<'_> {
         let mass = self.by_body(|index, body| {
             if body.varies() {
                 let instance = if body.repeat.is_some() { "[instance]" } else { "" };
-                return format!("mass.copy_from_slice(&self.mass_{}{instance}[element]);", body.name);
+                return format!(
+                    "mass.copy_from_slice(&self.mass_{}{instance}[element]);",
+                    body.identifier()
+                );
             }
             format!(
                 "{}_mass(&{}, ::rncf::mesh::array_mut(mass));",
@@ -191,12 +194,17 @@ impl Parts<'_> {
                 Some(_) if body.varies() => {
                     format!(
                         "elements.map(|(body, element)| &self.row_{}[self.kind(body).1][element])",
-                        body.name
+                        body.identifier()
                     )
                 }
-                Some(_) => format!("elements.map(|(body, _)| &self.row_{}[self.kind(body).1])", body.name),
-                None if body.varies() => format!("elements.map(|(_, element)| &self.row_{}[element])", body.name),
-                None => format!("[&self.row_{}; 4]", body.name),
+                Some(_) => format!(
+                    "elements.map(|(body, _)| &self.row_{}[self.kind(body).1])",
+                    body.identifier()
+                ),
+                None if body.varies() => {
+                    format!("elements.map(|(_, element)| &self.row_{}[element])", body.identifier())
+                }
+                None => format!("[&self.row_{}; 4]", body.identifier()),
             };
             let mut fields = vec![format!("rows: {rows}")];
             if variant.elastic.kept > 0 {

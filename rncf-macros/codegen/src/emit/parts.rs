@@ -36,14 +36,14 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
             false => kind,
         };
         let row = each(body, of_elements(camel_case(&variant.name)));
-        let _ = writeln!(text, "pub row_{}: {row},", body.name);
+        let _ = writeln!(text, "pub row_{}: {row},", body.identifier());
         if variant.elastic.kept > 0 {
             let reference = each(body, format!("::std::vec::Vec<[f64; {}]>", variant.elastic.kept));
-            let _ = writeln!(text, "pub reference_{}: {reference},", body.name);
+            let _ = writeln!(text, "pub reference_{}: {reference},", body.identifier());
         }
         if variant.variant.varying {
             let mass = each(body, "::std::vec::Vec<::std::vec::Vec<f64>>".to_string());
-            let _ = writeln!(text, "pub mass_{}: {mass},", body.name);
+            let _ = writeln!(text, "pub mass_{}: {mass},", body.identifier());
         }
     }
     let [statements, values] = writer.numbering_values();
@@ -53,13 +53,13 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
         model.name
     );
     for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
-        let _ = writeln!(text, "row_{}: Default::default(),", body.name);
+        let _ = writeln!(text, "row_{}: Default::default(),", body.identifier());
         let variant = &equations.variants[variant];
         if variant.elastic.kept > 0 {
-            let _ = writeln!(text, "reference_{}: ::std::vec::Vec::new(),", body.name);
+            let _ = writeln!(text, "reference_{}: ::std::vec::Vec::new(),", body.identifier());
         }
         if variant.variant.varying {
-            let _ = writeln!(text, "mass_{}: ::std::vec::Vec::new(),", body.name);
+            let _ = writeln!(text, "mass_{}: ::std::vec::Vec::new(),", body.identifier());
         }
     }
     let _ = write!(
@@ -417,7 +417,7 @@ impl Parts<'_> {
 
     /// Keeps constants of a body; bodies are prepared one repetition after the other.
     pub(super) fn keep(&self, body: &Body, what: &str, value: &str) -> String {
-        let place = format!("self.{what}_{}", body.name);
+        let place = format!("self.{what}_{}", body.identifier());
         match body.repeat {
             Some(_) => format!("let {what} = {value};\n{place}.truncate(instance);\n{place}.push({what});\n"),
             None => format!("{place} = {value};\n"),

@@ -55,7 +55,11 @@ pub fn free_kernel(model: &Model, frame: &Frame, free: &Free) -> Kernel {
         "{what} `{}`: its start relative to its parent, and its rigid parts.",
         frame.name
     );
-    let mut kernel = time.kernel(format!("free_{}", frame.name), title, outputs);
+    let mut kernel = time.kernel(
+        format!("free_{}", crate::model::identifier(&frame.name)),
+        title,
+        outputs,
+    );
     if !free.parts.is_empty() {
         let names = super::markers::list(free.parts.iter().map(|part| part.name.as_str()));
         kernel.doc.push(format!(

@@ -25,7 +25,7 @@ pub fn initial_kernel(model: &Model, body: &Body) -> Option<Kernel> {
         "Start of body `{}` at the arclength x (m): position (m) and velocity (m/s) in its frame, each with its derivative by x.",
         body.name
     );
-    let mut kernel = time.kernel(format!("initial_{}", body.name), title, outputs);
+    let mut kernel = time.kernel(format!("initial_{}", body.identifier()), title, outputs);
     kernel.arguments[1] = "x: f64".to_string();
     if body.repeat.is_some() {
         kernel.arguments.push("index: f64".to_string());

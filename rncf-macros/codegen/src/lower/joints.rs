@@ -151,7 +151,8 @@ impl<'m> Conditions<'m> {
 /// `has_section`: the body's nodes carry the axes of its section.
 pub fn joint_kernels(model: &Model, joint: &Joint, has_section: bool, absolute: bool) -> JointKernels {
     let suffix = if absolute { "absolute" } else { "referenced" };
-    let name = |what: &str| format!("joint_{}_{suffix}_{what}", joint.name);
+    let identifier = crate::model::identifier(&joint.name);
+    let name = |what: &str| format!("joint_{identifier}_{suffix}_{what}");
     let states = ["q: &[f64]", "v: &[f64]", "a: &[f64]", "rows: &mut [f64]"];
     let levels = std::array::from_fn(|level| {
         let mut conditions = Conditions::new(model, joint, has_section, absolute);

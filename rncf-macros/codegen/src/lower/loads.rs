@@ -23,7 +23,7 @@ fn load_kernel(model: &Model, load: &Load) -> Kernel {
         .map(|(i, &id)| (format!("value[{i}]"), id))
         .collect();
     let title = format!("Load `{}` in its frame's axes.", load.name);
-    let mut kernel = time.kernel(format!("load_{}", load.name), title, outputs);
+    let mut kernel = time.kernel(format!("load_{}", crate::model::identifier(&load.name)), title, outputs);
     kernel.arguments.push("value: &mut [f64; 3]".to_string());
     kernel
 }

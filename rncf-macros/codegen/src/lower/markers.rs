@@ -96,7 +96,7 @@ impl<'m> Marked<'m> {
 
 /// The last word of function names: letters, digits and underscores, and none of those taken.
 pub fn function_name(name: &str, taken: &[String]) -> String {
-    let wanted: String = name
+    let wanted: String = crate::model::identifier(name)
         .chars()
         .map(|letter| if letter.is_alphanumeric() { letter } else { '_' })
         .collect();

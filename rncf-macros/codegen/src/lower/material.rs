@@ -72,7 +72,7 @@ impl Material {
 
     /// Part of the variant's name.
     pub fn suffix(&self) -> String {
-        format!("_of_{}_{}", self.name, self.section.word())
+        format!("_of_{}_{}", crate::model::identifier(&self.name), self.section.word())
     }
 
     /// Names of the parameters, the fields of `row.material`.

@@ -63,7 +63,11 @@ pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
         "Motion of frame `{}` and its first {count} derivatives.",
         declaration.name
     );
-    let mut kernel = time.kernel(format!("frame_{}", declaration.name), title, outputs);
+    let mut kernel = time.kernel(
+        format!("frame_{}", crate::model::identifier(&declaration.name)),
+        title,
+        outputs,
+    );
     kernel
         .arguments
         .push("motion: &mut ::rncf::mesh::FrameMotion".to_string());

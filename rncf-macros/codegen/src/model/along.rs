@@ -36,7 +36,7 @@ pub struct Column {
 impl Table {
     /// Name in generated code.
     pub fn constant(&self) -> String {
-        format!("TABLE_{}", self.name.to_uppercase())
+        format!("TABLE_{}", super::identifier(&self.name).to_uppercase())
     }
 
     /// Text of a column's value at the arclength `x` of an axis with the length `length`.

@@ -213,10 +213,7 @@ impl Cursor {
             return Err(self.expected(what));
         };
         self.at += 1;
-        Ok(Name {
-            text: ident.to_string(),
-            span: ident.span(),
-        })
+        Ok(Name::new(ident.to_string(), ident.span()))
     }
 }
 

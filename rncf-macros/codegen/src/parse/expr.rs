@@ -202,7 +202,14 @@ fn power(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
 
 fn member(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
     let mut base = primary(cursor, depth)?;
-    while cursor.eat_punct('.') {
+    loop {
+        if let Some(further) = repeat::further(cursor, &base, depth)? {
+            base = further;
+            continue;
+        }
+        if !cursor.eat_punct('.') {
+            break;
+        }
         let field = cursor.expect_name("a word such as `end` or `x` after the dot")?;
         let arguments = match cursor.eat_group(Delimiter::Parenthesis) {
             Some(group) => Some(arguments(&mut Cursor::of(&group), depth + 1, &[3])?),
@@ -220,6 +227,18 @@ fn member(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
         )?;
     }
     Ok(base)
+}
+
+/// A name that may go on with numbers of repetitions and words behind dots.
+pub(super) fn reference(cursor: &mut Cursor, what: &str) -> Parsed<Name> {
+    let mark = cursor.mark();
+    let name = cursor.expect_name(what)?;
+    if cursor.group(Delimiter::Bracket).is_none() && !cursor.is_punct('.') {
+        return Ok(name);
+    }
+    cursor.reset(mark);
+    let path = Some(Box::new(member(cursor, 0)?));
+    Ok(Name { path, ..name })
 }
 
 fn primary(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
@@ -261,6 +280,18 @@ fn primary(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
         return node(ExprKind::Call(call), cursor.since(start), height);
     }
     node(ExprKind::Name(name), start.into(), 1)
+}
+
+/// What stands behind the `=` of an argument, up to the comma.
+pub(super) fn argument(cursor: &mut Cursor) -> Parsed<Expr> {
+    let mark = cursor.mark();
+    // `2 deg * gain` is a product with something that has a name.
+    let value = quantity(cursor).filter(has_known_unit);
+    if let Some(value) = value.filter(|_| cursor.is_empty() || cursor.is_punct(',')) {
+        return Ok(value);
+    }
+    cursor.reset(mark);
+    nested(cursor, 1)
 }
 
 /// An expression that fills a group.

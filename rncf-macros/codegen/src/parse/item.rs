@@ -22,8 +22,14 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, repeat: Option<usize>, errors
         if cursor.is_word("run") {
             if repeat.is_some() {
                 errors.at(cursor.here(), say::outside_of_loops("run"));
+            } else if tree.is_component {
+                errors.at(cursor.here(), say::RUN_INSIDE);
             }
             run(cursor, tree, errors);
+            continue;
+        }
+        if cursor.is_word("component") && cursor.is_two_words() {
+            super::component::component(cursor, doc, tree, repeat.is_some(), errors);
             continue;
         }
         let Some(keyword) = cursor.word().and_then(|word| Keyword::of(&word.to_string())) else {
@@ -38,10 +44,12 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, repeat: Option<usize>, errors
         let word = cursor.word().map(ToString::to_string);
         match item_name(cursor, keyword) {
             Ok(name) => {
-                super::repeat::own_index(cursor, &name, repeat.map(|at| &tree.loops[at]), errors);
-                let mut item = item(cursor, doc, keyword, name, errors);
-                if repeat.is_some() {
-                    super::repeat::may_be_repeated(&mut item, at, errors);
+                super::repeat::own_index(cursor, &name, tree, repeat, errors);
+                let item = item(cursor, doc, keyword, name, errors);
+                if tree.is_component && keyword == Keyword::Param {
+                    errors.at(at, say::PARAM_INSIDE);
+                } else if repeat.is_some() {
+                    super::repeat::may_be_repeated(&item, at, errors);
                 }
                 tree.items.push(Item { repeat, ..item });
             }
@@ -56,7 +64,10 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, repeat: Option<usize>, errors
 
 /// What stands where an item should: a word that is nearly one, or something else.
 fn unknown_item(cursor: &Cursor) -> Mistake {
-    let valid = Keyword::ALL.map(Keyword::word).into_iter().chain(["run", "for"]);
+    let valid = Keyword::ALL
+        .map(Keyword::word)
+        .into_iter()
+        .chain(["run", "for", "component"]);
     match cursor.word() {
         Some(word) => Mistake::new(word.span(), say::unknown("item", &word.to_string(), valid)),
         None => cursor.expected("an item such as `param` or `body`"),
@@ -173,6 +184,7 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
         Keyword::Spring => ItemKind::Spring(assigned_call(cursor, "a spring such as `linear(..)`")?),
         Keyword::Load => ItemKind::Load(assigned_call(cursor, "`gravity(..)`, `force(..)` or `moment(..)`")?),
         Keyword::Start => ItemKind::Start(assigned_call(cursor, "`spinning(..)`")?),
+        Keyword::Part => ItemKind::Part(assigned_call(cursor, "a component, `part left = Blade(..);`")?),
         Keyword::Caution => ItemKind::Caution(Box::new(caution(cursor)?)),
         Keyword::Frame => {
             let parent = in_frame(cursor)?;
@@ -220,9 +232,9 @@ fn caution(cursor: &mut Cursor) -> Parsed<Caution> {
     cursor.next();
     let mut outputs = Vec::new();
     if cursor.eat_word("on") {
-        outputs.push(cursor.expect_name("the name of an output")?);
+        outputs.push(expr::reference(cursor, "the name of an output")?);
         while cursor.eat_punct(',') {
-            outputs.push(cursor.expect_name("the name of an output")?);
+            outputs.push(expr::reference(cursor, "the name of an output")?);
         }
     }
     cursor.expect_word("if")?;
@@ -252,7 +264,7 @@ fn time_argument(cursor: &mut Cursor) -> Parsed<()> {
 
 fn in_frame(cursor: &mut Cursor) -> Parsed<Option<Name>> {
     if cursor.eat_word("in") {
-        cursor.expect_name("the name of a frame").map(Some)
+        expr::reference(cursor, "the name of a frame").map(Some)
     } else {
         Ok(None)
     }
@@ -426,7 +438,7 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
             cursor.expect_word("through")?;
             Statement::Curve {
                 area,
-                table: cursor.expect_name("the name of a table with columns x, y, z")?,
+                table: expr::reference(cursor, "the name of a table with columns x, y, z")?,
             }
         }
         "section_y" | "twist" if cursor.is_punct('=') => {
@@ -460,7 +472,7 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
                 expr::count(cursor)?
             };
             let stations = match cursor.eat_word("at") {
-                true => Some(cursor.expect_name("the name of a table")?),
+                true => Some(expr::reference(cursor, "the name of a table")?),
                 false => None,
             };
             cursor.expect_punct('*')?;
@@ -483,12 +495,15 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
     Ok(statement)
 }
 
+/// Words that begin something without a keyword of its own.
+const BRACED: [&str; 3] = ["run", "for", "component"];
+
 /// Skips to the next item: behind a `;` or `{..}`, or before a keyword with a name.
 pub(super) fn recover(cursor: &mut Cursor) {
     recover_before(cursor, |cursor| {
         cursor
             .word()
-            .is_some_and(|word| word == "run" || word == "for" || Keyword::of(&word.to_string()).is_some())
+            .is_some_and(|word| BRACED.iter().any(|other| word == other) || Keyword::of(&word.to_string()).is_some())
             && (cursor.is_two_words() || cursor.is_word("run"))
     });
 }

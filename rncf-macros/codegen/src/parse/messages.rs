@@ -18,16 +18,21 @@ pub const MOTION_ARGUMENT: &str = "a motion is a function of time: write `(t)`";
 pub const INNER_DOC: &str = "documentation stands before what it describes: write `///`";
 pub const ATTRIBUTE: &str = "attributes have no meaning here; only documentation comments `///` do";
 
-pub const NESTED_LOOP: &str = "loops do not stand in each other yet: count through both with one index";
+pub const COMPONENT_IN_LOOP: &str =
+    "a component is declared once, outside of loops: in the loop stands `part name[a] = ..;`";
+pub const COMPONENT_INSIDE: &str =
+    "a component is declared beside others, not in them: take it out, and place it here with `part name = ..;`";
+pub const PARAM_INSIDE: &str = "params belong to the model: let the component be told it, `(name: unit = value)`";
+pub const RUN_INSIDE: &str = "a `run` belongs to the model: write it outside of components";
 pub const RANGE: &str = "a loop needs its range: write `0..` and the number of repetitions, e.g. `0..n`";
 pub const RANGE_START: &str = "repetitions are numbered from 0: write `0..` and their number, e.g. `0..n`";
 pub const RANGE_END: &str = "`0..n` counts from 0 to n - 1: leave out `=`";
-pub const OUTPUT_IN_LOOP: &str = "an `output` stands outside of loops and looks at one repetition, e.g. `main[0].end.x`, or at all of them, e.g. `max(a in 0..n, main[a].end.x)`";
 
 messages! {
     outside_of_loops(word) = "a `{word}` stands outside of loops: it is the same for all repetitions";
-    not_repeated_yet(word) = "a `{word}` is not repeated yet: declare each one outside of the loop";
-    tie_not_repeated(word) = "a `{word}` is not repeated yet: declare it outside of the loop, for each repetition that needs it, e.g. with `main[0].end`";
+    meaning_of_its_own(name) = "`{name}` has a meaning of its own: choose another name";
+    parameter_twice(name) = "the component is told `{name}` twice: leave one out";
+    parameter_kind(word, words) = "`{word}` says not what the component is told: write a unit such as `m` or `kg/m`, or `{words}`";
     lacks_index(name, index) = "`{name}` stands in a loop: write `{name}[{index}]`";
     index_without_loop(name) = "`{name}` stands in no loop: leave out the brackets, or put it into one, `for a in 0..n {{ .. }}`";
     other_index(name, index) = "the index of this loop is `{index}`: write `{name}[{index}]`";

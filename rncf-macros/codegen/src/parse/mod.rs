@@ -4,8 +4,12 @@
 //! ```text
 //! declaration = { doc } [ visibility ] "model" NAME "{" { item } "}"
 //! item        = { doc } ( param | const | material | section | motion | frame | rigid | body
-//!                       | fixture | joint | constraint | spring | load | output | run | for )
-//! for         = "for" INDEX "in" range "{" { item } "}"   // body, fixture, joint, load; each NAME is NAME "[" INDEX "]"
+//!                       | fixture | joint | constraint | spring | load | output | run | for
+//!                       | component | part )
+//! for         = "for" INDEX "in" range "{" { item } "}"   // each NAME is NAME { "[" INDEX "]" }
+//! component   = "component" NAME "(" [ told { "," told } ] ")" "{" { item } "}"
+//! told        = NAME ":" kind [ "=" expr ]      // kind: a unit, angle number count vector place frame body joint motion ..
+//! part        = "part" NAME "=" call ";"        // the name of a component
 //! range       = "0" ".." expr                   // a count
 //! param       = "param" NAME [ ":" "count" ] "=" right ";"
 //! const       = "const" NAME "=" right ";"
@@ -52,7 +56,7 @@
 //! product     = signed { ( "*" | "/" | "%" ) signed }     // "%" in the number of a repetition
 //! signed      = "-" signed | power
 //! power       = member [ "^" signed ]           // binds tightest, from the right
-//! member      = primary { "." NAME [ "(" arguments ")" ] }
+//! member      = primary { "." NAME [ "(" arguments ")" ] | "[" expr "]" | "(" arguments ")" }
 //! primary     = NUMBER [ SYMBOL | "[" unit "]" ] // in an expression: one symbol, or brackets
 //!             | NAME | NAME "[" expr "]" | call | reduced | "(" expr ")" | vector | if
 //! reduced     = ( "max" | "min" | "sum" | "mean" ) "(" INDEX "in" range "," expr ")"
@@ -72,6 +76,7 @@
 //! and `slope`; joints have `force` and `moment`; without a component the output is a vector.
 
 pub mod ascii;
+pub(crate) mod component;
 pub(crate) mod cursor;
 mod expr;
 mod item;
@@ -127,20 +132,12 @@ fn head(cursor: &mut Cursor, errors: &mut Errors) -> Parsed<Tree> {
     }
     let name = cursor.expect_name("the name of the model")?;
     item::check_name(&name)?;
-    let (items, loops, runs, lost) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let folder = std::env::var_os("CARGO_MANIFEST_DIR");
     Ok(Tree {
         doc,
         visibility,
-        name,
-        items,
-        loops,
-        lost,
-        runs,
-        source: String::new(),
-        complete: false,
-        folder: std::env::var_os("CARGO_MANIFEST_DIR")
-            .map(Into::into)
-            .unwrap_or_default(),
+        folder: folder.map(Into::into).unwrap_or_default(),
+        ..Tree::new(name)
     })
 }
 

@@ -4,16 +4,13 @@ use proc_macro2::{Delimiter, Group, Span, TokenTree};
 
 use super::cursor::{Cursor, Parsed};
 use super::messages as say;
-use super::tree::{Expr, ExprKind, Item, ItemKind, Keyword, Loop, Name, Reduced, Tree};
+use super::tree::{Expr, ExprKind, Item, Keyword, Loop, Name, Reduced, Tree};
 use super::{expr, item};
 use crate::errors::{Errors, Mistake};
 use crate::model::Reduction;
 
 /// `for index in 0..count { .. }`; its items are read whatever is wrong in its head.
 pub fn repeated(cursor: &mut Cursor, tree: &mut Tree, outer: Option<usize>, errors: &mut Errors) {
-    if outer.is_some() {
-        errors.at(cursor.here(), say::NESTED_LOOP);
-    }
     cursor.next();
     let mut index = None;
     let count = head(cursor, &mut index).unwrap_or_else(|mistake| {
@@ -26,9 +23,16 @@ pub fn repeated(cursor: &mut Cursor, tree: &mut Tree, outer: Option<usize>, erro
     let Some(group) = cursor.eat_group(Delimiter::Brace) else {
         return item::recover(cursor);
     };
-    tree.loops.push(Loop { index, count });
-    let repeat = Some(tree.loops.len() - 1);
-    item::items(&mut Cursor::of(&group), tree, repeat, errors);
+    let (at, first) = (tree.loops.len(), tree.items.len());
+    let items = first..first;
+    tree.loops.push(Loop {
+        index,
+        count,
+        outer,
+        items,
+    });
+    item::items(&mut Cursor::of(&group), tree, Some(at), errors);
+    tree.loops[at].items.end = tree.items.len();
 }
 
 /// `index in 0..count`, up to the braces.
@@ -87,22 +91,30 @@ fn is_dots(cursor: &Cursor) -> bool {
     cursor.is_punct('.') && cursor.is_second_punct('.')
 }
 
-/// The brackets behind the name of an item: in a loop its index, else none.
-pub fn own_index(cursor: &mut Cursor, name: &Name, of: Option<&Loop>, errors: &mut Errors) {
-    let group = cursor.eat_group(Delimiter::Bracket);
+/// The brackets behind the name of an item: in loops their indices, the outermost first, else none.
+pub fn own_index(cursor: &mut Cursor, name: &Name, tree: &Tree, of: Option<usize>, errors: &mut Errors) {
     let text = name.text.as_str();
-    match (group, of) {
-        (None, None) => {}
-        (Some(group), None) => errors.at(group.span(), say::index_without_loop(text)),
-        (group, Some(Loop { index: Some(index), .. })) => match group {
-            None => errors.at(name.span, say::lacks_index(text, &index.text)),
-            Some(group) if !is_only(&group, &index.text) => {
-                errors.at(group.span(), say::other_index(text, &index.text));
-            }
+    let around = tree.around(of);
+    let mut groups = Vec::new();
+    while let Some(group) = cursor.eat_group(Delimiter::Bracket) {
+        groups.push(group);
+    }
+    let indices: Option<Vec<&Name>> = around.iter().map(|&at| tree.loops[at].index.as_ref()).collect();
+    // An index that cannot be read has been reported.
+    let Some(indices) = indices else { return };
+    let wanted: Vec<&str> = indices.iter().map(|index| index.text.as_str()).collect();
+    let wanted = wanted.join("][");
+    if groups.len() < indices.len() {
+        errors.at(name.span, say::lacks_index(text, &wanted));
+        return;
+    }
+    for (at, group) in groups.iter().enumerate() {
+        match indices.get(at) {
+            None if indices.is_empty() => errors.at(group.span(), say::index_without_loop(text)),
+            None => errors.at(group.span(), say::other_index(text, &wanted)),
+            Some(index) if !is_only(group, &index.text) => errors.at(group.span(), say::other_index(text, &wanted)),
             Some(_) => {}
-        },
-        // The index has been reported.
-        (_, Some(Loop { index: None, .. })) => {}
+        }
     }
 }
 
@@ -112,24 +124,49 @@ fn is_only(group: &Group, word: &str) -> bool {
 }
 
 /// Refuses an item that is not repeated; `keyword` is where its keyword stands.
-pub fn may_be_repeated(item: &mut Item, keyword: Span, errors: &mut Errors) {
-    let word = item.keyword.word();
-    let message = match item.keyword {
-        Keyword::Body | Keyword::Fixture | Keyword::Joint | Keyword::Load => return,
-        Keyword::Constraint | Keyword::Spring => say::tie_not_repeated(word),
-        Keyword::Rigid | Keyword::Frame => say::not_repeated_yet(word),
-        Keyword::Output => say::OUTPUT_IN_LOOP.into(),
-        _ => say::outside_of_loops(word),
-    };
-    errors.at(keyword, message);
-    if !matches!(item.kind, ItemKind::Param { .. }) {
-        // What it says of the index is no mistake.
-        item.kind = ItemKind::Broken;
+pub fn may_be_repeated(item: &Item, keyword: Span, errors: &mut Errors) {
+    if item.keyword == Keyword::Param {
+        errors.at(keyword, say::outside_of_loops(item.keyword.word()));
     }
 }
 
-/// `name[index]`, if that is what goes on behind the name; a vector has commas.
+/// What goes on behind a name with numbers or dots: another number, or the arguments of a repeated motion.
+pub fn further(cursor: &mut Cursor, base: &Expr, depth: usize) -> Parsed<Option<Expr>> {
+    let is_numbered = matches!(base.kind, ExprKind::Indexed { .. } | ExprKind::Numbered { .. });
+    let is_member = matches!(&base.kind, ExprKind::Member { arguments: None, .. });
+    if !is_numbered && !is_member {
+        return Ok(None);
+    }
+    let boxed = || Box::new(base.clone());
+    if is_numbered && let Some(group) = cursor.eat_group(Delimiter::Parenthesis) {
+        let arguments = expr::arguments(&mut Cursor::of(&group), depth + 1, &[3])?;
+        let height = 1 + arguments
+            .iter()
+            .map(|argument| argument.value.height)
+            .fold(base.height, usize::max);
+        let (base, area) = (boxed(), base.area.to(group.span().into()));
+        return expr::node(ExprKind::Applied { base, arguments }, area, height).map(Some);
+    }
+    let Some(index) = number(cursor, depth)? else {
+        return Ok(None);
+    };
+    let (height, area) = (1 + base.height.max(index.height), base.area.to(cursor.before().into()));
+    let (base, index) = (boxed(), Box::new(index));
+    expr::node(ExprKind::Numbered { base, index }, area, height).map(Some)
+}
+
+/// `name[index]`, if that is what goes on behind the name.
 pub fn indexed(cursor: &mut Cursor, name: &Name, depth: usize) -> Parsed<Option<Expr>> {
+    let Some(inner) = number(cursor, depth)? else {
+        return Ok(None);
+    };
+    let (height, base) = (1 + inner.height, name.clone());
+    let index = Box::new(inner);
+    expr::node(ExprKind::Indexed { base, index }, cursor.since(name.span), height).map(Some)
+}
+
+/// `[index]`; a vector has commas.
+fn number(cursor: &mut Cursor, depth: usize) -> Parsed<Option<Expr>> {
     let is_comma = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
     let group = cursor.group(Delimiter::Bracket);
     let Some(group) = group.filter(|group| !group.stream().into_iter().any(|token| is_comma(&token))) else {
@@ -137,9 +174,7 @@ pub fn indexed(cursor: &mut Cursor, name: &Name, depth: usize) -> Parsed<Option<
     };
     let inner = expr::whole(&mut Cursor::of(group), depth, "the number of a repetition")?;
     cursor.next();
-    let (height, base) = (1 + inner.height, name.clone());
-    let index = Box::new(inner);
-    expr::node(ExprKind::Indexed { base, index }, cursor.since(name.span), height).map(Some)
+    Ok(Some(inner))
 }
 
 /// `max(index in 0..count, value)`, if that is what goes on behind the name.

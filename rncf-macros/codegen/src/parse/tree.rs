@@ -11,23 +11,53 @@ pub struct Name {
     pub text: String,
     /// Where it is.
     pub span: Span,
+    /// All of it, where it goes on behind the first word: `rod[2]`, `blade[1].rod`.
+    pub path: Option<Box<Expr>>,
 }
 
-/// A declaration.
+impl Name {
+    /// A single word.
+    pub fn new(text: impl Into<String>, span: Span) -> Self {
+        let text = text.into();
+        Self { text, span, path: None }
+    }
+
+    /// The word as it stands in its declaration, without the numbers of repetitions and the part that it belongs to.
+    pub fn word(&self) -> &str {
+        let last = self.text.rsplit('.').next().unwrap_or_default();
+        last.split('[').next().unwrap_or_default()
+    }
+}
+
+/// A declaration: of a model, or of a component.
 #[derive(Clone, Debug)]
 pub struct Tree {
     /// Documentation comment.
     pub doc: String,
     /// Visibility as written.
     pub visibility: TokenStream,
-    /// Name of the model.
+    /// Name of the model or component.
     pub name: Name,
+    /// Whether it is a component.
+    pub is_component: bool,
+    /// What a component is told where it is placed.
+    pub parameters: Vec<Parameter>,
+    /// Components that may be placed in the model.
+    pub components: Vec<Tree>,
     /// Items with a name, those of loops included.
     pub items: Vec<Item>,
     /// Loops in order.
     pub loops: Vec<Loop>,
     /// Names of items that could not be read; reported, so that their uses are no mistakes.
     pub lost: Vec<String>,
+    /// What parts were told, to be checked by itself.
+    pub given: Vec<Given>,
+    /// Names of the indices of all loops.
+    pub indices: Vec<String>,
+    /// Constants that numbers of repetitions were computed from.
+    pub counted: Vec<String>,
+    /// Whether items stand there more than once, so that one mistake may be found in each of them.
+    pub is_copied: bool,
     /// `run` blocks.
     pub runs: Vec<Fields>,
     /// The declaration's text.
@@ -39,6 +69,37 @@ pub struct Tree {
 }
 
 impl Tree {
+    /// A declaration without anything in it.
+    pub fn new(name: Name) -> Self {
+        Self {
+            doc: String::new(),
+            visibility: TokenStream::new(),
+            name,
+            is_component: false,
+            parameters: Vec::new(),
+            components: Vec::new(),
+            items: Vec::new(),
+            loops: Vec::new(),
+            lost: Vec::new(),
+            given: Vec::new(),
+            indices: Vec::new(),
+            counted: Vec::new(),
+            is_copied: false,
+            runs: Vec::new(),
+            source: String::new(),
+            complete: false,
+            folder: std::path::PathBuf::new(),
+        }
+    }
+
+    /// The loops around an item, the outermost first.
+    pub fn around(&self, innermost: Option<usize>) -> Vec<usize> {
+        let mut around: Vec<usize> =
+            std::iter::successors(innermost, |&at| self.loops.get(at).and_then(|inner| inner.outer)).collect();
+        around.reverse();
+        around
+    }
+
     /// Visibility as text: `pub`, `pub(crate)`, `pub(in crate::a)` or empty.
     pub fn visibility_text(&self) -> String {
         self.visibility
@@ -68,13 +129,14 @@ pub enum Keyword {
     Spring,
     Load,
     Start,
+    Part,
     Output,
     Caution,
 }
 
 impl Keyword {
     /// All of them, in the order a user needs them.
-    pub const ALL: [Keyword; 18] = [
+    pub const ALL: [Keyword; 19] = [
         Keyword::Param,
         Keyword::Const,
         Keyword::Let,
@@ -91,6 +153,7 @@ impl Keyword {
         Keyword::Spring,
         Keyword::Load,
         Keyword::Start,
+        Keyword::Part,
         Keyword::Output,
         Keyword::Caution,
     ];
@@ -114,6 +177,7 @@ impl Keyword {
             Keyword::Spring => "spring",
             Keyword::Load => "load",
             Keyword::Start => "start",
+            Keyword::Part => "part",
             Keyword::Output => "output",
             Keyword::Caution => "caution",
         }
@@ -140,6 +204,51 @@ pub struct Loop {
     pub index: Option<Name>,
     /// How often; `None`: unreadable, reported.
     pub count: Option<Expr>,
+    /// The loop that it stands in.
+    pub outer: Option<usize>,
+    /// Its items, those of loops in it included (indices into [`Tree::items`]).
+    pub items: std::ops::Range<usize>,
+}
+
+/// What a component is told: `name: kind [= value]`
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Its name.
+    pub name: Name,
+    /// What it is.
+    pub kind: ParameterKind,
+    /// What it is where nothing is told.
+    pub default: Option<Expr>,
+}
+
+/// Kinds of what a component is told.
+#[derive(Clone, Debug)]
+pub enum ParameterKind {
+    /// A plain number, `number`.
+    Number,
+    /// An angle, `angle`.
+    Angle,
+    /// A quantity, by a unit of it.
+    Quantity(UnitText),
+    /// A whole number or a count param, `count`.
+    Count,
+    /// A vector, `vector`.
+    Vector,
+    /// A place, `place`.
+    Place,
+    /// A declared item of one of these kinds: `frame`, `body`, `joint`, `motion`, `material`, `section`, `table`.
+    Item(&'static [Keyword]),
+}
+
+/// A quantity that a part was told.
+#[derive(Clone, Debug)]
+pub struct Given {
+    /// Its name as it is written.
+    pub name: String,
+    /// What it is to be.
+    pub kind: ParameterKind,
+    /// What was told.
+    pub value: Expr,
 }
 
 /// A named item.
@@ -237,6 +346,8 @@ pub enum ItemKind {
     },
     /// `start name = call;`
     Start(Call),
+    /// `part name = Component(name = value, ..);`
+    Part(Call),
     /// `caution name = "text" [on outputs] if condition;`
     Caution(Box<Caution>),
     /// Unreadable; reported already. Uses of the name are not mistakes.
@@ -410,6 +521,8 @@ pub enum ExprKind {
     },
     /// A name: parameter, constant, `t`, `pi`, ...
     Name(Name),
+    /// The number that an index stands for; [`unfold`](crate::unfold) writes it.
+    Index(i64),
     /// `base.field` or `base.field(arguments)`
     Member {
         /// What stands before the dot.
@@ -433,6 +546,20 @@ pub enum ExprKind {
         base: Name,
         /// Number of the repetition.
         index: Box<Expr>,
+    },
+    /// `rod[i][j]`, `blade[1].rod[2]`: a number behind more than a name; [`unfold`](crate::unfold) resolves it.
+    Numbered {
+        /// What stands before the brackets.
+        base: Box<Expr>,
+        /// Number of the repetition.
+        index: Box<Expr>,
+    },
+    /// `pitch[b](t)`: a repeated motion at a time; [`unfold`](crate::unfold) resolves it.
+    Applied {
+        /// What stands before the parentheses.
+        base: Box<Expr>,
+        /// Arguments.
+        arguments: Vec<Argument>,
     },
     /// `max(index in 0..count, value)`
     Reduced(Box<Reduced>),

@@ -5,6 +5,7 @@ mod influence;
 mod joints;
 mod meaning;
 mod mutated;
+mod parts;
 mod precedence;
 mod repeat;
 mod right;
@@ -60,6 +61,7 @@ pub model SpinUp {
 fn run(text: &str) -> (Option<Model>, Vec<Mistake>) {
     let mut errors = Errors::new();
     let tree = parse(text.parse().expect("tokens"), &mut errors);
+    let tree = tree.map(|tree| crate::unfold::unfold(tree, &mut errors));
     let model = tree.and_then(|tree| check(&tree, &Library::standard(), &mut errors));
     (model, errors.finish())
 }

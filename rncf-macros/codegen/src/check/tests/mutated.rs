@@ -10,6 +10,7 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenS
 use super::free::FREE;
 use super::joints::JOINTS;
 use super::meaning::{MEANING, SPACE};
+use super::parts::ROTOR;
 use super::repeat::SAIL;
 use super::*;
 use crate::emit;
@@ -60,7 +61,7 @@ fn corpus() -> Vec<TokenStream> {
         .filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
     let mut corpus: Vec<TokenStream> = sources.flat_map(|path| declarations(path)).collect();
     assert!(corpus.len() > 15, "{} models", corpus.len());
-    corpus.extend([SPIN_UP, FREE, JOINTS, SAIL, MEANING, SPACE].map(|text| text.parse().expect("tokens")));
+    corpus.extend([SPIN_UP, FREE, JOINTS, SAIL, ROTOR, MEANING, SPACE].map(|text| text.parse().expect("tokens")));
     corpus
 }
 
@@ -181,6 +182,7 @@ fn fate(tokens: TokenStream, is_written: bool) -> Fate {
     let library = Library::standard();
     let mut errors = Errors::new();
     let tree = parse(tokens, &mut errors);
+    let tree = tree.map(|tree| crate::unfold::unfold(tree, &mut errors));
     let model = tree.as_ref().and_then(|tree| check(tree, &library, &mut errors));
     assert_eq!(model.is_none(), !errors.is_empty(), "a model, or mistakes");
     let mistakes = errors.into_tokens();

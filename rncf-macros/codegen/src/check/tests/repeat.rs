@@ -94,20 +94,24 @@ fn items_of_loops_stand_once() {
         .iter()
         .map(|repeat| (repeat.index.as_str(), repeat.count.clone()))
         .collect();
-    assert_eq!(loops, [("a", tethers.clone()), ("i", Expr::Number(3.0))]);
+    assert_eq!(loops, [("a", tethers.clone())]);
     let bodies: Vec<_> = model
         .bodies
         .iter()
         .map(|body| (body.name.as_str(), body.repeat))
         .collect();
-    let (first, second) = (Some(RepeatId(0)), Some(RepeatId(1)));
+    let first = Some(RepeatId(0));
     assert_eq!(
         bodies,
         [
             ("main", first),
             ("aux", first),
-            ("chain", second),
-            ("stay", second),
+            ("chain[0]", None),
+            ("stay[0]", None),
+            ("chain[1]", None),
+            ("stay[1]", None),
+            ("chain[2]", None),
+            ("stay[2]", None),
             ("tail", None)
         ]
     );
@@ -132,19 +136,27 @@ fn repeated_joints_have_no_rows() {
     let joints: Vec<_> = model
         .joints
         .iter()
-        .map(|joint| (joint.name.as_str(), joint.kind, joint.repeat, instance(&joint.at)))
+        .map(|joint| {
+            (
+                joint.name.as_str(),
+                joint.kind,
+                joint.repeat,
+                joint.at.instance().cloned(),
+            )
+        })
         .collect();
-    let repeat = |at| Some(RepeatId(at));
     assert_eq!(
         joints,
         [
-            ("root", JointKind::Clamp, repeat(0), Expr::Index),
-            ("grip", JointKind::Pin, repeat(1), Expr::Index)
+            ("root", JointKind::Clamp, Some(RepeatId(0)), Some(Expr::Index)),
+            ("grip[0]", JointKind::Pin, None, None),
+            ("grip[1]", JointKind::Pin, None, None),
+            ("grip[2]", JointKind::Pin, None, None)
         ]
     );
     assert_eq!(model.joints[0].frame, FrameId(2));
-    let point = model.joints[1].point.clone().expect("a point");
-    assert_eq!(crate::model::fold::at_index(&point[0], 2.0), Some(2.0));
+    let point = model.joints[3].point.clone().expect("a point");
+    assert_eq!(crate::model::fold::constant(&point[0]), Some(2.0));
     let names: Vec<_> = model
         .constraints
         .iter()
@@ -168,7 +180,9 @@ fn shared_nodes_are_no_joints() {
             ("tip", true, false),
             ("knot", true, false),
             ("ring", true, true),
-            ("link", true, false),
+            ("link[0]", false, false),
+            ("link[1]", false, false),
+            ("link[2]", false, false),
             ("last", false, true)
         ]
     );
@@ -176,11 +190,11 @@ fn shared_nodes_are_no_joints() {
     assert_eq!((*first, *second), (BodyId(1), BodyId(0)));
     assert_eq!((instance(start), start.place()), (Expr::Index, &Location::End));
     assert_eq!((instance(end), end.place()), (next(tethers), &Location::End));
-    let [(_, of_chain), (tail, own)] = &model.shares[4].ends;
-    assert_eq!(
-        (instance(of_chain), *tail, own),
-        (Expr::Number(2.0), BodyId(4), &Location::Start)
-    );
+    let [(chain, _), (tail, own)] = &model.shares[6].ends;
+    assert_eq!((*chain, *tail, own), (BodyId(6), BodyId(8), &Location::Start));
+    // A ring closes.
+    let [(chain, _), (stay, _)] = &model.shares[5].ends;
+    assert_eq!((*chain, *stay), (BodyId(6), BodyId(3)));
 }
 
 /// A prescribed number is that of one repetition everywhere.
@@ -240,8 +254,11 @@ fn reductions_take_the_loop_of_the_same_number() {
     let Expr::Binary(Binary::Add, sum, largest) = &model.outputs[3].components[0].1 else {
         panic!("a sum of two")
     };
-    let is_own = |expr: &Expr| matches!(expr, Expr::Observed(Observable::Reduced { reduction: Reduction::Sum, repeat, .. }) if *repeat == RepeatId(1));
-    assert!(is_own(sum));
+    // Of repetitions that are items of their own it is written out, in pairs.
+    let Expr::Binary(Binary::Add, pair, _) = &**sum else {
+        panic!("a sum of three")
+    };
+    assert!(matches!(&**pair, Expr::Binary(Binary::Add, ..)));
     assert!(matches!(&**largest, Expr::Call(Function::Max, arguments) if arguments.len() == 2));
 }
 
@@ -253,9 +270,9 @@ fn a_reduction_may_count_on_its_own() {
         "sum(a in 0..4, a * 1 N)",
     );
     let model = model(&text);
-    assert_eq!(model.repeats.len(), 3);
+    assert_eq!(model.repeats.len(), 2);
     assert_eq!(
-        (model.repeats[2].index.as_str(), &model.repeats[2].count),
+        (model.repeats[1].index.as_str(), &model.repeats[1].count),
         ("a", &Expr::Number(4.0))
     );
 }
@@ -276,7 +293,7 @@ fn all_mistakes_of_a_loop_are_found() {
         .iter()
         .map(|mistake| mistake.area.source_text().unwrap_or_default())
         .collect();
-    assert_eq!(messages, ["1", "=", "[k]", "spring", "strt"]);
+    assert_eq!(messages, ["1", "=", "[k]", "strt"]);
 }
 
 /// Nothing but a shared node holds the second rod, and nothing at all both of them.

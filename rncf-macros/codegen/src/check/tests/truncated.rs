@@ -2,6 +2,7 @@
 
 use super::free::FREE;
 use super::joints::JOINTS;
+use super::parts::ROTOR;
 use super::repeat::SAIL;
 use super::*;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
@@ -45,6 +46,7 @@ fn count(stream: TokenStream) -> usize {
 fn survives(tokens: TokenStream) -> bool {
     let mut errors = Errors::new();
     let tree = parse(tokens, &mut errors);
+    let tree = tree.map(|tree| crate::unfold::unfold(tree, &mut errors));
     let model = tree
         .as_ref()
         .and_then(|tree| check(tree, &Library::standard(), &mut errors));
@@ -98,6 +100,23 @@ fn half_of_a_linkage() {
     for by in ["", "7", "arm", "knee . angle", "beam . end", "[ 1 , 2 , 3 ]", "z"] {
         let by: TokenStream = by.parse().unwrap();
         for at in 0..total {
+            survives(exchanged(tokens.clone(), &mut at.clone(), &by));
+        }
+    }
+    assert!(survives(tokens));
+}
+
+/// Components, and loops in each other.
+#[test]
+fn half_of_a_rotor() {
+    let tokens: TokenStream = ROTOR.parse().unwrap();
+    let total = count(tokens.clone());
+    for budget in (0..total).step_by(3) {
+        survives(cut(tokens.clone(), &mut budget.clone()));
+    }
+    for by in ["", "7", "[ i ]", "blade [ 0 ] . spar", "part", "component", "{ }"] {
+        let by: TokenStream = by.parse().unwrap();
+        for at in (0..total).step_by(5) {
             survives(exchanged(tokens.clone(), &mut at.clone(), &by));
         }
     }

@@ -1,4 +1,4 @@
-//! Wrong models, listed in wrong.txt, free.txt, joints.txt, sections.txt, along.txt, repeat.txt, meaning.txt and space.txt: what is underlined, and what is said.
+//! Wrong models, listed in wrong.txt, free.txt, joints.txt, sections.txt, along.txt, repeat.txt, parts.txt, meaning.txt and space.txt: what is underlined, and what is said.
 //!
 //! `BLESS=1 cargo test -p rncf-codegen wrong` rewrites the expectations; read the difference.
 
@@ -6,6 +6,7 @@ use super::along::ALONG;
 use super::free::FREE;
 use super::joints::JOINTS;
 use super::meaning::{MEANING, SPACE};
+use super::parts::ROTOR;
 use super::repeat::SAIL;
 use super::sections::SECTIONS;
 use super::{SPIN_UP, run};
@@ -68,6 +69,11 @@ fn wrong_sections_say_what_would_be_right() {
 #[test]
 fn wrong_loops_say_what_would_be_right() {
     check(include_str!("repeat.txt"), "repeat.txt", SAIL);
+}
+
+#[test]
+fn wrong_parts_say_what_would_be_right() {
+    check(include_str!("parts.txt"), "parts.txt", ROTOR);
 }
 
 #[test]
