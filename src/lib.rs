@@ -6,7 +6,7 @@
 //! * [`Integrator`] advances any system in time.
 //! * `app` (feature `app`) is the command line: one line in an example's `main`.
 
-pub use rncf_macros::model;
+pub use rncf_macros::{library, model};
 pub use rncf_runtime::*;
 
 #[cfg(feature = "app")]

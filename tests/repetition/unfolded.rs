@@ -29,49 +29,55 @@ rncf::model! {
     }
 }
 
-/// Blades in a turning hub; `$items` places them.
-macro_rules! rotors {
-    ($name:ident, { $($items:tt)* }) => {
-        rncf::model! {
-            pub model $name {
-                param speed = 12.1 rpm;
-                param elements: count = 6;
-                material alloy { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.3; }
-                section strip = rectangle(y = 60 mm, z = 20 mm);
-                motion theta(t) = speed * t;
-                frame hub = rotating(axis = x, angle = theta(t));
-                /// A slender blade, edgewise in the plane of rotation.
-                component Blade(azimuth: angle, root: frame, length: m = 3 m, count: count) {
-                    let along = cos(azimuth);
-                    let across = sin(azimuth);
-                    body spar in root {
-                        spatial;
-                        line from [0 m, 0 m, 0 m] to [0 m, length * along, length * across];
-                        section_y [0, -across, along];
-                        mesh count * beam(strip, alloy);
-                    }
-                    joint clip = clamp(spar.start, root);
-                    output root_moment = clip.moment;
-                    output mass = spar.mass;
+/// What the rotors below share.
+mod shared {
+    rncf::library! {
+        pub(crate) library blades {
+            material alloy { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.3; }
+            section strip = rectangle(y = 60 mm, z = 20 mm);
+            /// A slender blade, edgewise in the plane of rotation.
+            component Blade(azimuth: angle, root: frame, length: m = 3 m, count: count) {
+                let along = cos(azimuth);
+                let across = sin(azimuth);
+                body spar in root {
+                    spatial;
+                    line from [0 m, 0 m, 0 m] to [0 m, length * along, length * across];
+                    section_y [0, -across, along];
+                    mesh count * beam(strip, alloy);
                 }
-                $($items)*
-                run { t_end = 1 s; every = 0.1 s; }
+                joint clip = clamp(spar.start, root);
+                output root_moment = clip.moment;
+                output mass = spar.mass;
             }
         }
-    };
+    }
 }
 
-rotors!(ThreeBlades, {
-    const blades = 3;
-    for b in 0..blades {
-        part blade[b] = Blade(azimuth = 2*pi*b/blades, root = hub, count = elements);
+rncf::model! {
+    use crate::unfolded::shared::blades;
+    pub model ThreeBlades {
+        param speed = 12.1 rpm;
+        param elements: count = 6;
+        const number = 3;
+        frame hub = rotating(axis = x, angle = speed * t);
+        for b in 0..number {
+            part blade[b] = Blade(azimuth = 2*pi*b/number, root = hub, count = elements);
+        }
+        output all = sum(b in 0..number, blade[b].spar.mass);
+        run { t_end = 1 s; every = 0.1 s; }
     }
-    output all = sum(b in 0..blades, blade[b].spar.mass);
-});
+}
 
-rotors!(OneBlade, {
-    part blade = Blade(azimuth = 0 deg, root = hub, count = elements);
-});
+rncf::model! {
+    use self::shared::blades;
+    pub model OneBlade {
+        param speed = 12.1 rpm;
+        param elements: count = 6;
+        frame hub = rotating(axis = x, angle = speed * t);
+        part blade = Blade(azimuth = 0 deg, root = hub, count = elements);
+        run { t_end = 1 s; every = 0.1 s; }
+    }
+}
 
 /// Angular frequencies, ascending.
 fn frequencies<M: Model + Clone + 'static>(model: &M, count: usize) -> Vec<f64> {

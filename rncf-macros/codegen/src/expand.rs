@@ -18,6 +18,11 @@ use crate::{check, emit, parse, stub, unfold};
 /// becomes a warning.
 pub fn expand(tokens: TokenStream) -> TokenStream {
     let mut errors = Errors::new();
+    if let Some(call) = parse::library::used(&tokens, &mut errors) {
+        let mut tokens = errors.into_tokens();
+        tokens.extend(call);
+        return tokens;
+    }
     let tree = read(tokens, None, &mut errors);
     let model = tree
         .as_ref()
@@ -67,6 +72,24 @@ fn read(tokens: TokenStream, folder: Option<&Path>, errors: &mut Errors) -> Opti
     Some(unfold::unfold(tree, errors))
 }
 
+/// Expands a library into a macro that hands its items to models.
+pub fn library(tokens: TokenStream) -> TokenStream {
+    let mut errors = Errors::new();
+    let library = parse::library::library(tokens, &mut errors);
+    let folder = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
+    match library {
+        Ok(library) => {
+            let mut tokens = errors.into_tokens();
+            tokens.extend(parse::library::macro_of(&library, Path::new(&folder)));
+            tokens
+        }
+        Err(mistake) => {
+            errors.push(mistake);
+            errors.into_tokens()
+        }
+    }
+}
+
 fn name_taken(name: &str) -> String {
     format!("`{name}` is the name of something that is written for this model: choose another name")
 }
@@ -75,6 +98,9 @@ fn name_taken(name: &str) -> String {
 fn dependences(model: &Model) -> String {
     let files = model.tables.iter().filter_map(|table| table.file.as_ref());
     let statement = |file: &String| {
+        if Path::new(file).is_absolute() {
+            return format!("const _: &[u8] = ::core::include_bytes!({file:?});\n");
+        }
         let path = format!("/{file}");
         format!(
             "const _: &[u8] = ::core::include_bytes!(::core::concat!(::core::env!(\"CARGO_MANIFEST_DIR\"), {path:?}));\n"

@@ -4,6 +4,7 @@
 //! Fenced blocks are told apart by their tag:
 //! * `rust` with a `model!` in it: a whole model, which must expand;
 //! * `rncf`: items; what they refer to and do not declare comes from the document's first model;
+//! * `shared`: libraries and models that use them, which must expand with them;
 //! * `refused`: one item a line, each followed by `//` and the message that it must get.
 
 use std::fs;
@@ -31,7 +32,7 @@ const WORDS: &[&str] = &[
     "linear", "law", "torsional", "torsional_law", "stiffness", "rate", "follower", "dot", "norm",
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "min", "max",
     "atan2", "for", "share", "merge", "sum", "mean", "spinning", "slack", "true", "false",
-    "component", "part", "number", "vector", "place",
+    "component", "part", "library", "use", "number", "vector", "place",
 ];
 
 /// Items that end with their braces; all others, and sections with a `=`, end with a semicolon.
@@ -157,6 +158,41 @@ fn completed(tutorial: &TokenStream, example: &str) -> TokenStream {
     format!("model Example {{ {all} }}")
         .parse()
         .expect("tokens make tokens")
+}
+
+/// Libraries and the models that use them: what rustc makes of the uses, by hand.
+#[test]
+fn every_library_is_taken_in() {
+    let text = document("docs/language.md");
+    let shared = blocks(&text, "shared");
+    assert!(!shared.is_empty());
+    for block in shared {
+        let file = syn::parse_file(&block).unwrap_or_else(|error| panic!("{error} in\n{block}"));
+        let inside = |item: syn::Item| match item {
+            syn::Item::Mod(module) => module.content.map(|(_, items)| items).unwrap_or_default(),
+            item => vec![item],
+        };
+        let macros = file.items.into_iter().flat_map(inside).filter_map(|item| match item {
+            syn::Item::Macro(item) => Some(item.mac.tokens),
+            _ => None,
+        });
+        let macros: Vec<TokenStream> = macros.collect();
+        let [library, model] = macros.as_slice() else {
+            panic!("a library and a model in\n{block}")
+        };
+        let (library, model) = (library.clone(), model.clone());
+        let made = expand::library(library.clone()).to_string();
+        assert!(
+            made.contains("macro_rules") && !made.contains("compile_error"),
+            "{made}"
+        );
+        let is_library = |token: &TokenTree| matches!(token, TokenTree::Ident(word) if word == "library");
+        let is_end = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ';');
+        let library = library.into_iter().skip_while(|token| !is_library(token));
+        let model = model.into_iter().skip_while(|token| !is_end(token)).skip(1);
+        let found = messages(library.chain(model).collect());
+        assert!(found.is_empty(), "{found:?}");
+    }
 }
 
 #[test]

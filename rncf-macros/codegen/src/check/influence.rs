@@ -30,9 +30,9 @@ pub fn influence(tree: &Tree, model: &Model, library: &Library) -> Vec<Mistake> 
     warnings
 }
 
-/// Whether an item was marked as meant to be without use.
+/// Whether an item was marked as meant to be without use, or is there for other models, too.
 fn is_meant(item: &Item) -> bool {
-    item.name.word().starts_with('_')
+    item.is_shared || item.name.word().starts_with('_')
 }
 
 /// Frames that move in a prescribed way.

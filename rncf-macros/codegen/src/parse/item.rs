@@ -117,6 +117,7 @@ fn item(cursor: &mut Cursor, doc: String, keyword: Keyword, name: Name, errors: 
         keyword,
         name,
         repeat: None,
+        is_shared: false,
         kind,
     }
 }

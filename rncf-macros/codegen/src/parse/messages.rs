@@ -23,6 +23,9 @@ pub const COMPONENT_IN_LOOP: &str =
 pub const COMPONENT_INSIDE: &str =
     "a component is declared beside others, not in them: take it out, and place it here with `part name = ..;`";
 pub const PARAM_INSIDE: &str = "params belong to the model: let the component be told it, `(name: unit = value)`";
+pub const USE_IN_LIBRARY: &str =
+    "a library uses no other one: let the model use both, then each finds the names of the other";
+pub const USE: &str = "a library is used by its path: `use crate::blades;`, in front of `model`, each by itself";
 pub const RUN_INSIDE: &str = "a `run` belongs to the model: write it outside of components";
 pub const RANGE: &str = "a loop needs its range: write `0..` and the number of repetitions, e.g. `0..n`";
 pub const RANGE_START: &str = "repetitions are numbered from 0: write `0..` and their number, e.g. `0..n`";
@@ -31,6 +34,9 @@ pub const RANGE_END: &str = "`0..n` counts from 0 to n - 1: leave out `=`";
 messages! {
     outside_of_loops(word) = "a `{word}` stands outside of loops: it is the same for all repetitions";
     meaning_of_its_own(name) = "`{name}` has a meaning of its own: choose another name";
+    not_shared(word) = "a `{word}` belongs to a model: in a library there are `component`, `material`, `section`, `table`, `const`, `let` and `motion`";
+    after_library(found) = "one `library!` declares one library: nothing may follow its braces, found {found}";
+    library_twice(name) = "the library `{name}` is used twice: leave one out";
     parameter_twice(name) = "the component is told `{name}` twice: leave one out";
     parameter_kind(word, words) = "`{word}` says not what the component is told: write a unit such as `m` or `kg/m`, or `{words}`";
     lacks_index(name, index) = "`{name}` stands in a loop: write `{name}[{index}]`";

@@ -2,7 +2,7 @@
 //! build reports all of them. This grammar is the reference of the language:
 //!
 //! ```text
-//! declaration = { doc } [ visibility ] "model" NAME "{" { item } "}"
+//! declaration = { "library" NAME "{" { item } "}" } { doc } [ visibility ] "model" NAME "{" { item } "}"
 //! item        = { doc } ( param | const | material | section | motion | frame | rigid | body
 //!                       | fixture | joint | constraint | spring | load | output | run | for
 //!                       | component | part )
@@ -80,6 +80,7 @@ pub(crate) mod component;
 pub(crate) mod cursor;
 mod expr;
 mod item;
+pub mod library;
 mod messages;
 mod repeat;
 mod source;
@@ -102,8 +103,9 @@ use tree::{Name, Tree};
 pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Tree> {
     let mut cursor = Cursor::new(tokens, Span::call_site());
     let before = errors.len();
-    let mut tree = match head(&mut cursor, errors) {
-        Ok(tree) => tree,
+    let read = library::taken_in(&mut cursor, errors).and_then(|libraries| Ok((libraries, head(&mut cursor, errors)?)));
+    let (libraries, mut tree) = match read {
+        Ok(read) => read,
         Err(mistake) => {
             errors.push(mistake);
             return None;
@@ -111,6 +113,7 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Tree> {
     };
     match body(&mut cursor, &tree.name) {
         Ok(group) => {
+            library::take_in(&libraries, &mut tree, errors);
             item::items(&mut Cursor::of(&group), &mut tree, None, errors);
             tree.source = source::declaration(&tree, &group);
         }

@@ -262,6 +262,8 @@ pub struct Item {
     pub name: Name,
     /// The loop that it stands in (index into [`Tree::loops`]).
     pub repeat: Option<usize>,
+    /// Whether it comes from a library, so that it may stand there without use.
+    pub is_shared: bool,
     /// Its content.
     pub kind: ItemKind,
 }

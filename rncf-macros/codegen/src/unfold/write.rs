@@ -66,6 +66,7 @@ impl<'t> Unfold<'t, '_> {
             keyword,
             name,
             repeat,
+            is_shared: false,
             kind,
         });
     }
@@ -106,6 +107,7 @@ impl<'t> Unfold<'t, '_> {
             keyword: item.keyword,
             name: Name::new(name.clone(), item.name.span),
             repeat: planned.repeat,
+            is_shared: item.is_shared,
             kind: if is_broken { ItemKind::Broken } else { kind },
         }
     }

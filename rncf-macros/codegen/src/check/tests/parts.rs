@@ -201,3 +201,83 @@ fn a_mistake_in_copies_is_told_once() {
         .collect();
     assert_eq!(texts, ["centr", "i * 1 m"]);
 }
+
+const LIBRARY: &str = "library weights {
+    const heavy = 3 kg; const spare = 2 m;
+    component Weight(mass: kg = heavy) { rigid ball { mass = mass; } }
+}";
+
+/// What a model takes in from a library is as if it stood there, but that nothing warns about what it leaves.
+#[test]
+fn libraries_are_taken_in() {
+    let text = format!(
+        "{LIBRARY} library more {{ component Twice() {{ part a = Weight(); part b = Weight(mass = 2*heavy); }} }}
+        model M {{ part two = Twice(); output x = two.b.ball.x; }}"
+    );
+    let model = model(&text);
+    assert_eq!(
+        names(&model.frames, |frame| &frame.name),
+        ["inertial", "two.a.ball", "two.b.ball"]
+    );
+    let warnings = expand::warnings(text.parse().expect("tokens"), &Library::standard());
+    assert!(warnings.is_empty(), "{warnings:?}");
+}
+
+/// `use` becomes a call of the library's macro with the rest.
+#[test]
+fn a_use_becomes_a_call() {
+    let expanded = |text: &str| expand::expand(text.parse().expect("tokens")).to_string();
+    let wanted = |text: &str| text.parse::<proc_macro2::TokenStream>().expect("tokens").to_string();
+    assert_eq!(
+        expanded("use crate::shared::weights; use other::masts; pub model M { output x = 3; }"),
+        wanted("crate::shared::weights! { use other::masts; pub model M { output x = 3; } }")
+    );
+    assert_eq!(
+        expanded("library a { } use other::masts; model M { }"),
+        wanted("other::masts! { library a { } model M { } }")
+    );
+    assert!(expanded("use crate::{a, b}; model M { }").contains("compile_error"));
+}
+
+/// A library becomes a macro that hands it to a model; its tables are those of its own crate.
+#[test]
+fn a_library_becomes_a_macro() {
+    let text = format!("pub {LIBRARY}").replace("const spare", "table blade = file(\"blade.csv\"); const spare");
+    let file = expand::library(text.parse().expect("tokens"));
+    syn::parse2::<syn::File>(file.clone()).expect("items");
+    let file = file.to_string();
+    assert!(
+        file.contains("# [macro_export]") && file.contains("pub use __rncf_library_weights as weights"),
+        "{file}"
+    );
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("blade.csv");
+    assert!(file.contains(&format!("{:?}", path.to_string_lossy())), "{file}");
+    let private = expand::library(LIBRARY.parse().expect("tokens")).to_string();
+    assert!(!private.contains("macro_export"));
+}
+
+#[test]
+fn wrong_libraries_say_what_would_be_right() {
+    let told = |text: &str| {
+        let (_, mistakes) = run(text);
+        let texts = mistakes.iter().map(|mistake| mistake.message.clone());
+        texts.collect::<Vec<String>>().join("; ")
+    };
+    let model = "model M { part a = Weight(); output x = a.ball.x; }";
+    assert!(
+        told(&format!("library w {{ rigid b {{ mass = 1 kg; }} }} {LIBRARY} {model}"))
+            .contains("a `rigid` belongs to a model")
+    );
+    assert!(told(&format!("{LIBRARY} {LIBRARY} {model}")).contains("the library `weights` is used twice"));
+    assert!(
+        told(&format!(
+            "{LIBRARY} model M {{ const heavy = 2 kg; part a = Weight(); output x = a.ball.x; }}"
+        ))
+        .contains("`heavy` is already declared")
+    );
+    let alone = |text: &str| expand::library(text.parse().expect("tokens")).to_string();
+    assert!(alone("pub library a { } library b { }").contains("one `library!` declares one library"));
+    assert!(alone("use b; library a { }").contains("uses no other one"));
+    assert!(alone("pub blades { }").contains("expected `library name"));
+    assert!(alone("library a { const c = ; }").contains("compile_error"));
+}
