@@ -1,4 +1,5 @@
-//! References written by hand from THEORY.md alone, as oracles of the tests: nothing here knows the generator.
+//! References written by hand from THEORY.md alone, as oracles of the tests: nothing here knows the generator but
+//! [`shared`], a library that models of tests take in.
 //!
 //! - [`quadrature`], [`element`], [`tensor`], [`inertia`]: the Hermite centre-line element (THEORY 5.1, 2) as general
 //!   code with run-time loops; also the yardstick of the benches.
@@ -41,6 +42,7 @@ pub mod section_chain;
 pub mod section_inertia;
 pub mod section_modes;
 pub mod section_statics;
+pub mod shared;
 pub mod spin_up;
 pub mod swing;
 pub mod symmetric;

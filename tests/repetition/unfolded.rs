@@ -29,32 +29,8 @@ rncf::model! {
     }
 }
 
-/// What the rotors below share.
-mod shared {
-    rncf::library! {
-        pub(crate) library blades {
-            material alloy { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.3; }
-            section strip = rectangle(y = 60 mm, z = 20 mm);
-            /// A slender blade, edgewise in the plane of rotation.
-            component Blade(azimuth: angle, root: frame, length: m = 3 m, count: count) {
-                let along = cos(azimuth);
-                let across = sin(azimuth);
-                body spar in root {
-                    spatial;
-                    line from [0 m, 0 m, 0 m] to [0 m, length * along, length * across];
-                    section_y [0, -across, along];
-                    mesh count * beam(strip, alloy);
-                }
-                joint clip = clamp(spar.start, root);
-                output root_moment = clip.moment;
-                output mass = spar.mass;
-            }
-        }
-    }
-}
-
 rncf::model! {
-    use crate::unfolded::shared::blades;
+    use rncf_tests::shared::blades;
     pub model ThreeBlades {
         param speed = 12.1 rpm;
         param elements: count = 6;
@@ -69,7 +45,7 @@ rncf::model! {
 }
 
 rncf::model! {
-    use self::shared::blades;
+    use super::unfolded::taken::blades;
     pub model OneBlade {
         param speed = 12.1 rpm;
         param elements: count = 6;
@@ -77,6 +53,11 @@ rncf::model! {
         part blade = Blade(azimuth = 0 deg, root = hub, count = elements);
         run { t_end = 1 s; every = 0.1 s; }
     }
+}
+
+/// A library of another crate under a path of this one.
+mod taken {
+    pub(super) use rncf_tests::shared::blades;
 }
 
 /// Angular frequencies, ascending.
