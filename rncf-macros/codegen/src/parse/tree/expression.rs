@@ -1,0 +1,143 @@
+//! Expressions as they are written.
+
+use super::Name;
+use crate::errors::Area;
+
+/// `name(arguments)`
+#[derive(Clone, Debug)]
+pub struct Call {
+    /// What is called.
+    pub name: Name,
+    /// Arguments.
+    pub arguments: Vec<Argument>,
+    /// All of it.
+    pub area: Area,
+}
+
+/// `value` or `name = value`
+#[derive(Clone, Debug)]
+pub struct Argument {
+    /// Name, where given.
+    pub name: Option<Name>,
+    /// Value.
+    pub value: Expr,
+}
+
+/// An expression.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// All of it, parentheses included.
+    pub area: Area,
+    /// Height of the tree, bounded by the parser so that recursion over it is safe.
+    pub height: usize,
+}
+
+/// What an expression is.
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    /// A number with its unit.
+    Number {
+        /// As written.
+        text: String,
+        /// Unit behind it.
+        unit: Option<UnitText>,
+    },
+    /// A name: parameter, constant, `t`, `pi`, ...
+    Name(Name),
+    /// The number that an index stands for; [`unfold`](crate::unfold) writes it.
+    Index(i64),
+    /// `base.field` or `base.field(arguments)`
+    Member {
+        /// What stands before the dot.
+        base: Box<Expr>,
+        /// The word behind it.
+        field: Name,
+        /// Arguments, where there are parentheses.
+        arguments: Option<Vec<Argument>>,
+    },
+    /// `name(arguments)`
+    Call(Call),
+    /// `-a`
+    Negate(Box<Expr>),
+    /// `a + b`, `a - b`, `a * b`, `a / b`
+    Binary(crate::model::Binary, Box<Expr>, Box<Expr>),
+    /// `a % b`
+    Remainder(Box<Expr>, Box<Expr>),
+    /// `name[index]`
+    Indexed {
+        /// Name of what is repeated.
+        base: Name,
+        /// Number of the repetition.
+        index: Box<Expr>,
+    },
+    /// `rod[i][j]`, `blade[1].rod[2]`: a number behind more than a name; [`unfold`](crate::unfold) resolves it.
+    Numbered {
+        /// What stands before the brackets.
+        base: Box<Expr>,
+        /// Number of the repetition.
+        index: Box<Expr>,
+    },
+    /// `pitch[b](t)`: a repeated motion at a time; [`unfold`](crate::unfold) resolves it.
+    Applied {
+        /// What stands before the parentheses.
+        base: Box<Expr>,
+        /// Arguments.
+        arguments: Vec<Argument>,
+    },
+    /// `max(index in 0..count, value)`
+    Reduced(Box<Reduced>),
+    /// `a ^ b`
+    Power(Box<Expr>, Box<Expr>),
+    /// `if left < right { a } else { b }`
+    If(Box<If>),
+    /// `[a, b, c] unit`
+    Vector {
+        /// Components.
+        components: Vec<Expr>,
+        /// Unit of all literal components.
+        unit: Option<UnitText>,
+    },
+}
+
+/// `max(index in 0..count, value)`, or `min`, `sum`, `mean`
+#[derive(Clone, Debug)]
+pub struct Reduced {
+    /// What is told.
+    pub reduction: crate::model::Reduction,
+    /// Name of the index.
+    pub index: Name,
+    /// How many values.
+    pub count: Expr,
+    /// The value of each.
+    pub value: Expr,
+}
+
+/// `if left < right { then } else { otherwise }`
+#[derive(Clone, Debug)]
+pub struct If {
+    /// The comparison.
+    pub comparison: crate::model::Comparison,
+    /// Its left side.
+    pub left: Expr,
+    /// Its right side.
+    pub right: Expr,
+    /// Value where it holds.
+    pub then: Expr,
+    /// Value where it does not.
+    pub otherwise: Expr,
+}
+
+/// A product of powers of unit symbols.
+#[derive(Clone, Debug)]
+pub struct UnitText {
+    /// Symbols with their exponents.
+    pub factors: Vec<(Name, i32)>,
+    /// As written, in a uniform spacing.
+    pub text: String,
+    /// Whether it could not be a quotient or product with something that has a name.
+    pub is_delimited: bool,
+    /// All of it.
+    pub area: Area,
+}
