@@ -107,7 +107,7 @@ impl<'m> Time<'m> {
                 let argument = self.expression_at(argument, t);
                 let motion = &self.model.motions[motion.0];
                 let value = self.expression_at(&motion.value, argument);
-                self.graph.name(value, motion.name.clone())
+                self.graph.name(value, crate::model::identifier(&motion.name))
             }
             Expr::Negate(a) => {
                 let a = self.expression_at(a, t);

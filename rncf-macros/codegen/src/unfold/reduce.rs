@@ -46,7 +46,8 @@ impl<'t> Unfold<'t, '_> {
         match &expr.kind {
             ExprKind::Number { .. } | ExprKind::Index(_) | ExprKind::Name(_) => false,
             ExprKind::Indexed { base, .. } => of_name(base),
-            ExprKind::Numbered { base, .. } | ExprKind::Negate(base) => self.looks_at_items(at, base),
+            ExprKind::Numbered { base, .. } => self.is_of_part(at, base) || self.looks_at_items(at, base),
+            ExprKind::Negate(base) => self.looks_at_items(at, base),
             ExprKind::Member { base, arguments, .. } => {
                 self.looks_at_items(at, base) || arguments.iter().any(|list| self.any_looks(at, list))
             }
@@ -61,6 +62,33 @@ impl<'t> Unfold<'t, '_> {
                 .any(|part| self.looks_at_items(at, part)),
             ExprKind::Vector { components, .. } => components.iter().any(|part| self.looks_at_items(at, part)),
         }
+    }
+
+    /// Whether it is something in a part that is repeated at build time.
+    fn is_of_part(&self, at: &Place, expr: &Expr) -> bool {
+        let ExprKind::Member { base, field, .. } = &expr.kind else {
+            return false;
+        };
+        let scope = self.part_of(at, base).map(|scope| &self.scopes[scope]);
+        let found = scope.and_then(|scope| Some((scope, scope.names.get(field.text.as_str())?)));
+        found.is_some_and(|(scope, declared)| declared.loops.iter().any(|id| !scope.kept.contains(id)))
+    }
+
+    /// The scope of a part that is named without numbers.
+    fn part_of(&self, at: &Place, expr: &Expr) -> Option<usize> {
+        let written = match &expr.kind {
+            ExprKind::Name(name) => {
+                let mut scopes = [at.scope, 0].into_iter().map(|scope| &self.scopes[scope]);
+                let scope = scopes.find(|scope| scope.names.contains_key(name.text.as_str()))?;
+                format!("{}{}", scope.prefix, name.text)
+            }
+            ExprKind::Member { base, field, .. } => {
+                let scope = self.part_of(at, base)?;
+                format!("{}{}", self.scopes[scope].prefix, field.text)
+            }
+            _ => return None,
+        };
+        self.parts.get(&written).copied()
     }
 
     fn any_looks(&self, at: &Place, arguments: &[Argument]) -> bool {

@@ -281,3 +281,55 @@ fn wrong_libraries_say_what_would_be_right() {
     assert!(alone("pub blades { }").contains("expected `library name"));
     assert!(alone("library a { const c = ; }").contains("compile_error"));
 }
+
+/// All that a component may be told, repeated motions, and loops over a param and over a number in parts: what is written is
+/// Rust.
+#[test]
+fn all_kinds_are_told_and_written() {
+    let steel = "material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }";
+    let all = format!(
+        "model M {{
+        component Mast(h: m, foot: place, way: vector, s: section, made: material, tie: joint, over: body) {{
+            body pole {{ planar xy; line from [0, 0, 0] m to way; mesh 3 * cable(s, made); }}
+            joint base = clamp(pole.start, inertial);
+            joint link = distance(pole.end, foot, length = h);
+            output a = tie.angle;
+            output c = over.end.x;
+            constraint k = pole.end.x - h;
+        }}
+        {steel}
+        for i in 0..2 {{ section wire[i] = circle(radius = (i + 1) * 1 mm); motion w[i](t) = (i + 1) * sin(1 [rad/s] * t) * 1 rad; }}
+        frame hub = rotating(axis = z, angle = w[1](t));
+        rigid arm in hub {{ plane xy; mass = 1 kg; inertia = 1 kg*m^2; }}
+        joint j = revolute(arm, hub);
+        body other in hub {{ planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 3 * cable(wire[0], steel); }}
+        joint held = clamp(other.start, hub);
+        for i in 0..2 {{ part mast[i] = Mast(h = 1 m, foot = arm.at([1, 0, 0] m), way = [1 m, i * 1 m, 0], s = wire[i], made = steel, tie = j, over = other); }}
+        output d = mast[1].pole.end.x + w[0](t) * 1 [m/rad];
+    }}"
+    );
+    let rows = format!(
+        "model M {{
+        param n: count = 4;
+        {steel}
+        section wire = circle(radius = 1 mm);
+        component Row(n: count, gap: m) {{
+            motion turn(t) = gap * t * 1 [rad/m/s];
+            for a in 0..n {{
+                body rod[a] {{ planar xy; line from [a * gap, 0 m, 0] to [a * gap, 1 m, 0]; mesh 2 * cable(wire, steel); }}
+                joint foot[a] = clamp(rod[a].start, inertial);
+                fixture tip[a] on rod[a].end {{ mass = 1 kg; }}
+            }}
+            output most = max(a in 0..n, rod[a].end.x);
+        }}
+        part left = Row(n = n, gap = 1 m);
+        part right = Row(n = 2, gap = 2 m);
+        output far = left.rod[1].end.x + max(k in 0..n, left.rod[k].end.y) + max(k in 0..2, right.rod[k].end.y);
+        output turned = right.turn(t);
+    }}"
+    );
+    for text in [all, rows] {
+        let text = expand::text(text.parse().expect("tokens"), &Library::standard());
+        assert!(text.is_ok(), "{:?}", text.err());
+    }
+}
