@@ -14,6 +14,7 @@
 use crate::archive::{Archive, Keep};
 use crate::linalg::Pattern;
 use crate::rotation::{Rotation, inverse_tangent_map};
+use crate::vector::{Matrix, Vector};
 
 /// Position, velocity, acceleration and multipliers of a system at one time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -155,6 +156,38 @@ pub struct Jump {
     pub of_position: bool,
 }
 
+/// What turns a pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Turning {
+    /// Three unknowns, an orientation.
+    Orientation {
+        /// Its index among [`System::turns`].
+        index: usize,
+    },
+    /// One unknown, an angle.
+    Angle {
+        /// The unknown.
+        unknown: usize,
+        /// Axis, in the axes of the pose.
+        axis: Vector,
+        /// Rotation at the angle zero.
+        base: Rotation,
+    },
+}
+
+/// The way from the origin of a pose to a point that it carries.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lever {
+    /// Unknown positions of the origin, each with its direction in space.
+    pub positions: Vec<(usize, Vector)>,
+    /// What turns the pose.
+    pub turning: Turning,
+    /// The way, m, in the axes of the pose: to the centre of mass of what the pose carries at the start.
+    pub arm: Vector,
+    /// The inertia of that about this point, kg m^2, and its inverse, in the axes of the pose; `None` where it is singular, or one number.
+    pub inertia: Option<[Matrix; 2]>,
+}
+
 /// A second-order differential-algebraic system. Functions write into the caller's memory and
 /// take `&mut self` for scratch only: the result depends on the arguments alone.
 pub trait System {
@@ -174,6 +207,12 @@ pub trait System {
     /// may be full: linear algebra borders them. What is in front of them has a regular mass matrix.
     fn border(&self) -> usize {
         0
+    }
+
+    /// Poses that no constraint touches, with what their inertia is like. A method of second order keeps neither the momentum of what circles
+    /// about the origin of a pose nor an angular momentum in turning axes; of these it keeps that of a rigid body.
+    fn levers(&mut self) -> Vec<Lever> {
+        Vec::new()
     }
 
     /// Fixed sparsity pattern, n x n, common to mass, damping and stiffness; structurally

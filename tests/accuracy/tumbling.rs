@@ -2,7 +2,9 @@
 
 use rncf::equilibrium::{Uniform, steady};
 use rncf::modes::{Wanted, modes};
-use rncf::{Formulation, Joints, Model};
+use rncf::{Formulation, Joints, Method, Model, Statistics};
+
+use crate::runs::{adaptive, apart, far, grid, history, states_at};
 
 rncf::model! {
     /// A free rigid hub with four flexible booms, or without.
@@ -26,6 +28,11 @@ rncf::model! {
         joint north_root = clamp(north.start, hub);
         joint south_root = clamp(south.start, hub);
         output spin = hub.angular_velocity;
+        output place = hub.position;
+        output tip_of_east = east.end.in(inertial);
+        output tip_of_south = south.end.in(inertial);
+        output momentum = total.momentum;
+        output angular_momentum = total.angular_momentum;
     }
 }
 
@@ -81,4 +88,144 @@ fn without_modes_nothing_is_said_of_the_stability() {
     // At rest all six motions drift.
     let rates = found(&Satellite::default(), 6);
     assert_eq!(rates, [[0.0; 2]; 6]);
+}
+
+rncf::model! {
+    /// A stone and a plate that are thrown, both away from the origins of their frames.
+    pub model Thrown {
+        rigid stone {
+            mass = 2 kg;
+            center = [0.3, -0.2, 0.5] m;
+            inertia = [0.02, 0.05, 0.055] kg*m^2;
+            velocity = [3, 0, 1] m/s;
+            angular_velocity = [30, 4, -2] rad/s;
+        }
+        rigid plate { plane xy; mass = 1 kg; center = [0.4, 0.1, 0] m; inertia = 0.02 kg*m^2; velocity = [1, 2, 0] m/s; speed = 25 rad/s; }
+        load weight = gravity([0, -9.81, 0] m/s^2);
+        output stone_at = stone.center;
+        output plate_at = plate.center;
+        output spin = stone.angular_momentum(about = stone.center);
+    }
+}
+
+#[test]
+fn methods_of_second_order_keep_the_momentum_of_what_turns_beside_its_origin() {
+    let end = 1.0;
+    let weight = [0.0, -9.81, 0.0];
+    // v + w x c of the stone and of the plate, and the places of their centres at the start.
+    let starts = [
+        (
+            [0.3, -0.2, 0.5],
+            [
+                3.0 + 4.0 * 0.5 - 2.0 * 0.2,
+                -2.0 * 0.3 - 30.0 * 0.5,
+                1.0 - 30.0 * 0.2 - 4.0 * 0.3,
+            ],
+        ),
+        ([0.4, 0.1, 0.0], [1.0 - 25.0 * 0.1, 2.0 + 25.0 * 0.4, 0.0]),
+    ];
+    // J w in the axes of the start.
+    let momentum = [0.02 * 30.0, 0.05 * 4.0, 0.055 * -2.0];
+    for (method, rtol) in [
+        (Method::Hht { alpha: -0.05 }, 1e-4),
+        (Method::Hht { alpha: -0.05 }, 1e-6),
+        (Method::GeneralizedAlpha { rho_inf: 0.8 }, 1e-6),
+    ] {
+        let mut scene = Thrown::default().build(Formulation::Rncf, Joints::Eliminated).unwrap();
+        let start = scene.rest(0.0);
+        let (states, statistics) = states_at(scene.as_mut(), start, method, adaptive(rtol), &[end]);
+        let mut row = vec![0.0; scene.output_columns()];
+        scene.outputs(&states[0], &mut row);
+        for (which, (place, velocity)) in starts.iter().enumerate() {
+            for axis in 0..if which == 0 { 3 } else { 2 } {
+                let exact = place[axis] + velocity[axis] * end + 0.5 * weight[axis] * end * end;
+                let off = (row[3 * which + axis] - exact).abs();
+                println!(
+                    "{method:?} {rtol}, {} steps: centre {which} off by {off:.1e} m",
+                    statistics.steps
+                );
+                assert!(off < 0.1 * rtol, "{off}");
+            }
+        }
+        let off = (0..3)
+            .map(|axis| (row[row.len() - 3 + axis] - momentum[axis]).abs())
+            .fold(0.0, f64::max);
+        println!("angular momentum off by {off:.1e} of {momentum:?} kg m^2/s");
+        assert!(off < 0.1 * rtol, "{off}");
+    }
+}
+
+/// Half of the satellite, m.
+const SIZE: f64 = 3.5;
+
+/// Places, and largest drifts of momentum and angular momentum as parts of what the latter is at the start (over the size), of the tumbling satellite.
+fn flown(way: Formulation, method: Method, rtol: f64, times: &[f64]) -> (Vec<Vec<f64>>, [f64; 2], Statistics) {
+    let model = Satellite {
+        spin_x: 0.3,
+        spin_y: 1.0,
+        ..Satellite::default()
+    };
+    let (rows, statistics) = history(&model, (way, Joints::Eliminated), method, adaptive(rtol), times);
+    let given = rows[0][15..18].iter().map(|part| part * part).sum::<f64>().sqrt();
+    let drift = |columns: std::ops::Range<usize>, scale: f64| {
+        rows.iter()
+            .map(|row| far(&row[columns.clone()], &rows[0][columns.clone()]) / scale)
+            .fold(0.0, f64::max)
+    };
+    let drifts = [drift(12..15, given / SIZE), drift(15..18, given)];
+    (rows.iter().map(|row| row[3..12].to_vec()).collect(), drifts, statistics)
+}
+
+/// The rows of the table in docs/free_frames.md: error of places over the size, drifts of momentum and angular momentum, steps.
+fn compared(methods: &[(Method, &[f64])], end: f64, finest: f64) -> Vec<(Formulation, Method, f64, [f64; 3])> {
+    let times = grid(0.1, end);
+    let (exact, _, _) = flown(Formulation::Ancf, Method::Radau, finest, &times);
+    let mut found = Vec::new();
+    for (method, tolerances) in methods {
+        for &rtol in *tolerances {
+            for way in [Formulation::Rncf, Formulation::Ancf] {
+                let (places, [momentum, spin], statistics) = flown(way, *method, rtol, &times);
+                let error = apart(&places, &exact) / SIZE;
+                println!(
+                    "{way:?} {method:?} {rtol:e}: {error:.1e} of the size, momentum {momentum:.1e}, angular momentum {spin:.1e}, {} steps",
+                    statistics.steps
+                );
+                found.push((way, *method, rtol, [error, momentum, spin]));
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn a_tumbling_satellite_is_where_it_is_in_both_formulations() {
+    let hht = Method::Hht { alpha: -0.05 };
+    for (_, method, rtol, [error, momentum, spin]) in
+        compared(&[(Method::Radau, &[1e-4, 1e-6]), (hht, &[1e-4])], 2.0, 1e-7)
+    {
+        // Errors of methods of second order follow the tolerance of a step to the power 2/3.
+        let limit = if method == hht {
+            3.0 * rtol.powf(2.0 / 3.0)
+        } else {
+            10.0 * rtol
+        };
+        assert!(
+            error < limit && momentum < limit && spin < limit,
+            "{error:e} {momentum:e} {spin:e}"
+        );
+    }
+}
+
+/// The table of docs/free_frames.md.
+#[test]
+#[ignore = "a study of minutes"]
+fn table_of_the_satellite() {
+    let all: &[f64] = &[1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
+    let [hht, alpha] = [Method::Hht { alpha: -0.05 }, Method::GeneralizedAlpha { rho_inf: 0.8 }];
+    let found = compared(&[(Method::Radau, all), (hht, all), (alpha, all)], 5.0, 1e-10);
+    assert!(
+        found
+            .iter()
+            .all(|(_, _, _, numbers)| numbers.iter().all(|number| number.is_finite()))
+    );
 }

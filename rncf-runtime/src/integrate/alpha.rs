@@ -24,6 +24,7 @@ use super::compensated::{self, Low};
 use super::control::{Controller, RETRY};
 use super::history::History;
 use super::lasting::Lasting;
+use super::levers::Levers;
 use super::newton::{self, Factors, Failure, Iterate, Newton, norm};
 use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
@@ -41,10 +42,10 @@ const DIFFERENCE: f64 = 1e-3;
 /// Coefficients of a method of the family.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Coefficients {
-    alpha_m: f64,
-    alpha_f: f64,
-    beta: f64,
-    gamma: f64,
+    pub(super) alpha_m: f64,
+    pub(super) alpha_f: f64,
+    pub(super) beta: f64,
+    pub(super) gamma: f64,
 }
 
 impl Coefficients {
@@ -70,7 +71,7 @@ impl Coefficients {
     }
 
     /// `a_n` approximates the acceleration at `t_n + shift h`.
-    fn shift(&self) -> f64 {
+    pub(super) fn shift(&self) -> f64 {
         self.alpha_m - self.alpha_f
     }
 
@@ -170,6 +171,7 @@ impl Alpha {
                 state: zeros,
                 low: Low::zeros(n),
                 algorithmic: vec![0.0; n],
+                levers: Levers::new(system, coefficients),
             },
             a0: vec![0.0; n],
             work: vec![0.0; n],
@@ -210,6 +212,8 @@ impl Alpha {
             self.trial.state.v.copy_from_slice(&self.left.v);
             self.trial.low.v.copy_from_slice(&self.left.low);
             self.a0.copy_from_slice(&self.left.a);
+            let Iterate { state, levers, .. } = &mut self.trial;
+            levers.prepare(&self.now, &state.v, h, true);
             return Ok(());
         }
         let kappa = self.coefficients.kappa();
@@ -231,6 +235,8 @@ impl Alpha {
             let start = -bias * self.constrained_jerk[i];
             (self.trial.state.v[i], self.trial.low.v[i]) = compensated::sum(self.now.v[i], self.low.v[i], start);
         }
+        let Iterate { state, levers, .. } = &mut self.trial;
+        levers.prepare(&self.now, &state.v, h, false);
         Ok(())
     }
 
@@ -246,6 +252,7 @@ impl Alpha {
             state,
             low,
             algorithmic,
+            levers,
         } = &mut self.trial;
         (state.t, low.t) = compensated::sum(self.now.t, self.low.t, h);
         state.turns.clone_from(&self.now.turns);
@@ -264,6 +271,8 @@ impl Alpha {
             let change = h * ((1.0 - gamma) * a0 + gamma * a1);
             (state.v[i], low.v[i]) = compensated::sum(v0, low.v[i], change);
         }
+        levers.predict();
+        levers.correct(h, state, low);
     }
 
     /// Converges the end of a step of size `h`; a matrix of an earlier step gets a second chance.
@@ -310,7 +319,9 @@ impl Alpha {
             state,
             low,
             algorithmic,
+            levers,
         } = &mut self.trial;
+        levers.accept(h, state);
         self.left.low.copy_from_slice(&low.v);
         self.left.v.copy_from_slice(&state.v);
         if !self.stabilised && !state.lambda.is_empty() {
@@ -367,7 +378,7 @@ impl Keep for Alpha {
             constrained_jerk: _,
             jerk_known: _,
             first_jerk,
-            trial: _,
+            trial,
             a0: _,
             work: _,
         } = self;
@@ -378,6 +389,7 @@ impl Keep for Alpha {
         before.keep(archive);
         low.keep(archive);
         h.keep(archive);
+        trial.levers.keep(archive);
         for values in [offset, v, left_low, a, first_jerk] {
             archive.fixed(values);
         }
@@ -417,6 +429,14 @@ impl Scheme for Alpha {
         for i in 0..self.offset.len() {
             self.offset[i] = shift * self.first_jerk[i];
         }
+        let dt = DIFFERENCE * h;
+        let later = &mut self.trial.state;
+        for i in 0..self.offset.len() {
+            later.x[i] = self.now.x[i] + dt * self.now.v[i];
+            later.v[i] = self.now.v[i] + dt * self.now.a[i];
+            later.a[i] = self.now.a[i] + dt * self.first_jerk[i];
+        }
+        self.trial.levers.begin(&self.now, &self.trial.state, dt);
         Ok(())
     }
 

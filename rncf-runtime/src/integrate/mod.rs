@@ -16,6 +16,7 @@ mod driver;
 mod energy;
 mod history;
 mod lasting;
+mod levers;
 mod newton;
 mod noise;
 mod options;

@@ -14,6 +14,7 @@ use super::Statistics;
 use super::charts::Charts;
 use super::compensated::{self, Low};
 use super::lasting::Lasting;
+use super::levers::Levers;
 use super::noise::{self, BEARABLE};
 use super::scheme::Cause;
 use super::stabiliser::{Scales, Stabiliser};
@@ -71,6 +72,8 @@ pub(super) struct Iterate {
     pub(super) low: Low,
     /// Acceleration of the update formulas.
     pub(super) algorithmic: Vec<f64>,
+    /// Ways from the origins of free poses to their centres of mass.
+    pub(super) levers: Levers,
 }
 
 /// Newton's iteration with a kept factorization.
@@ -540,6 +543,7 @@ impl Newton {
             state,
             low,
             algorithmic,
+            levers,
         } = iterate;
         let acceleration = 1.0 / (self.factors.beta * h * h);
         let velocity = self.factors.gamma / (self.factors.beta * h);
@@ -556,6 +560,7 @@ impl Newton {
         for (lambda, d) in state.lambda.iter_mut().zip(&self.dlambda) {
             *lambda += acceleration * d;
         }
+        levers.correct(h, state, low);
     }
 }
 

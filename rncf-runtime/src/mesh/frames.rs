@@ -223,6 +223,11 @@ impl FreeFrame {
         }
     }
 
+    /// Rotation at the angle zero, of planar and hinged frames.
+    pub fn rotation_at_zero(&self) -> Rotation {
+        self.base
+    }
+
     /// Rates of the unknowns at a velocity of the origin (inertial axes) and an angular velocity (frame axes).
     pub fn rates(&self, velocity: Vector, spin: Vector, v: &mut [f64]) {
         let shifting = subtract(velocity, self.drift);

@@ -34,6 +34,7 @@ mod jumps;
 mod law;
 mod layout;
 mod lean;
+mod levers;
 mod line;
 mod linked;
 mod markers;

@@ -7,7 +7,7 @@ use super::layout::VectorKind;
 use super::parts::{Interpolant, JointKind};
 use super::scene::{MeshScene, Regime, Row};
 use crate::linalg::Pattern;
-use crate::system::{Conserving, ConstraintLevel, Jump, State, System, Tangent};
+use crate::system::{Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent};
 
 /// Letters of the components.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -35,6 +35,10 @@ impl System for MeshScene {
 
     fn border(&self) -> usize {
         self.layout.border()
+    }
+
+    fn levers(&mut self) -> Vec<Lever> {
+        self.free_levers()
     }
 
     fn mass(&mut self, state: &State, values: &mut [f64]) {

@@ -18,7 +18,7 @@ use crate::mesh::scene::MeshScene;
 use crate::mesh::section::SectionState;
 use crate::model::{Formulation, FrameState, Joints, Scene, Warning};
 use crate::modes::Composition;
-use crate::system::{Conserving, ConstraintLevel, Jump, State, System, Tangent};
+use crate::system::{Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent, Turning};
 
 /// Builds the scene of a model with emitted parts: with modal coordinates where a body asks for them.
 ///
@@ -384,6 +384,25 @@ impl System for ModalScene {
 
     fn constraint_pattern(&self) -> &Pattern {
         &self.constraint_pattern
+    }
+
+    fn levers(&mut self) -> Vec<Lever> {
+        let mut levers = self.scene.levers();
+        let same = |unknown: &mut usize| match self.reduction.same(*unknown) {
+            Some(own) => {
+                *unknown = own;
+                true
+            }
+            None => false,
+        };
+        levers.retain_mut(|lever| {
+            let turns = match &mut lever.turning {
+                Turning::Angle { unknown, .. } => same(unknown),
+                Turning::Orientation { .. } => true,
+            };
+            turns && lever.positions.iter_mut().all(|(unknown, _)| same(unknown))
+        });
+        levers
     }
 
     fn mass(&mut self, state: &State, values: &mut [f64]) {
