@@ -51,6 +51,7 @@ mod sweep;
 #[cfg(test)]
 mod testing;
 mod tracker;
+mod unfollowed;
 mod units;
 
 pub use advise::{Advised, AdvisedRung, Wanted, advise};

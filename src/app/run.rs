@@ -12,6 +12,7 @@ use super::pictures::Pictures;
 use super::recorder::{InMemory, Recorder};
 use super::run_error::{Incomplete, RunError};
 use super::steady;
+use super::unfollowed::unfollowed;
 use crate::mesh::Fidelity;
 use crate::{
     AnyModel, Caution, Formulation, Integrator, Joints, Method, Options, Scene, Start, State, Statistics, StepSize,
@@ -172,7 +173,13 @@ pub(super) fn run_recorded(
         seconds: Seconds::default(),
         incomplete: None,
     };
-    integrate(scene.as_mut(), start, &mut result, clock, recorder, watch)?;
+    integrate(scene.as_mut(), start.clone(), &mut result, clock, recorder, watch)?;
+    if recorder.is_on_disk() && result.incomplete.is_none() && result.settings.method != Method::EnergyMomentum {
+        // A program that calls `run` pays for its steps alone.
+        let run = (t_end, result.statistics.steps, result.settings.options.rtol);
+        let missed = unfollowed(scene.as_mut(), start, run, model.outputs(), &result.state);
+        result.warnings.extend(missed);
+    }
     let told = cautions::sentences(model, &result.cautions);
     let told = told.into_iter().chain(doubts(model, result.settings.options.rtol));
     result.warnings.splice(0..0, told);
