@@ -55,7 +55,7 @@ impl ::rncf::Model for Iea15mwBlade {
         "Body `blade` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
         "Joint `hub`: its conditions are linear in the nodal vectors of `blade` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.",
         "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
-        "Energy-momentum integration: no forces that conserve energy are emitted, as body `blade` has an energy that is not quadratic in the inner products of its vectors ().",
+        "Energy-momentum integration: no forces that conserve energy are emitted, as body `blade` has an energy that is not quadratic in the inner products of its vectors.",
     ];
     fn params() -> &'static [::rncf::Param] {
         &[
@@ -168,7 +168,7 @@ pub mod iea15mw_blade_equations {
     /// * Body `blade` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
     /// * Joint `hub`: its conditions are linear in the nodal vectors of `blade` and eliminated, neither unknowns nor multipliers; they do not change with time, so that there are no functions for their rates.
     /// * Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.
-    /// * Energy-momentum integration: no forces that conserve energy are emitted, as body `blade` has an energy that is not quadratic in the inner products of its vectors ().
+    /// * Energy-momentum integration: no forces that conserve energy are emitted, as body `blade` has an energy that is not quadratic in the inner products of its vectors.
     #[derive(Clone, Debug, PartialEq)]
     #[allow(non_snake_case)]
     pub struct Iea15mwBlade {
@@ -4395,7 +4395,7 @@ pub mod iea15mw_blade_equations {
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some(
-                "body `blade` has an energy that is not quadratic in the inner products of its vectors ()",
+                "body `blade` has an energy that is not quadratic in the inner products of its vectors",
             )
         }
         fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {

@@ -4,6 +4,7 @@ mod blades;
 mod buckling;
 mod cantilever;
 mod curved;
+mod elements;
 mod motor;
 mod motor_runs;
 mod roll_up;

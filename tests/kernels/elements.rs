@@ -2,29 +2,48 @@
 
 use std::collections::HashMap;
 
-use rncf_codegen::elements::{Axial, CABLE, Element, Library, axial_strain, thin_beam};
-use rncf_codegen::expand;
+use rncf_codegen::elements::Library;
+use rncf_codegen::errors::Errors;
 use rncf_codegen::lower::elastic::{Form, Quantity, kernel};
 use rncf_codegen::lower::{Variant, elastic_kernels};
 use rncf_codegen::model::{ElementId, Evaluation, Quadrature};
+use rncf_codegen::{check, expand, parse};
 
 use crate::jacobians::{Random, assert_close, jacobian};
 
 /// Curvature squared per deformed length: exponent 3 (THEORY 5.1, remark i).
-const PER_DEFORMED_LENGTH: Element = Element {
-    names: &["rope"],
-    energy: |graph, fields, _| {
-        let strain = axial_strain(graph, fields.dots[0][0], false);
-        thin_beam(graph, fields, 3.0, (strain, Axial::Linear))
-    },
-    options: &[],
-    kernel: "rope",
-    ..CABLE
-};
+const PER_DEFORMED_LENGTH: &str = "element rope(section, material) {
+    domain xi in 0..1;
+    vector r0 = r   at 0, shape 1 - 3*xi^2 + 2*xi^3;
+    vector s0 = r_x at 0, shape xi - 2*xi^2 + xi^3;
+    vector r1 = r   at 1, shape 3*xi^2 - 2*xi^3;
+    vector s1 = r_x at 1, shape -xi^2 + xi^3;
+    field a = r_x;
+    field b = r_xx;
+    coefficient EA: N      = material.young * section.area;
+    coefficient EI: N m^2  = material.young * section.second_moment;
+    coefficient rhoA: kg/m = material.density * section.area;
+    inertia r = rhoA;
+    strain e = (dot(a, a) - 1)/2;
+    strain k in plane = cross(a, b)/dot(a, a)^1.5;
+    energy axial_strain = 1/2*EA*e^2;
+    energy bending in plane = 1/2*EI*k^2;
+    energy bending in space = 1/2*EI*(dot(a, a)*dot(b, b) - dot(a, b)^2)/dot(a, a)^3;
+}";
+
+/// The library with the element.
+fn with_rope() -> Library {
+    let mut errors = Errors::new();
+    let tokens = format!("model Ropes {{ {PER_DEFORMED_LENGTH} }}").parse().unwrap();
+    let tree = parse::parse(tokens, &mut errors).unwrap();
+    let library = check::elements(&tree, &Library::standard(), &mut errors);
+    assert!(errors.finish().is_empty());
+    library
+}
 
 #[test]
 fn another_exponent_is_one_line() {
-    let library = Library::standard().with(PER_DEFORMED_LENGTH);
+    let library = with_rope();
     let mut random = Random(11);
     for dimension in [2, 3] {
         let variant = Variant {
@@ -88,16 +107,21 @@ fn inputs_of(
 /// The new word is a word of the language at once, and its expansion is Rust.
 #[test]
 fn the_language_knows_the_new_element() {
-    let text = "pub model Swing {
-        material steel { density = 7800 kg/m^3; young = 210 GPa; poisson = 0.3; }
-        section wire { area = 1 mm^2; second_moment = 0.08 mm^4; }
-        body swing in inertial { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 4 * rope(wire, steel); }
-        joint top = pin(swing.start, inertial);
-        load weight = gravity([0, 0, -9.81] m/s^2);
-        output z = swing.end.z;
-    }";
-    let library = Library::standard().with(PER_DEFORMED_LENGTH);
-    let expansion = expand::text(text.parse().unwrap(), &library).unwrap();
+    let text = |element: &str| {
+        let text = format!(
+            "pub model Swing {{
+            {element}
+            material steel {{ density = 7800 kg/m^3; young = 210 GPa; }}
+            section wire {{ area = 1 mm^2; second_moment = 0.08 mm^4; }}
+            body swing in inertial {{ spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 4 * rope(wire, steel); }}
+            joint top = pin(swing.start, inertial);
+            load weight = gravity([0, 0, -9.81] m/s^2);
+            output z = swing.end.z;
+        }}"
+        );
+        expand::text(text.parse().unwrap(), &Library::standard())
+    };
+    let expansion = text(PER_DEFORMED_LENGTH).unwrap();
     assert!(expansion.contains("rope_spatial_elastic_tangent"));
-    assert!(expand::text(text.parse().unwrap(), &Library::standard()).is_err());
+    assert!(text("").is_err());
 }

@@ -26,11 +26,10 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let tree = read(tokens, None, &mut errors);
     let model = tree
         .as_ref()
-        .and_then(|tree| check::check(tree, &Library::standard(), &mut errors));
+        .and_then(|tree| check::check_with_elements(tree, &Library::standard(), &mut errors));
     match (tree, model) {
-        (Some(tree), Some(model)) if errors.is_empty() => {
+        (Some(tree), Some((model, library))) if errors.is_empty() => {
             let _ = errors.finish();
-            let library = Library::standard();
             let warnings = influence(&tree, &model, &library);
             let text = emit::model(&model, &library) + &dependences(&model);
             if emit::is_ambiguous(&model, &text) {
@@ -124,10 +123,12 @@ pub fn text(tokens: TokenStream, library: &Library) -> Result<String, Vec<Mistak
 pub fn text_beside(tokens: TokenStream, library: &Library, folder: Option<&Path>) -> Result<String, Vec<Mistake>> {
     let mut errors = Errors::new();
     let tree = read(tokens, folder, &mut errors);
-    let model = tree.as_ref().and_then(|tree| check::check(tree, library, &mut errors));
+    let model = tree
+        .as_ref()
+        .and_then(|tree| check::check_with_elements(tree, library, &mut errors));
     let mistakes = errors.finish();
     match model {
-        Some(model) if mistakes.is_empty() => Ok(format(&emit::model(&model, library))),
+        Some((model, library)) if mistakes.is_empty() => Ok(format(&emit::model(&model, &library))),
         _ => Err(mistakes),
     }
 }
@@ -137,10 +138,12 @@ pub fn text_beside(tokens: TokenStream, library: &Library, folder: Option<&Path>
 pub fn warnings(tokens: TokenStream, library: &Library) -> Vec<Mistake> {
     let mut errors = Errors::new();
     let tree = read(tokens, None, &mut errors);
-    let model = tree.as_ref().and_then(|tree| check::check(tree, library, &mut errors));
+    let model = tree
+        .as_ref()
+        .and_then(|tree| check::check_with_elements(tree, library, &mut errors));
     let is_right = errors.finish().is_empty();
     match (tree, model) {
-        (Some(tree), Some(model)) if is_right => influence(&tree, &model, library),
+        (Some(tree), Some((model, library))) if is_right => influence(&tree, &model, &library),
         _ => Vec::new(),
     }
 }

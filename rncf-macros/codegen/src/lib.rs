@@ -20,6 +20,7 @@ pub mod errors;
 pub mod expand;
 pub mod generate;
 pub mod joints;
+mod library;
 pub mod lower;
 pub mod model;
 pub mod parse;

@@ -9,8 +9,8 @@ mod repeated;
 
 pub use along::{Column, Law, Stations, Table};
 pub use expression::{
-    About, BalanceQuantity, Binary, Comparison, Expr, Function, Location, Observable, Owner, PointQuantity, Reduction,
-    SectionQuantity,
+    About, BalanceQuantity, Binary, Comparison, ElementQuantity, Expr, Function, Location, Observable, Owner,
+    PointQuantity, Reduction, SectionQuantity,
 };
 pub use moving::{Constraint, Fixture, Force, Free, Marker, Motions, RigidPart};
 pub use repeated::{Caution, Density, Repeat, Share, Start};

@@ -142,7 +142,10 @@ impl<'a> Check<'a> {
             kind,
             has_section: place.has_section,
         };
-        if let Some(first) = held.iter().find(|other| other.overlaps(&own)) {
+        let lacks_slope = own.vectors().contains(&model::Held::Slope) && self.has_slope(place.body.id) == Some(false);
+        if lacks_slope {
+            self.errors.at(area, say::NO_SLOPE);
+        } else if let Some(first) = held.iter().find(|other| other.overlaps(&own)) {
             self.errors.at(area, say::end_twice(&first.line.to_string()));
         } else {
             held.push(own);

@@ -114,7 +114,11 @@ impl<'a> Check<'a> {
                 })
             }
             ExprKind::Name(name) => self.name(name, scope),
-            ExprKind::Member { .. } => match self.strain(expr).or_else(|| self.column(expr)) {
+            ExprKind::Member { .. } => match self
+                .of_element(expr)
+                .or_else(|| self.strain(expr))
+                .or_else(|| self.column(expr))
+            {
                 Some(found) => found,
                 None => self.member(expr, scope),
             },
@@ -155,6 +159,9 @@ impl<'a> Check<'a> {
         let text = name.text.as_str();
         if let Some(local) = self.locals.get(text) {
             return Some(local.clone());
+        }
+        if self.is_field_as_number(name) {
+            return None;
         }
         if let Some(vector) = self.particle.get(text) {
             let message = say::vector_as_number(&vector.axis_list());
@@ -257,6 +264,9 @@ impl<'a> Check<'a> {
         if let Some(named) = call.arguments.iter().find_map(|argument| argument.name.as_ref()) {
             self.errors.at(named.span, say::named_argument(name));
             return None;
+        }
+        if let Some(product) = self.field_product(call) {
+            return product;
         }
         if scope >= Scope::Constraint && is_function(name) {
             let quantity = self.vector_function(call, scope)?;

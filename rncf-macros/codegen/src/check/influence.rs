@@ -311,9 +311,9 @@ fn reads(body: &Body, library: &Library) -> Vec<&'static str> {
         read.push(element.damping);
     }
     for coefficient in element.coefficients_in(body.space.dimension(), &body.options) {
-        for factor in coefficient.factors {
+        for factor in &coefficient.factors {
             let derived = DERIVED.iter().find(|derived| derived.name == *factor);
-            read.extend(derived.map_or(std::slice::from_ref(factor), |derived| derived.from));
+            read.extend(derived.map_or(vec![*factor], |derived| derived.from.to_vec()));
         }
     }
     // One second moment is that about z, and in space, where it is the same, about y.

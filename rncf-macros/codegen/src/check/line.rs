@@ -212,21 +212,32 @@ impl<'a> Check<'a> {
         Some(vector.values)
     }
 
-    /// An arc in space: its element must be able to be curved there, and its plane be known.
-    pub(super) fn curved_in_space(&mut self, element: &Element, statements: &[Statement], space: Option<Space>) {
-        if space != Some(Space::Spatial) {
+    /// A curved axis: its element must be able to be curved, and the plane of an arc in space be known.
+    pub(super) fn curved(
+        &mut self,
+        element: &Element,
+        options: &[usize],
+        statements: &[Statement],
+        space: Option<Space>,
+    ) {
+        let Some(space) = space else {
             return;
-        }
+        };
+        let can_be_curved = element.can_be_curved(space.dimension(), options);
         for statement in statements {
             let (area, normal) = match statement {
                 Statement::Arc { area, normal, .. } => (area, normal.is_some()),
                 Statement::Curve { area, .. } => (area, true),
                 _ => continue,
             };
-            match (element.curved_in_space, normal) {
-                (Some(refusal), _) => self.errors.at(*area, refusal),
-                (None, false) => self.errors.at(*area, say::MISSING_NORMAL),
-                (None, true) => {}
+            if !can_be_curved {
+                let message = match space {
+                    Space::Spatial => say::CURVED_IN_SPACE,
+                    Space::Planar { .. } => say::CURVED_ENERGY,
+                };
+                self.errors.at(*area, message);
+            } else if !normal && space == Space::Spatial {
+                self.errors.at(*area, say::MISSING_NORMAL);
             }
         }
     }

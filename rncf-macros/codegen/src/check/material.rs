@@ -299,6 +299,11 @@ impl<'a> Check<'a> {
             self.errors.at(material.span, message);
             return;
         }
+        if !used.element.is_of_library {
+            let message = say::energy_of_own_element(&material.text, used.word);
+            self.errors.at(material.span, message);
+            return;
+        }
         if matches!(section.shape, SectionShape::General { .. }) && section.is_whole {
             let message = say::energy_of_block(&name.text, &material.text);
             self.errors.at(name.span, message);
@@ -349,7 +354,7 @@ impl<'a> Check<'a> {
 /// A property that an element needs, and the coefficient that it needs it for.
 struct Need {
     property: &'static str,
-    coefficient: &'static Coefficient,
+    coefficient: Coefficient,
 }
 
 impl Need {
@@ -367,17 +372,20 @@ impl Need {
 fn missing(used: Used, known: &BTreeMap<&'static str, Value>, section: &Section, has_energy: bool) -> Vec<Need> {
     let mut missing: Vec<Need> = Vec::new();
     for coefficient in used.element.coefficients_in(used.space.dimension(), used.options) {
-        let bases = || coefficient.factors.iter().flat_map(|factor| bases(factor));
-        if has_energy && bases().any(|base| ELASTIC.contains(base)) {
+        let bases = || coefficient.factors.iter().flat_map(|&factor| bases(factor));
+        if has_energy && bases().any(|base| ELASTIC.contains(&base)) {
             continue;
         }
-        for &property in bases() {
+        for property in bases() {
             // The shear factor of a shape is not known for want of Poisson's ratio.
             let is_shear = section.needs_poisson() && property.starts_with("shear_factor");
             let property = if is_shear { "poisson" } else { property };
             let is_new = missing.iter().all(|need| need.property != property);
             if is_new && !known.contains_key(property) {
-                missing.push(Need { property, coefficient });
+                missing.push(Need {
+                    property,
+                    coefficient: coefficient.clone(),
+                });
             }
         }
     }
@@ -385,9 +393,9 @@ fn missing(used: Used, known: &BTreeMap<&'static str, Value>, section: &Section,
 }
 
 /// The properties that a factor of a coefficient is, or is derived from.
-fn bases(factor: &'static &'static str) -> &'static [&'static str] {
-    let derived = DERIVED.iter().find(|derived| derived.name == *factor);
-    derived.map_or(std::slice::from_ref(factor), |derived| derived.from)
+fn bases(factor: &'static str) -> Vec<&'static str> {
+    let derived = DERIVED.iter().find(|derived| derived.name == factor);
+    derived.map_or_else(|| vec![factor], |derived| derived.from.to_vec())
 }
 
 /// Energy (six times), stresses and the diagonal of the stiffness without strain, with the defaults.

@@ -1,5 +1,7 @@
 //! Meshes: number and kind of the elements, their options, and what they are made of.
 
+use std::sync::Arc;
+
 use super::material::{Stuff, Used};
 use super::{Check, say};
 use crate::elements::Element;
@@ -55,6 +57,9 @@ impl<'a> Check<'a> {
         };
         let word = call.name.text.as_str();
         let Some(id) = self.library.find(word) else {
+            if self.is_declared_element(word) {
+                return None;
+            }
             let known = self
                 .library
                 .elements
@@ -68,11 +73,12 @@ impl<'a> Check<'a> {
             let mesh = self.mesh_of_law(call, section, space?)?;
             return Some(self.at_stations(mesh, count?, stations));
         }
-        let element = &self.library.elements[id];
-        self.curved_in_space(element, statements, space);
-        let (options, quadrature, evaluation) = self.options(element, call);
+        let library = Arc::clone(&self.library);
+        let element = &library.elements[id];
+        let (options, quadrature, evaluation) = self.options(element, space, call);
         let (section, material) = self.property_arguments(call)?;
         let defaults = vec![0; element.options.len()];
+        self.curved(element, options.as_ref().unwrap_or(&defaults), statements, space);
         let used = Used {
             element,
             word,
@@ -175,6 +181,7 @@ impl<'a> Check<'a> {
     fn options(
         &mut self,
         element: &Element,
+        space: Option<Space>,
         call: &'a Call,
     ) -> (Option<Vec<usize>>, Option<Quadrature>, Option<Evaluation>) {
         let mut options = Some(vec![0; element.options.len()]);
@@ -191,7 +198,7 @@ impl<'a> Check<'a> {
                 self.errors.at(name.span, say::own_rule(&call.name.text, word));
                 (quadrature, evaluation) = (None, None);
             } else if word == "quadrature" {
-                quadrature = self.quadrature(element, value);
+                quadrature = self.quadrature(element, space, value);
             } else if word == "evaluation" {
                 let chosen = self.choice(value, word, &["automatic", "tensor", "points", "loop"]);
                 let forms = [
@@ -202,7 +209,7 @@ impl<'a> Check<'a> {
                 ];
                 evaluation = chosen.map(|at| forms[at]);
             } else if let Some(at) = element.options.iter().position(|option| option.name == word) {
-                match (self.choice(value, word, element.options[at].values), &mut options) {
+                match (self.choice(value, word, &element.options[at].values), &mut options) {
                     (Some(chosen), Some(options)) => options[at] = chosen,
                     _ => options = None,
                 }
@@ -239,7 +246,7 @@ impl<'a> Check<'a> {
         chosen
     }
 
-    fn quadrature(&mut self, element: &Element, value: &Expr) -> Option<Quadrature> {
+    fn quadrature(&mut self, element: &Element, space: Option<Space>, value: &Expr) -> Option<Quadrature> {
         match &value.kind {
             ExprKind::Name(name) if name.text == "exact" => Some(Quadrature::Exact),
             ExprKind::Call(call) if call.name.text == "gauss" => {
@@ -260,8 +267,12 @@ impl<'a> Check<'a> {
                     self.errors.at(call.area, say::GAUSS_POINTS);
                     return None;
                 };
-                if points < element.least_points {
-                    let message = say::too_few_points(&points.to_string(), &element.least_points.to_string());
+                let least = element.least_points(
+                    space.map_or(2, |space| space.dimension()),
+                    &vec![0; element.options.len()],
+                );
+                if points < least {
+                    let message = say::too_few_points(&points.to_string(), &least.to_string());
                     self.errors.at(call.area, message);
                     return None;
                 }

@@ -37,6 +37,9 @@ pub const ZERO_ANGLE: &str = "this arc has no length: its angle is zero";
 pub const ZERO_DIRECTION: &str = "this vector has no direction";
 pub const MISSING_NORMAL: &str =
     "an arc in space needs the normal of its plane: `arc from [..] m direction [..] normal [0, 0, 1] radius ..`";
+pub const CURVED_IN_SPACE: &str = "in space a centre line alone does not know which way it is curved: use the beam with a cross-section, or declare the body planar";
+pub const NO_SLOPE: &str = "the element of this body has positions at its nodes and no slope that could be held: use `pin`, or an element with `r_x` at its ends";
+pub const CURVED_ENERGY: &str = "the element of this body has a part of its energy that does not count from the stress-free shape: declare what it is of as a `strain` of the element";
 pub const NORMAL_ALONG: &str = "this is along the direction of the arc: the normal stands across the arc's plane";
 pub const SECTION_Y_ALONG: &str =
     "this is along the axis at its start: the section's y axis is a direction across the axis";
@@ -222,6 +225,7 @@ messages! {
     symmetric_strain(name, strain) = "`{name}` is the same as `{strain}`: write this one";
     energy_of_line(material, element) = "material `{material}` is known by its energy, which needs an element with cross-section: use `beam`, or give `young` for `{element}`";
     energy_of_block(section, material) = "the energy of `{material}` is integrated over the section, but only properties of `{section}` are known: declare it as `circle(..)`, `tube(..)` or `rectangle(..)`";
+    energy_of_own_element(material, element) = "`{material}` is known by its energy, which is integrated over the sections of the library's beam alone, not of `{element}`";
     option_beside_energy(option, material) = "`{option}` has no meaning here, for `{material}` is known by its energy: leave it out";
     no_section_axes(element, word) = "`{element}` has no section axes, which `{word}` turns: leave it out, or use `beam`";
     section_in_plane(word) = "in a plane the section's y axis lies in the plane, to the left of the axis: leave out `{word}`, or make the body `spatial`";

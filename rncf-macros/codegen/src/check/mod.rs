@@ -11,6 +11,7 @@ mod curve;
 mod density;
 mod drive;
 mod eigen;
+mod element;
 mod end;
 mod expr;
 mod fidelity;
@@ -55,6 +56,7 @@ mod vector;
 mod tests;
 
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 
 use proc_macro2::Span;
 
@@ -87,9 +89,16 @@ impl Spans {
     }
 }
 
+pub use element::elements;
+
 /// Checks a declaration against the element library. All mistakes go to `errors`; a model comes
 /// back only where there are none (those of reading included).
 pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Model> {
+    check_with_elements(tree, library, errors).map(|(model, _)| model)
+}
+
+/// The same, with the library that the model's elements are of: the given one and those of the declaration.
+pub fn check_with_elements(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<(Model, Arc<Library>)> {
     let before = errors.len();
     let mut check = Check::new(tree, library, errors);
     check.names();
@@ -100,6 +109,7 @@ pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Mode
     check.tables();
     check.materials();
     check.sections();
+    check.elements();
     check.bodies();
     check.fixtures();
     check.joints();
@@ -116,13 +126,17 @@ pub fn check(tree: &Tree, library: &Library, errors: &mut Errors) -> Option<Mode
         check.ties();
     }
     let model = std::mem::take(&mut check.model);
-    (tree.complete && errors.len() == before).then_some(model)
+    let library = Arc::clone(&check.library);
+    (tree.complete && errors.len() == before).then_some((model, library))
 }
 
 /// What the checks know so far.
 struct Check<'a> {
     tree: &'a Tree,
-    library: &'a Library,
+    /// Elements that are known, those of the declaration included.
+    library: Arc<Library>,
+    /// Whether the elements of the declaration are known to make sense: those of this crate.
+    is_trusted: bool,
     errors: &'a mut Errors,
     /// Everything with a name, outputs apart.
     names: HashMap<&'a str, &'a Item>,
@@ -146,6 +160,10 @@ struct Check<'a> {
     tied: Option<Vec<BodyId>>,
     /// Names of a law, such as `length` and `rate`.
     locals: HashMap<&'static str, Typed>,
+    /// Fields of the element that is being checked.
+    element_fields: Vec<element::FieldOfElement>,
+    /// Those of it that could not be read.
+    lost_fields: Vec<String>,
     /// Whether a density or a field is being checked.
     is_distributed: bool,
     /// Whether what varies along an axis is being checked.
@@ -172,7 +190,7 @@ const RESERVED: &[&str] = &["t", "pi", "inertial", TOTAL];
 const LONGEST_CHAIN: usize = 64;
 
 impl<'a> Check<'a> {
-    fn new(tree: &'a Tree, library: &'a Library, errors: &'a mut Errors) -> Self {
+    fn new(tree: &'a Tree, library: &Library, errors: &'a mut Errors) -> Self {
         let model = Model {
             name: tree.name.text.clone(),
             visibility: tree.visibility_text(),
@@ -183,7 +201,8 @@ impl<'a> Check<'a> {
         };
         Self {
             tree,
-            library,
+            library: Arc::new(library.clone()),
+            is_trusted: false,
             errors,
             names: HashMap::new(),
             values: HashMap::new(),
@@ -199,6 +218,8 @@ impl<'a> Check<'a> {
             constraints: HashMap::new(),
             tied: Some(Vec::new()),
             locals: HashMap::new(),
+            element_fields: Vec::new(),
+            lost_fields: Vec::new(),
             is_distributed: false,
             is_along: false,
             particle: HashMap::new(),

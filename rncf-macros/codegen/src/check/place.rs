@@ -290,6 +290,12 @@ impl<'a> Check<'a> {
         Some(self.library.elements[body.element.0].has_section())
     }
 
+    /// Whether the nodes of a body carry the slope of its axis.
+    pub(super) fn has_slope(&self, id: BodyId) -> Option<bool> {
+        let body = self.body_of(id)?;
+        Some(self.library.elements[body.element.0].has_slope())
+    }
+
     fn on_axis(&mut self, expr: &Expr, at: Option<f64>, length: Option<f64>) {
         if let Some(at) = at
             && (at < 0.0 || length.is_some_and(|length| at > length * (1.0 + 1e-12)))

@@ -1,6 +1,6 @@
 //! Names that an item mentions, as they are written.
 
-use crate::parse::tree::{Argument, Expr, ExprKind, Fields, Item, ItemKind, Statement, Tree};
+use crate::parse::tree::{Argument, ElementKind, Expr, ExprKind, Fields, Item, ItemKind, Statement, Tree};
 
 /// Names that an item mentions; that of the number of repetitions belongs to every item of a loop. Names with a
 /// meaning of their own (`t`, `x` of an initial shape, functions, units apart) are among them.
@@ -41,6 +41,7 @@ pub fn mentioned<'a>(tree: &'a Tree, item: &'a Item) -> Vec<&'a str> {
             names(&caution.left, found);
             names(&caution.right, found);
         }
+        ItemKind::Element { statements, .. } => statements.iter().for_each(|one| of_element(&one.kind, found)),
         ItemKind::FileTable { .. } | ItemKind::Part(_) | ItemKind::Broken => {}
     }
     std::mem::take(found)
@@ -52,6 +53,17 @@ fn of_fields<'a>(fields: &'a Fields, found: &mut Vec<&'a str>) {
 
 fn of_arguments<'a>(arguments: &'a [Argument], found: &mut Vec<&'a str>) {
     arguments.iter().for_each(|argument| names(&argument.value, found));
+}
+
+fn of_element<'a>(kind: &'a ElementKind, found: &mut Vec<&'a str>) {
+    match kind {
+        ElementKind::Coefficient { value, .. } | ElementKind::Definition { value, .. } => names(value, found),
+        ElementKind::Energy { value, stress, .. } => [Some(value), stress.as_ref()]
+            .into_iter()
+            .flatten()
+            .for_each(|value| names(value, found)),
+        _ => {}
+    }
 }
 
 fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
@@ -82,6 +94,7 @@ fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
             ..
         } => {
             names(count, found);
+            found.push(&element.name.text);
             found.extend(stations.as_ref().map(|table| table.text.as_str()));
             of_arguments(&element.arguments, found);
         }

@@ -95,7 +95,7 @@ impl Check<'_> {
     /// Checks all free frames; there must be no mistake so far.
     pub(super) fn ties(&mut self) {
         for at in 0..self.model.frames.len() {
-            if let Err(untied) = check(&self.model, self.library, FrameId(at)) {
+            if let Err(untied) = check(&self.model, &self.library, FrameId(at)) {
                 self.untied(FrameId(at), &untied);
             }
         }
@@ -494,6 +494,7 @@ fn specialised(model: &Model, expr: &Expr) -> Option<Expr> {
         | Expr::Local { .. }
         | Expr::EndTime
         | Expr::Strain(_)
+        | Expr::Element(_)
         | Expr::Motion(..) => {
             return None;
         }

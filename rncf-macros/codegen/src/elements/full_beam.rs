@@ -1,89 +1,96 @@
 //! Ten-vector beam whose section has a full matrix of stiffness: strains of a geometrically exact rod, written as inner products
 //! of r_x, r_y, r_z and their derivatives (docs/theory.md, 5.2.2).
 
-use super::beam::{AXIS_POINTS, BEAM, GRADIENT_POINTS};
+use std::sync::Arc;
+
 use super::{Coefficient, Density, Element, Invariants, Term, axial_strain};
 use crate::model::Function;
 use crate::symbolic::{Graph, Id};
 
-/// The element behind the word `beam` where the section says its stiffness itself.
-pub const FULL_BEAM: Element = Element {
-    kernel: "full_beam",
-    doc: "Beam with a full matrix of stiffness: axial strain, shear, torsion, bending, all coupled",
-    of_stiffness: true,
-    coefficients: VISCOUS_COEFFICIENTS.split_at(ELASTIC).0,
-    inertia: &[],
-    options: &[],
-    energy: |graph, fields, _| energy(graph, fields, false),
-    ..BEAM
-};
+/// Name in generated code of the one that damps each strain by itself.
+pub const VISCOUS: &str = "full_beam_viscous";
 
-/// The same with a damping of its own for each strain: the stress of the rates is `sqrt(c_i c_j) K_ij e_j'`.
-pub const VISCOUS_FULL_BEAM: Element = Element {
-    kernel: "full_beam_viscous",
-    coefficients: VISCOUS_COEFFICIENTS,
-    energy: |graph, fields, _| energy(graph, fields, true),
-    ..FULL_BEAM
-};
+/// Gauss points of the strains of the axis, and of the section's gradients; those of the beam with a section.
+const AXIS_POINTS: usize = 3;
+const GRADIENT_POINTS: usize = 2;
+
+/// The elements behind the word `beam` where the section says its stiffness itself, with the vectors of the beam: without
+/// and with a damping of its own for each strain, where the stress of the rates is `sqrt(c_i c_j) K_ij e_j'`.
+pub fn full_beam(beam: &Element) -> [Element; 2] {
+    [("full_beam", false), (VISCOUS, true)].map(|(kernel, is_viscous)| Element {
+        kernel,
+        doc: "Beam with a full matrix of stiffness: axial strain, shear, torsion, bending, all coupled".into(),
+        of_stiffness: true,
+        coefficients: {
+            let count = if is_viscous { COEFFICIENTS.len() } else { ELASTIC };
+            COEFFICIENTS[..count].iter().map(pivot).collect()
+        },
+        inertia: Vec::new(),
+        options: Vec::new(),
+        energy: Arc::new(move |graph: &mut Graph, fields: &Invariants, _: &[usize]| energy(graph, fields, is_viscous)),
+        ..beam.clone()
+    })
+}
 
 /// Coefficients without those of the strains' rates.
 const ELASTIC: usize = 25;
 
 /// Pivots and factors of the stiffness, what holds the section, then the factors of the strains' rates.
-const VISCOUS_COEFFICIENTS: &[Coefficient] = &[
-    pivot("D1", "N m^2"),
-    pivot("D2", "N m^2"),
-    pivot("D3", "N m^2"),
-    pivot("D4", "N"),
-    pivot("D5", "N"),
-    pivot("D6", "N"),
-    pivot("L21", "1"),
-    pivot("L31", "1"),
-    pivot("L32", "1"),
-    pivot("L41", "1/m"),
-    pivot("L42", "1/m"),
-    pivot("L43", "1/m"),
-    pivot("L51", "1/m"),
-    pivot("L52", "1/m"),
-    pivot("L53", "1/m"),
-    pivot("L54", "1"),
-    pivot("L61", "1/m"),
-    pivot("L62", "1/m"),
-    pivot("L63", "1/m"),
-    pivot("L64", "1"),
-    pivot("L65", "1"),
-    pivot("held", "N"),
-    pivot("half_held", "N"),
-    pivot("smooth", "N m^2"),
-    pivot("half_smooth", "N m^2"),
-    pivot("V1", "s^(1/2)"),
-    pivot("V2", "s^(1/2)"),
-    pivot("V3", "s^(1/2)"),
-    pivot("V4", "s^(1/2)"),
-    pivot("V5", "s^(1/2)"),
-    pivot("V6", "s^(1/2)"),
-    pivot("W21", "s^(1/2)"),
-    pivot("W31", "s^(1/2)"),
-    pivot("W32", "s^(1/2)"),
-    pivot("W41", "s^(1/2)/m"),
-    pivot("W42", "s^(1/2)/m"),
-    pivot("W43", "s^(1/2)/m"),
-    pivot("W51", "s^(1/2)/m"),
-    pivot("W52", "s^(1/2)/m"),
-    pivot("W53", "s^(1/2)/m"),
-    pivot("W54", "s^(1/2)"),
-    pivot("W61", "s^(1/2)/m"),
-    pivot("W62", "s^(1/2)/m"),
-    pivot("W63", "s^(1/2)/m"),
-    pivot("W64", "s^(1/2)"),
-    pivot("W65", "s^(1/2)"),
+const COEFFICIENTS: &[(&str, &str)] = &[
+    ("D1", "N m^2"),
+    ("D2", "N m^2"),
+    ("D3", "N m^2"),
+    ("D4", "N"),
+    ("D5", "N"),
+    ("D6", "N"),
+    ("L21", "1"),
+    ("L31", "1"),
+    ("L32", "1"),
+    ("L41", "1/m"),
+    ("L42", "1/m"),
+    ("L43", "1/m"),
+    ("L51", "1/m"),
+    ("L52", "1/m"),
+    ("L53", "1/m"),
+    ("L54", "1"),
+    ("L61", "1/m"),
+    ("L62", "1/m"),
+    ("L63", "1/m"),
+    ("L64", "1"),
+    ("L65", "1"),
+    ("held", "N"),
+    ("half_held", "N"),
+    ("smooth", "N m^2"),
+    ("half_smooth", "N m^2"),
+    ("V1", "s^(1/2)"),
+    ("V2", "s^(1/2)"),
+    ("V3", "s^(1/2)"),
+    ("V4", "s^(1/2)"),
+    ("V5", "s^(1/2)"),
+    ("V6", "s^(1/2)"),
+    ("W21", "s^(1/2)"),
+    ("W31", "s^(1/2)"),
+    ("W32", "s^(1/2)"),
+    ("W41", "s^(1/2)/m"),
+    ("W42", "s^(1/2)/m"),
+    ("W43", "s^(1/2)/m"),
+    ("W51", "s^(1/2)/m"),
+    ("W52", "s^(1/2)/m"),
+    ("W53", "s^(1/2)/m"),
+    ("W54", "s^(1/2)"),
+    ("W61", "s^(1/2)/m"),
+    ("W62", "s^(1/2)/m"),
+    ("W63", "s^(1/2)/m"),
+    ("W64", "s^(1/2)"),
+    ("W65", "s^(1/2)"),
 ];
 
-const fn pivot(name: &'static str, unit: &'static str) -> Coefficient {
+fn pivot(&(name, unit): &(&'static str, &'static str)) -> Coefficient {
     Coefficient {
         name,
         unit,
-        factors: &[],
+        factors: Vec::new(),
+        scale: None,
     }
 }
 

@@ -1,30 +1,26 @@
-//! The element library: each element is one file of declarations, and nothing outside its file
-//! names it, its strains or its stiffnesses.
+//! What an element is, whoever declares it: data for all phases behind `check`. Nothing outside its declaration names an
+//! element, its strains or its stiffnesses.
 
-mod beam;
-mod cable;
 mod full_beam;
+mod rank;
+mod word;
+mod written;
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
-use crate::model::Function;
+use crate::model::{Expr, Function};
 use crate::symbolic::{Graph, Id, Invariant, Product, invariants};
-use crate::tensors::Polynomial;
+use crate::tensors::{Polynomial, Rational};
 
-pub use beam::BEAM;
-pub use cable::{Axial, CABLE, thin_beam};
-pub use full_beam::{FULL_BEAM, VISCOUS_FULL_BEAM};
+pub use full_beam::{VISCOUS, full_beam};
+pub use rank::{Coefficients, Rules, STRETCHES, points_for};
+pub use word::word;
+pub use written::{Definition, When, Written, WrittenTerm};
 
-/// Where a nodal vector of an element lives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Node {
-    /// At the first node, shared with the element before.
-    Start,
-    /// In the middle of the element, not shared.
-    Middle,
-    /// At the last node, shared with the element after.
-    End,
-}
+/// Where a nodal vector of an element sits: xi in [0, 1] of the unit element. Those at 0 and 1 are shared with the
+/// elements before and after.
+pub type Place = Rational;
 
 /// What a nodal vector interpolates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -38,20 +34,20 @@ pub enum Interpolant {
 }
 
 /// A nodal vector of an element.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct NodalVector {
     /// Name in generated code, e.g. `r0`.
     pub name: &'static str,
     /// What it is, for documentation and messages: `position`, `slope`.
     pub meaning: &'static str,
-    /// Node it belongs to.
-    pub node: Node,
+    /// Where it sits.
+    pub place: Place,
     /// What it interpolates.
     pub of: Interpolant,
     /// 0 for a value (position, r_y, r_z), 1 for a slope d/dx.
     pub order: usize,
     /// Shape function on the unit element, xi in [0, 1]; the real one is l^order times it.
-    pub shape: fn() -> Polynomial,
+    pub shape: Polynomial,
 }
 
 /// A field at a point of the axis: a derivative of an interpolant, e.g. `a = r_x`.
@@ -74,38 +70,28 @@ pub struct Inertia {
     pub coefficient: &'static str,
 }
 
-/// A coefficient of the element: a product of properties, e.g. `EA = young * area`.
-#[derive(Clone, Copy, Debug)]
+/// A coefficient of the element: a product of properties, e.g. `EA = young * area`, and of a value that params give.
+#[derive(Clone, Debug)]
 pub struct Coefficient {
     /// Name in generated code.
     pub name: &'static str,
     /// SI unit for documentation.
     pub unit: &'static str,
     /// Properties (vocabulary names) that are multiplied.
-    pub factors: &'static [&'static str],
+    pub factors: Vec<&'static str>,
+    /// A further factor in SI, which is the same along the body; `None`: one.
+    pub scale: Option<Expr>,
 }
 
 /// An option of the element that the user chooses in the mesh statement, `name = value`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct ElementOption {
     /// Keyword.
     pub name: &'static str,
     /// Values; the first is the default.
-    pub values: &'static [&'static str],
+    pub values: Vec<&'static str>,
     /// What it means, for messages and documentation.
-    pub doc: &'static str,
-}
-
-/// How the strain of an axis is measured; elements list it among their options.
-const AXIAL: ElementOption = ElementOption {
-    name: "axial",
-    values: &["green", "engineering"],
-    doc: "strain of the axis: Green's (|r_x|^2 - 1)/2, or engineering strain |r_x| - 1",
-};
-
-/// Whether the option [`AXIAL`] at this place asks for engineering strain.
-fn is_engineering(options: &[usize], place: usize) -> bool {
-    options.get(place) == Some(&1)
+    pub doc: String,
 }
 
 /// Strain of an axis with the square of the stretch `r_x . r_x`: `1/2 (r_x . r_x - 1)`, or `|r_x| - 1`.
@@ -124,7 +110,7 @@ pub fn axial_strain(graph: &mut Graph, square: Id, engineering: bool) -> Id {
 pub struct Term {
     /// Name for documentation, e.g. `axial strain`.
     pub name: &'static str,
-    /// Coefficient of the element that multiplies it.
+    /// Coefficient of the element that multiplies it; empty: none does.
     pub coefficient: &'static str,
     /// What is multiplied.
     pub density: Density,
@@ -143,8 +129,12 @@ pub enum Density {
     Law {
         /// The measure s.
         measure: Id,
-        /// Energy W and stress S = dW/de as expressions of e.
-        law: fn(&mut Graph, Id) -> [Id; 2],
+        /// The symbol that stands for e.
+        change: Id,
+        /// Energy W, an expression of e.
+        energy: Id,
+        /// Stress S = dW/de.
+        stress: Id,
     },
     /// `1/2 (s - s0)^2` without damping.
     Undamped(Id),
@@ -163,12 +153,25 @@ impl Density {
         }
     }
 
+    /// Its expressions.
+    pub fn expressions(self) -> Vec<Id> {
+        match self {
+            Density::Measure(id) | Density::Undamped(id) | Density::Viscous(id) | Density::Energy(id) => vec![id],
+            Density::Law {
+                measure,
+                energy,
+                stress,
+                ..
+            } => vec![measure, energy, stress],
+        }
+    }
+
     /// Stress at a change of the measure, damped where a rate of the change and a damping (s) are given.
     pub fn stress(self, graph: &mut Graph, change: Id, damped: Option<[Id; 2]>) -> Id {
         let (stress, stiffness) = match self {
-            Density::Law { law, .. } => {
-                let symbol = graph.symbol("change");
-                let [_, stress] = law(graph, symbol);
+            Density::Law {
+                change: symbol, stress, ..
+            } => {
                 let stiffness = graph.partial(stress, symbol);
                 let real = HashMap::from([(symbol, change)]);
                 (graph.substitute(stress, &real), graph.substitute(stiffness, &real))
@@ -185,8 +188,11 @@ impl Density {
 
     /// Energy of a change of the measure, times a factor.
     pub fn energy(self, graph: &mut Graph, change: Id, factor: Id) -> Id {
-        if let Density::Law { law, .. } = self {
-            let [energy, _] = law(graph, change);
+        if let Density::Law {
+            change: symbol, energy, ..
+        } = self
+        {
+            let energy = graph.substitute(energy, &HashMap::from([(symbol, change)]));
             return graph.multiply(factor, energy);
         }
         let (half, square) = (graph.number(0.5), graph.power(change, 2));
@@ -206,40 +212,40 @@ pub struct Invariants {
     pub crosses: Vec<Vec<Id>>,
 }
 
+/// The strain energy density in the plane or in space (`Invariants::dimension`), for the chosen values of the options.
+pub type Energy = Arc<dyn Fn(&mut Graph, &Invariants, &[usize]) -> Vec<Term> + Send + Sync>;
+
 /// An element: shape functions, inertia and strain energy. Everything else is derived.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Element {
     /// Keywords of the language that mean this element.
-    pub names: &'static [&'static str],
+    pub names: Vec<&'static str>,
     /// Its name in generated code.
     pub kernel: &'static str,
     /// Whether its section says stiffness and mass by itself, so that the mesh names no material.
     pub of_stiffness: bool,
     /// What it is, for documentation.
-    pub doc: &'static str,
+    pub doc: String,
     /// Nodal vectors in space; in a plane those of r_z are left out.
-    pub vectors: &'static [NodalVector],
+    pub vectors: Vec<NodalVector>,
     /// Fields that the strain energy depends on, in space; in a plane those of r_z are left out.
-    pub fields: &'static [Field],
+    pub fields: Vec<Field>,
     /// Coefficients.
-    pub coefficients: &'static [Coefficient],
+    pub coefficients: Vec<Coefficient>,
     /// Masses per unit length; interpolants do not couple (principal centroidal axes).
-    pub inertia: &'static [Inertia],
+    pub inertia: Vec<Inertia>,
     /// Vocabulary name of the property that damps the measures (s).
     pub damping: &'static str,
     /// Options.
-    pub options: &'static [ElementOption],
-    /// The strain energy density in the plane or in space (`Invariants::dimension`), for the chosen
-    /// values of the options.
-    pub energy: fn(&mut Graph, &Invariants, options: &[usize]) -> Vec<Term>,
+    pub options: Vec<ElementOption>,
+    /// The strain energy density.
+    pub energy: Energy,
     /// Gauss points where the energy is not polynomial and the user asks for no rule.
     pub default_points: usize,
-    /// Least number of Gauss points that leaves no spurious zero mode.
-    pub least_points: usize,
-    /// Why an initially curved axis is refused in space; `None` where it is not.
-    pub curved_in_space: Option<&'static str>,
     /// Whether every term has its own number of points, so that the body cannot ask for a rule.
     pub own_rule: bool,
+    /// Whether it is one of this crate's.
+    pub is_of_library: bool,
 }
 
 impl Element {
@@ -248,20 +254,28 @@ impl Element {
         self.vectors.iter().any(|vector| vector.of != Interpolant::Position)
     }
 
+    /// Whether its nodes carry the slope of the axis.
+    pub fn has_slope(&self) -> bool {
+        let is_slope = |vector: &NodalVector| (vector.of, vector.order) == (Interpolant::Position, 1);
+        self.vectors
+            .iter()
+            .any(|vector| vector.place == Rational::ZERO && is_slope(vector))
+    }
+
     /// Nodal vectors in the plane or in space.
-    pub fn vectors_in(&self, dimension: usize) -> impl Iterator<Item = &'static NodalVector> {
+    pub fn vectors_in(&self, dimension: usize) -> impl Iterator<Item = &NodalVector> {
         let vectors = self.vectors.iter();
         vectors.filter(move |vector| dimension == 3 || vector.of != Interpolant::SectionZ)
     }
 
     /// Fields in the plane or in space.
-    pub fn fields_in(&self, dimension: usize) -> impl Iterator<Item = &'static Field> {
+    pub fn fields_in(&self, dimension: usize) -> impl Iterator<Item = &Field> {
         let fields = self.fields.iter();
         fields.filter(move |field| dimension == 3 || field.of != Interpolant::SectionZ)
     }
 
     /// Masses in the plane or in space.
-    pub fn inertia_in(&self, dimension: usize) -> impl Iterator<Item = &'static Inertia> {
+    pub fn inertia_in(&self, dimension: usize) -> impl Iterator<Item = &Inertia> {
         let inertia = self.inertia.iter();
         inertia.filter(move |inertia| dimension == 3 || inertia.of != Interpolant::SectionZ)
     }
@@ -275,7 +289,7 @@ impl Element {
     }
 
     /// Coefficients of the strain energy, for the chosen values of the options.
-    pub fn elastic_coefficients(&self, dimension: usize, options: &[usize]) -> Vec<&'static Coefficient> {
+    pub fn elastic_coefficients(&self, dimension: usize, options: &[usize]) -> Vec<&Coefficient> {
         if self.of_stiffness {
             return self.coefficients.iter().collect();
         }
@@ -285,13 +299,26 @@ impl Element {
     }
 
     /// Coefficients that the strain energy or the inertia uses, for the chosen values of the options.
-    pub fn coefficients_in(&self, dimension: usize, options: &[usize]) -> Vec<&'static Coefficient> {
+    pub fn coefficients_in(&self, dimension: usize, options: &[usize]) -> Vec<&Coefficient> {
+        let (graph, terms) = self.terms_in(dimension, options);
+        let roots: Vec<Id> = terms.iter().flat_map(|term| term.density.expressions()).collect();
+        let reached = graph.reachable(&roots);
+        let inputs = |name: &str| reached.iter().any(|&id| graph.is_input(id, name));
+        let is_used = |one: &&Coefficient| {
+            terms.iter().any(|term| term.coefficient == one.name)
+                || self
+                    .inertia_in(dimension)
+                    .any(|inertia| inertia.coefficient == one.name)
+                || inputs(one.name)
+        };
+        self.coefficients.iter().filter(is_used).collect()
+    }
+
+    /// Whether an axis that is curved without stress can be told apart from a bent one: only where every part of the energy
+    /// counts from its stress-free value.
+    pub fn can_be_curved(&self, dimension: usize, options: &[usize]) -> bool {
         let (_, terms) = self.terms_in(dimension, options);
-        let elastic = terms.iter().map(|term| term.coefficient);
-        let inertial = self.inertia_in(dimension).map(|inertia| inertia.coefficient);
-        let used: Vec<&str> = elastic.chain(inertial).collect();
-        let all = self.coefficients.iter();
-        all.filter(|coefficient| used.contains(&coefficient.name)).collect()
+        !terms.iter().any(|term| matches!(term.density, Density::Energy(_)))
     }
 }
 
@@ -322,20 +349,13 @@ pub fn field_invariants(graph: &mut Graph, element: &Element, dimension: usize) 
 }
 
 /// The elements that the language knows.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub struct Library {
     /// All elements.
     pub elements: Vec<Element>,
 }
 
 impl Library {
-    /// The elements of this crate.
-    pub fn standard() -> Self {
-        Self {
-            elements: vec![CABLE, BEAM, FULL_BEAM, VISCOUS_FULL_BEAM],
-        }
-    }
-
     /// With one more element, e.g. a variant declared by a test.
     #[must_use]
     pub fn with(mut self, element: Element) -> Self {
@@ -347,7 +367,7 @@ impl Library {
     /// damping of its own.
     pub fn find_of_stiffness(&self, name: &str, is_viscous: bool) -> Option<usize> {
         let is_it = |element: &Element| {
-            let is_alike = (element.kernel == VISCOUS_FULL_BEAM.kernel) == is_viscous;
+            let is_alike = (element.kernel == VISCOUS) == is_viscous;
             element.of_stiffness && is_alike && element.names.contains(&name)
         };
         self.elements.iter().position(is_it)

@@ -4,7 +4,6 @@ use std::fmt::Write;
 
 use super::number::number;
 use super::parts::Parts;
-use super::section::coefficient;
 use crate::elements::Interpolant;
 use crate::lower::camel_case;
 use crate::lower::elastic::kept;
@@ -81,12 +80,12 @@ impl Parts<'_> {
                 }
                 None => {
                     let element = variant.declaration(self.library);
-                    let values: Vec<String> = coefficients.iter().map(|one| coefficient(body, one)).collect();
+                    let values: Vec<String> = coefficients.iter().map(|one| self.coefficient(body, one)).collect();
                     let mass = |of: Interpolant| {
                         let found = element.inertia_in(variant.dimension).find(|one| one.of == of);
                         let found = found
                             .and_then(|one| element.coefficients.iter().find(|other| other.name == one.coefficient));
-                        found.map_or("0.0".to_string(), |one| coefficient(body, one))
+                        found.map_or("0.0".to_string(), |one| self.coefficient(body, one))
                     };
                     let masses = [
                         mass(Interpolant::Position),

@@ -1,7 +1,6 @@
 //! The specifications of bodies.
 
 use super::parts::Parts;
-use crate::elements::Node;
 use crate::model::{Body, Expr, Fidelity, Line};
 
 impl Parts<'_> {
@@ -46,11 +45,7 @@ impl Parts<'_> {
             let variant = &self.equations.variants[variant].variant;
             let connectivity = variant.connectivity(self.library);
             let nodal = variant.vectors(self.library).into_iter().map(|vector| {
-                let xi = match vector.node {
-                    Node::Start => 0.0,
-                    Node::Middle => 0.5,
-                    Node::End => 1.0,
-                };
+                let xi = vector.place.to_f64();
                 format!(
                     "::rncf::mesh::NodalSpec {{ meaning: {:?}, of: ::rncf::mesh::Interpolant::{:?}, order: {}, xi: {xi:?} }}",
                     vector.meaning, vector.of, vector.order

@@ -318,10 +318,13 @@ fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Librar
     );
     let coefficients = variant.coefficients(library);
     for coefficient in &coefficients {
-        let factors = coefficient.factors.join(" * ");
+        let scale = coefficient.scale.as_ref().map(|_| "what params give");
+        let factors: Vec<&str> = scale.into_iter().chain(coefficient.factors.iter().copied()).collect();
         text += &format!(
-            "/// {factors}, {}.\npub {}: {number},\n",
-            coefficient.unit, coefficient.name
+            "/// {}, {}.\npub {}: {number},\n",
+            factors.join(" * "),
+            coefficient.unit,
+            coefficient.name
         );
     }
     let damping = variant.damped.then_some("damping");

@@ -386,7 +386,7 @@ impl Parts<'_> {
             text += &self.properties(body);
             let mut fields = vec!["length".to_string()];
             for coefficient in variant.variant.coefficients(self.library) {
-                fields.push(format!("{}: {}", coefficient.name, super::section::coefficient(body, coefficient)));
+                fields.push(format!("{}: {}", coefficient.name, self.coefficient(body, coefficient)));
             }
             if variant.variant.damped {
                 fields.push(format!("damping: {}", element.damping));

@@ -31,7 +31,7 @@ fn is_factor(coefficients: &[&Coefficient], name: &str) -> bool {
         let derived = DERIVED.iter().find(|derived| derived.name == factor);
         derived.is_some_and(|derived| derived.from.contains(&name))
     };
-    let factors = coefficients.iter().flat_map(|coefficient| coefficient.factors);
+    let factors = coefficients.iter().flat_map(|coefficient| &coefficient.factors);
     factors.into_iter().any(|factor| *factor == name || follows(factor))
 }
 
@@ -43,6 +43,21 @@ fn has(body: &Body, name: &str) -> bool {
 }
 
 impl Parts<'_> {
+    /// A coefficient of an element; zero where the body's material has other properties instead.
+    pub fn coefficient(&self, body: &Body, coefficient: &Coefficient) -> String {
+        if !coefficient.factors.iter().all(|factor| has(body, factor)) {
+            return "0.0".to_string();
+        }
+        let scale = coefficient.scale.as_ref().map(|scale| self.expr(scale));
+        let factors = coefficient.factors.iter().map(ToString::to_string);
+        let list: Vec<String> = scale.into_iter().chain(factors).collect();
+        if list.is_empty() {
+            "1.0".to_string()
+        } else {
+            list.join(" * ")
+        }
+    }
+
     /// Statements that bind the properties of a body, each checked, and those that its coefficients derive.
     pub fn properties(&self, body: &Body) -> String {
         let mut text = String::new();
@@ -196,15 +211,6 @@ impl Parts<'_> {
             property(&["torsion_constant"]),
             body.material_name
         )
-    }
-}
-
-/// A coefficient of an element; zero where the body's material has other properties instead.
-pub(super) fn coefficient(body: &Body, coefficient: &Coefficient) -> String {
-    if coefficient.factors.iter().all(|factor| has(body, factor)) {
-        coefficient.factors.join(" * ")
-    } else {
-        "0.0".to_string()
     }
 }
 

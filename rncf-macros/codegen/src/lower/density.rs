@@ -122,7 +122,7 @@ struct Law<'m> {
     density: &'m Density,
     name: String,
     variant: Variant,
-    vectors: Vec<&'static NodalVector>,
+    vectors: Vec<&'m NodalVector>,
     /// Frame axes of the components of a nodal vector.
     axes: &'static [usize],
     /// Components along those, with markers counted in the density's own list.

@@ -123,7 +123,10 @@ pub fn field_forces_kernel(variant: &Variant, library: &Library) -> Kernel {
     let terms = (element.energy)(&mut graph, &now, &variant.options);
     let mut forces = vec![graph.zero(); count * dimension];
     for term in terms {
-        let coefficient = graph.input(term.coefficient);
+        let coefficient = match term.coefficient {
+            "" => graph.one(),
+            name => graph.input(name),
+        };
         let (density, stress) = match term.density {
             Density::Energy(density) => (density, coefficient),
             Density::Viscous(measure) => {

@@ -15,7 +15,7 @@ pub fn unit_mass(variant: &Variant, library: &Library) -> Vec<Vec<f64>> {
         if vectors[a].of != vectors[b].of {
             return 0.0;
         }
-        (vectors[a].shape)().product(&(vectors[b].shape)()).integral().to_f64()
+        vectors[a].shape.product(&vectors[b].shape).integral().to_f64()
     };
     (0..vectors.len())
         .map(|a| (0..vectors.len()).map(|b| entry(a, b)).collect())
@@ -35,16 +35,16 @@ pub fn mass_kernel(variant: &Variant, library: &Library) -> Kernel {
 }
 
 /// A graph with the constants of an element.
-struct Inertia {
+struct Inertia<'l> {
     graph: Graph,
     length: Id,
-    vectors: Vec<&'static NodalVector>,
+    vectors: Vec<&'l NodalVector>,
     /// Mass of the element that moves with each interpolant, kg or kg m^2.
     masses: Vec<(Interpolant, Id)>,
 }
 
-impl Inertia {
-    fn new(variant: &Variant, library: &Library) -> Self {
+impl<'l> Inertia<'l> {
+    fn new(variant: &Variant, library: &'l Library) -> Self {
         let mut graph = Graph::new();
         let length = graph.symbol("length");
         let vectors = variant.vectors(library);

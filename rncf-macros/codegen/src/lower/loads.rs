@@ -165,7 +165,7 @@ fn shape_kernel(variant: &Variant, library: &Library, of: Interpolant, order: us
     let vectors = variant.vectors(library);
     let mut outputs = Vec::new();
     for (index, vector) in vectors.iter().enumerate().filter(|(_, vector)| vector.of == of) {
-        let polynomial = (vector.shape)().derivative(order);
+        let polynomial = vector.shape.derivative(order);
         let mut sum = graph.zero();
         for coefficient in polynomial.coefficients().iter().rev() {
             let number = graph.number(coefficient.to_f64());

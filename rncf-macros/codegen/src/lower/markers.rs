@@ -18,7 +18,8 @@ pub fn localise(expr: &Expr, markers: &[MarkerId]) -> Expr {
         | Expr::Index
         | Expr::Local { .. }
         | Expr::EndTime
-        | Expr::Strain(_) => expr.clone(),
+        | Expr::Strain(_)
+        | Expr::Element(_) => expr.clone(),
         Expr::Motion(motion, argument) => Expr::Motion(*motion, walk(argument)),
         Expr::Negate(a) => Expr::Negate(walk(a)),
         Expr::Binary(operator, a, b) => Expr::Binary(*operator, walk(a), walk(b)),

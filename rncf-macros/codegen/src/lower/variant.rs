@@ -2,8 +2,9 @@
 //! agrees in all of this, whatever its lengths, stiffnesses and densities.
 
 use super::material::Material;
-use crate::elements::{Coefficient, Element, Library, NodalVector, Node};
+use crate::elements::{Coefficient, Element, Library, NodalVector};
 use crate::model::{Body, ElementId, Evaluation, Expr, Line, Model, Quadrature};
+use crate::tensors::Rational;
 
 /// A specialised element.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,7 +56,7 @@ impl Variant {
     }
 
     /// Coefficients of the element that its kernels use.
-    pub fn coefficients(&self, library: &Library) -> Vec<&'static Coefficient> {
+    pub fn coefficients<'l>(&self, library: &'l Library) -> Vec<&'l Coefficient> {
         let element = self.declaration(library);
         if self.varying {
             return Vec::new();
@@ -68,7 +69,7 @@ impl Variant {
     }
 
     /// Nodal vectors of one element.
-    pub fn vectors(&self, library: &Library) -> Vec<&'static NodalVector> {
+    pub fn vectors<'l>(&self, library: &'l Library) -> Vec<&'l NodalVector> {
         self.declaration(library).vectors_in(self.dimension).collect()
     }
 
@@ -112,7 +113,7 @@ impl Variant {
     }
 
     /// Coefficients that are numbers at every point of integration.
-    pub fn varying_coefficients(&self, library: &Library) -> Vec<&'static Coefficient> {
+    pub fn varying_coefficients<'l>(&self, library: &'l Library) -> Vec<&'l Coefficient> {
         if !self.varying {
             return Vec::new();
         }
@@ -142,15 +143,16 @@ impl Variant {
     /// Where an element's vectors are among those of its body.
     pub fn connectivity(&self, library: &Library) -> Connectivity {
         let vectors = self.vectors(library);
-        let count = |node: Node| vectors.iter().filter(|vector| vector.node == node).count();
-        let (per_node, inside) = (count(Node::Start), count(Node::Middle));
+        let which = |vector: &NodalVector| match vector.place {
+            Rational::ZERO => 0,
+            Rational::ONE => 2,
+            _ => 1,
+        };
+        let count = |node: usize| vectors.iter().filter(|vector| which(vector) == node).count();
+        let (per_node, inside) = (count(0), count(1));
         let mut next = [0, per_node, per_node + inside];
         let places = vectors.iter().map(|vector| {
-            let place = &mut next[match vector.node {
-                Node::Start => 0,
-                Node::Middle => 1,
-                Node::End => 2,
-            }];
+            let place = &mut next[which(vector)];
             *place += 1;
             *place - 1
         });

@@ -35,6 +35,8 @@ pub enum Expr {
     /// Component of the Green strain tensor, section axes with x along the body: xx, yy, zz, xy, xz, yz;
     /// in the energy density of a material only (THEORY 4.2).
     Strain(usize),
+    /// What the energy of an element that is declared in the language refers to; there only.
+    Element(ElementQuantity),
     /// A motion at another time.
     Motion(MotionId, Box<Expr>),
     /// Negation.
@@ -64,6 +66,7 @@ impl Expr {
             | Expr::Local { .. }
             | Expr::EndTime
             | Expr::Strain(_)
+            | Expr::Element(_)
             | Expr::Observed(_) => Vec::new(),
             Expr::Motion(_, inner) | Expr::Negate(inner) => vec![inner],
             Expr::Binary(_, left, right) | Expr::Power(left, right) => vec![left, right],
@@ -76,6 +79,19 @@ impl Expr {
     pub fn contains(&self, is: &dyn Fn(&Expr) -> bool) -> bool {
         is(self) || self.parts().into_iter().any(|part| part.contains(is))
     }
+}
+
+/// What the formulas of an element refer to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ElementQuantity {
+    /// Inner product of two fields, by their numbers in space.
+    Dot(usize, usize),
+    /// Cross product of two fields, a number; in the plane.
+    Cross(usize, usize),
+    /// A coefficient.
+    Coefficient(&'static str),
+    /// A strain, counted from its stress-free value, or another name, by its number.
+    Named(usize),
 }
 
 /// Two-operand arithmetic.

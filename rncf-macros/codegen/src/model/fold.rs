@@ -72,6 +72,7 @@ fn value(expr: &Expr, leaf: &dyn Fn(&Expr) -> Option<f64>) -> Option<f64> {
         | Expr::Local { .. }
         | Expr::EndTime
         | Expr::Strain(_)
+        | Expr::Element(_)
         | Expr::Motion(..)
         | Expr::Observed(_) => {
             return leaf(expr);

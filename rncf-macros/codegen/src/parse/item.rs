@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, TokenTree};
 use super::cursor::{Cursor, Parsed};
 use super::messages as say;
 use super::tree::{Caution, Field, Fields, Item, ItemKind, Keyword, Name, Statement, Tree};
-use super::{ascii, expr, table, unit};
+use super::{ascii, element, expr, table, unit};
 use crate::errors::{Area, Errors, Mistake};
 
 /// All items of a model, or of a loop.
@@ -48,6 +48,8 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, repeat: Option<usize>, errors
                 let item = item(cursor, doc, keyword, name, errors);
                 if tree.is_component && keyword == Keyword::Param {
                     errors.at(at, say::PARAM_INSIDE);
+                } else if tree.is_component && keyword == Keyword::Element {
+                    errors.at(at, say::ELEMENT_INSIDE);
                 } else if repeat.is_some() {
                     super::repeat::may_be_repeated(&item, at, errors);
                 }
@@ -166,6 +168,7 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
             let value = assignment(cursor)?;
             ItemKind::Output { unit, value }
         }
+        Keyword::Element => element::element(cursor, errors)?,
         Keyword::Motion => {
             time_argument(cursor)?;
             ItemKind::Motion(assignment(cursor)?)
@@ -517,7 +520,7 @@ fn recover_field(cursor: &mut Cursor) {
     recover_before(cursor, |cursor| cursor.word().is_some() && cursor.is_second_punct('='));
 }
 
-fn recover_before(cursor: &mut Cursor, is_start: impl Fn(&Cursor) -> bool) {
+pub(super) fn recover_before(cursor: &mut Cursor, is_start: impl Fn(&Cursor) -> bool) {
     while !cursor.is_empty() && !is_start(cursor) && !is_documentation(cursor) {
         if cursor.eat_punct(';') {
             return;

@@ -21,6 +21,7 @@ const SHARED: &[Keyword] = &[
     Keyword::Table,
     Keyword::Material,
     Keyword::Section,
+    Keyword::Element,
     Keyword::Motion,
 ];
 

@@ -26,12 +26,18 @@ pub const PARAM_INSIDE: &str = "params belong to the model: let the component be
 pub const USE_IN_LIBRARY: &str =
     "a library uses no other one: let the model use both, then each finds the names of the other";
 pub const USE: &str = "a library is used by its path: `use crate::blades;`, in front of `model`, each by itself";
+pub const ELEMENT_INSIDE: &str = "an element is declared beside components, not in them: take it out";
 pub const RUN_INSIDE: &str = "a `run` belongs to the model: write it outside of components";
 pub const RANGE: &str = "a loop needs its range: write `0..` and the number of repetitions, e.g. `0..n`";
 pub const RANGE_START: &str = "repetitions are numbered from 0: write `0..` and their number, e.g. `0..n`";
 pub const RANGE_END: &str = "`0..n` counts from 0 to n - 1: leave out `=`";
 
+pub const ELEMENT_ARGUMENTS: &str = "an element is made of a section and a material: write `(section, material)`";
+pub const ELEMENT_DOMAIN: &str =
+    "the unit element of a line is `0..1`: write `domain xi in 0..1;`; surfaces and solids are not there yet";
+
 messages! {
+    coefficient_without_unit(name) = "the unit of `{name}` is missing: write e.g. `coefficient {name}: N = ..;`";
     outside_of_loops(word) = "a `{word}` stands outside of loops: it is the same for all repetitions";
     meaning_of_its_own(name) = "`{name}` has a meaning of its own: choose another name";
     not_shared(word) = "a `{word}` belongs to a model: in a library there are `component`, `material`, `section`, `table`, `const`, `let` and `motion`";

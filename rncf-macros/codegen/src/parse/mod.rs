@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! declaration = { "library" NAME "{" { item } "}" } { doc } [ visibility ] "model" NAME "{" { item } "}"
-//! item        = { doc } ( param | const | material | section | motion | frame | rigid | body
+//! item        = { doc } ( param | const | material | section | element | motion | frame | rigid | body
 //!                       | fixture | joint | constraint | spring | load | output | run | for
 //!                       | component | part )
 //! for         = "for" INDEX "in" range "{" { item } "}"   // each NAME is NAME { "[" INDEX "]" }
@@ -16,6 +16,15 @@
 //! material    = "material" NAME fields          // density young poisson damping yield energy
 //! section     = "section" NAME fields           // area second_moment torsion_constant shear_factor extent_y ..
 //!             | "section" NAME "=" call ";"     // circle(radius = ..), tube(radius = .., thickness = ..), rectangle(y = .., z = ..)
+//! element     = "element" NAME "(" "section" "," "material" ")" "{" { { doc } part ";" } "}"
+//! part        = "domain" NAME "in" "0..1" | "also" NAME | "points" WHOLE
+//!             | "vector" NAME "=" DERIVATIVE "at" expr "," "shape" expr     // r r_x r_y r_z; 0..1; a polynomial
+//!             | "field" NAME "=" DERIVATIVE                                 // r_x r_xx r_y r_yx ..
+//!             | "coefficient" NAME ":" unit "=" right | "inertia" DERIVATIVE "=" COEFFICIENT | "damping" "=" expr
+//!             | "option" NAME "=" VALUE { "|" VALUE }
+//!             | ( "let" | "strain" ) NAME when "=" expr
+//!             | "energy" NAME when "=" expr [ "," "stress" expr ] [ "," "points" WHOLE ]
+//! when        = [ "when" OPTION "is" VALUE { "and" OPTION "is" VALUE } ] [ "in" ( "plane" | "space" ) ]
 //! motion      = "motion" NAME "(" "t" ")" "=" right ";"
 //! frame       = "frame" NAME [ "in" FRAME ] "=" call ";"
 //!                   // rotating(axis = x|y|z|vector, angle = expr [, origin = vector])
@@ -78,6 +87,7 @@
 pub mod ascii;
 pub(crate) mod component;
 pub(crate) mod cursor;
+mod element;
 mod expr;
 mod item;
 pub mod library;

@@ -123,6 +123,7 @@ pub enum Keyword {
     Table,
     Material,
     Section,
+    Element,
     Motion,
     Frame,
     Rigid,
@@ -140,13 +141,14 @@ pub enum Keyword {
 
 impl Keyword {
     /// All of them, in the order a user needs them.
-    pub const ALL: [Keyword; 19] = [
+    pub const ALL: [Keyword; 20] = [
         Keyword::Param,
         Keyword::Const,
         Keyword::Let,
         Keyword::Table,
         Keyword::Material,
         Keyword::Section,
+        Keyword::Element,
         Keyword::Motion,
         Keyword::Frame,
         Keyword::Rigid,
@@ -171,6 +173,7 @@ impl Keyword {
             Keyword::Table => "table",
             Keyword::Material => "material",
             Keyword::Section => "section",
+            Keyword::Element => "element",
             Keyword::Motion => "motion",
             Keyword::Frame => "frame",
             Keyword::Rigid => "rigid",
@@ -303,6 +306,13 @@ pub enum ItemKind {
     Section(Fields),
     /// `section name = circle(..);`
     NamedSection(Call),
+    /// `element name(section, material) { statements }`
+    Element {
+        /// What stands in the braces.
+        statements: Vec<ElementStatement>,
+        /// Whether all statements could be read.
+        complete: bool,
+    },
     /// `motion name(t) = value;`
     Motion(Expr),
     /// `frame name [in parent] = call;`
@@ -358,6 +368,107 @@ pub enum ItemKind {
     Caution(Box<Caution>),
     /// Unreadable; reported already. Uses of the name are not mistakes.
     Broken,
+}
+
+/// A statement of an element.
+#[derive(Clone, Debug)]
+pub struct ElementStatement {
+    /// Documentation comment.
+    pub doc: String,
+    /// The word it begins with.
+    pub word: Name,
+    /// What it says.
+    pub kind: ElementKind,
+}
+
+/// What a statement of an element says.
+#[derive(Clone, Debug)]
+pub enum ElementKind {
+    /// `domain xi in 0..1;`
+    Domain {
+        /// The coordinate of the unit element.
+        coordinate: Name,
+    },
+    /// `vector s0 = r_x at 0, shape xi - 2*xi^2 + xi^3;`
+    Vector {
+        /// Its name.
+        name: Name,
+        /// The derivative of the position that it is.
+        of: Name,
+        /// Where it sits.
+        place: Expr,
+        /// Its shape function.
+        shape: Expr,
+    },
+    /// `field a = r_x;`
+    Field {
+        /// Its name.
+        name: Name,
+        /// The derivative of the position that it is.
+        of: Name,
+    },
+    /// `coefficient EA: N = material.young * section.area;`
+    Coefficient {
+        /// Its name.
+        name: Name,
+        /// Its unit.
+        unit: UnitText,
+        /// Its value.
+        value: Expr,
+    },
+    /// `inertia r = rhoA;`
+    Inertia {
+        /// What moves.
+        of: Name,
+        /// The mass per length.
+        coefficient: Name,
+    },
+    /// `damping = material.damping;`
+    Damping(Expr),
+    /// `option bending = polynomial | exact;`
+    Option {
+        /// Its name.
+        name: Name,
+        /// Its values, the default first.
+        values: Vec<Name>,
+    },
+    /// `let name = value;` or `strain name = value;`
+    Definition {
+        /// Whether its stress-free value is subtracted.
+        is_strain: bool,
+        /// Its name.
+        name: Name,
+        /// Where it applies.
+        when: When,
+        /// Its value.
+        value: Expr,
+    },
+    /// `energy name = value, stress value, points count;`
+    Energy {
+        /// Its name.
+        name: Name,
+        /// Where it applies.
+        when: When,
+        /// Energy per length.
+        value: Expr,
+        /// Its derivative with respect to its strain, where written.
+        stress: Option<Expr>,
+        /// Gauss points of its own.
+        points: Option<Expr>,
+    },
+    /// `points 5;`
+    Points(Expr),
+    /// `also tether;`
+    Also(Name),
+}
+
+/// `when option is value and .. in plane`
+#[derive(Clone, Debug)]
+pub struct When {
+    /// Options and their values.
+    pub options: Vec<(Name, Name)>,
+    /// `plane` or `space`.
+    pub space: Option<Name>,
 }
 
 /// `"text" [on outputs] if left < right`

@@ -103,6 +103,8 @@ impl<'m> Time<'m> {
             Expr::Local { order, component } => self.local(*order, *component),
             Expr::EndTime => self.end_time,
             Expr::Strain(component) => self.strain(*component),
+            // It has a meaning inside of an element's declaration alone.
+            Expr::Element(quantity) => self.graph.input(format!("{quantity:?}")),
             Expr::Motion(motion, argument) => {
                 let argument = self.expression_at(argument, t);
                 let motion = &self.model.motions[motion.0];

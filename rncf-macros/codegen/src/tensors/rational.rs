@@ -55,6 +55,17 @@ impl Rational {
         None
     }
 
+    /// Numerator and denominator, in lowest terms.
+    pub fn parts(self) -> (i128, i128) {
+        (self.numerator, self.denominator)
+    }
+
+    /// Whether products of several such numbers have room.
+    pub fn is_small(self) -> bool {
+        const LARGEST: i128 = 1_000_000_000;
+        self.numerator.abs() <= LARGEST && self.denominator <= LARGEST
+    }
+
     /// Whether the value is zero.
     pub fn is_zero(self) -> bool {
         self.numerator == 0

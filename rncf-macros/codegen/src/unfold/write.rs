@@ -135,6 +135,8 @@ impl<'t> Unfold<'t, '_> {
             }
             ItemKind::Section(fields) => ItemKind::Section(self.fields(at, fields)),
             ItemKind::NamedSection(call) => ItemKind::NamedSection(self.call(at, call)),
+            // It stands outside of components and loops: its names are the model's or its own.
+            ItemKind::Element { .. } => kind.clone(),
             ItemKind::Motion(value) => ItemKind::Motion(self.expr(at, value)),
             ItemKind::Frame { parent, call } => ItemKind::Frame {
                 parent: parent.as_ref().map(|parent| self.name(at, parent)),

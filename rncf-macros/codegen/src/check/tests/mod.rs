@@ -1,5 +1,6 @@
 mod along;
 mod density;
+mod elements;
 mod free;
 mod influence;
 mod joints;

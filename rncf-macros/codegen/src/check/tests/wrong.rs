@@ -1,8 +1,9 @@
-//! Wrong models, listed in wrong.txt, free.txt, joints.txt, sections.txt, along.txt, repeat.txt, parts.txt, meaning.txt and space.txt: what is underlined, and what is said.
+//! Wrong models, listed in wrong.txt, free.txt, joints.txt, sections.txt, along.txt, elements.txt, repeat.txt, parts.txt, meaning.txt and space.txt: what is underlined, and what is said.
 //!
 //! `BLESS=1 cargo test -p rncf-codegen wrong` rewrites the expectations; read the difference.
 
 use super::along::ALONG;
+use super::elements::ELEMENTS;
 use super::free::FREE;
 use super::joints::JOINTS;
 use super::meaning::{MEANING, SPACE};
@@ -85,6 +86,11 @@ fn texts_that_mean_nothing_are_refused() {
 #[test]
 fn wrong_tables_and_sections_along_an_axis_say_what_would_be_right() {
     check(include_str!("along.txt"), "along.txt", ALONG);
+}
+
+#[test]
+fn wrong_elements_say_what_would_be_right() {
+    check(include_str!("elements.txt"), "elements.txt", ELEMENTS);
 }
 
 fn check(list: &str, name: &str, model: &str) {

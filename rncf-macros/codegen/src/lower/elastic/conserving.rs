@@ -54,9 +54,12 @@ pub fn conserving_obstacle(variant: &Variant, library: &Library) -> Option<Strin
         .filter(|&(_, &choice)| choice != 0)
         .map(|(option, &choice)| format!("`{} = {}`", option.name, option.values[choice]))
         .collect();
+    let chosen = match chosen.as_slice() {
+        [] => String::new(),
+        chosen => format!(" ({})", chosen.join(", ")),
+    };
     Some(format!(
-        "has an energy that is not quadratic in the inner products of its vectors ({})",
-        chosen.join(", ")
+        "has an energy that is not quadratic in the inner products of its vectors{chosen}"
     ))
 }
 

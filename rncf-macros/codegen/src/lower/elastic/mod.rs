@@ -142,8 +142,8 @@ struct Builder<'a> {
     library: &'a Library,
     element: &'a Element,
     /// Nodal vectors and fields in the plane or in space.
-    nodal: Vec<&'static NodalVector>,
-    declared: Vec<&'static Field>,
+    nodal: Vec<&'a NodalVector>,
+    declared: Vec<&'a Field>,
     form: Form,
     quantity: Quantity,
     graph: Graph,
@@ -183,6 +183,7 @@ impl<'a> Builder<'a> {
             .coefficients
             .iter()
             .map(|c| (c.name, graph.input(c.name)))
+            .chain([("", one)])
             .collect();
         let mut builder = Self {
             variant,
@@ -233,8 +234,10 @@ impl<'a> Builder<'a> {
             if is_position(vector) {
                 let difference = self.graph.subtract_vectors(&nodal[index], &nodal[base]);
                 let scaled = self.graph.scale(self.inverse_length, &difference);
+                let difference = self.difference(vector);
                 for (c, &id) in scaled.iter().enumerate() {
-                    self.graph.name(id, format!("{prefix}d_{}", ["x", "y", "z"][c]));
+                    self.graph
+                        .name(id, format!("{prefix}{difference}_{}", ["x", "y", "z"][c]));
                 }
                 relative.push(scaled);
             } else {
@@ -244,6 +247,30 @@ impl<'a> Builder<'a> {
         relative
     }
 
+    /// Name of the position of a node relative to that of the base, over the length: `d`, of several `d_r1`.
+    fn difference(&self, vector: &NodalVector) -> String {
+        match self.nodal.iter().filter(|vector| is_position(vector)).count() {
+            0..=2 => "d".to_string(),
+            _ => format!("d_{}", vector.name),
+        }
+    }
+
+    /// Lengths of the relative vectors in a straight, unstretched element.
+    fn relative_lengths(&self) -> Vec<f64> {
+        let base = base_vector(&self.nodal);
+        let start = self.nodal[base].place.to_f64();
+        let vectors = self.nodal.iter().enumerate().filter(|&(index, _)| index != base);
+        vectors
+            .map(|(_, vector)| {
+                if is_position(vector) {
+                    vector.place.to_f64() - start
+                } else {
+                    1.0
+                }
+            })
+            .collect()
+    }
+
     /// Names of the relative vectors for documentation and variables.
     fn relative_names(&self) -> Vec<String> {
         let base = base_vector(&self.nodal);
@@ -251,7 +278,7 @@ impl<'a> Builder<'a> {
         vectors
             .map(|(_, vector)| {
                 if is_position(vector) {
-                    "d".to_string()
+                    self.difference(vector)
                 } else {
                     vector.name.to_string()
                 }

@@ -69,7 +69,7 @@ impl Builder<'_> {
     }
 
     fn strains(&mut self, list: &[Invariant]) -> Strains {
-        let names = self.relative_names();
+        let (names, lengths) = (self.relative_names(), self.relative_lengths());
         let mut strains = Strains {
             plain: Vec::new(),
             changes: Vec::new(),
@@ -82,7 +82,8 @@ impl Builder<'_> {
             let reference = if curved {
                 self.reference_symbol(place)
             } else {
-                self.graph.number(invariant.straight())
+                self.graph
+                    .number(invariant.straight() * lengths[invariant.i] * lengths[invariant.j])
             };
             let change = self.graph.subtract(value, reference);
             self.graph.name(change, format!("strain_{}", invariant.name(&names)));

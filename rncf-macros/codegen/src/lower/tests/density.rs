@@ -148,7 +148,7 @@ fn forces_are_sums_over_many_points() {
                 let scale = l.powi(vectors[a].order as i32 - order as i32);
                 let is_axis = vectors[a].of == Interpolant::Position;
                 if is_axis {
-                    scale * (vectors[a].shape)().derivative(order).at(xi)
+                    scale * vectors[a].shape.derivative(order).at(xi)
                 } else {
                     0.0
                 }

@@ -1,0 +1,456 @@
+//! Elements that are declared in the language: from the statements to an [`Element`].
+
+mod formula;
+mod messages;
+mod shapes;
+mod sound;
+
+use std::sync::Arc;
+
+use super::expr::Scope;
+use super::quantity::Typed;
+use super::{Check, say as common};
+use crate::elements::{
+    Coefficient, Element, ElementOption, Field, Inertia, Interpolant, Library, NodalVector, Written, points_for, word,
+};
+use crate::errors::Errors;
+use crate::model::{ElementQuantity, Expr as Value};
+use crate::parse::tree::{
+    ElementKind, ElementStatement, Expr, ExprKind, Item, ItemKind, Keyword, Name, Tree, UnitText,
+};
+use crate::suggest;
+use crate::units::Dimension;
+use crate::vocabulary::{DERIVED, MATERIAL, SECTION};
+use messages as say;
+
+pub(super) use formula::FieldOfElement;
+
+/// Derivatives of the position that can be named.
+const DERIVATIVES: [&str; 8] = ["r", "r_x", "r_xx", "r_xxx", "r_y", "r_yx", "r_z", "r_zx"];
+
+/// Names that generated code has for something else.
+const TAKEN: [&str; 12] = [
+    "length",
+    "inverse_length",
+    "damping",
+    "reference",
+    "weight",
+    "force",
+    "energy",
+    "stiffness",
+    "row",
+    "model",
+    "nodes",
+    "shape",
+];
+
+/// The elements of a declaration, behind those that are known; used for the texts of the library.
+pub fn elements(tree: &Tree, library: &Library, errors: &mut Errors) -> Library {
+    let mut check = Check::new(tree, library, errors);
+    check.is_trusted = true;
+    check.names();
+    check.params();
+    check.elements();
+    Library::clone(&check.library)
+}
+
+/// What has been read of an element.
+#[derive(Default)]
+struct Draft<'a> {
+    /// Coordinate of the unit element.
+    coordinate: Option<&'a Name>,
+    vectors: Vec<(&'a Name, NodalVector)>,
+    /// Whether one could not be read.
+    is_vector_lost: bool,
+    /// Fields that could not be read.
+    lost_fields: Vec<&'a str>,
+    fields: Vec<(&'a Name, Field)>,
+    coefficients: Vec<(&'a Name, Coefficient, Dimension)>,
+    inertia: Vec<Inertia>,
+    damping: Option<&'static str>,
+    options: Vec<ElementOption>,
+    points: Option<usize>,
+    written: Written,
+    /// Where the terms of the energy stand.
+    terms: Vec<&'a Name>,
+    /// Names of definitions, by their numbers, with their dimensions.
+    names: Vec<(&'a str, Dimension)>,
+    /// Where these stand first.
+    definitions: Vec<&'a Name>,
+}
+
+/// Order of the derivative of an interpolant: `r_xx`, `r_yx`.
+fn derivative(text: &str) -> Option<(Interpolant, usize)> {
+    let rest = match text.strip_prefix('r')? {
+        "" => return Some((Interpolant::Position, 0)),
+        rest => rest.strip_prefix('_')?,
+    };
+    let (of, rest) = match rest.as_bytes().first()? {
+        b'y' => (Interpolant::SectionY, &rest[1..]),
+        b'z' => (Interpolant::SectionZ, &rest[1..]),
+        _ => (Interpolant::Position, rest),
+    };
+    (rest.bytes().all(|byte| byte == b'x') && rest.len() <= 3).then_some((of, rest.len()))
+}
+
+impl<'a> Check<'a> {
+    /// Adds the elements of the declaration to the library.
+    pub(super) fn elements(&mut self) {
+        for item in self.items(Keyword::Element) {
+            let ItemKind::Element { statements, complete } = &item.kind else {
+                continue;
+            };
+            let name = item.name.text.as_str();
+            if self.library.find(name).is_some() {
+                self.errors.at(item.name.span, say::of_library(name));
+                continue;
+            }
+            let before = self.errors.len();
+            let element = self.element(item, statements, *complete);
+            self.locals.clear();
+            self.element_fields.clear();
+            self.lost_fields.clear();
+            if let Some(element) = element.filter(|_| self.errors.len() == before && *complete) {
+                Arc::make_mut(&mut self.library).elements.push(element);
+            }
+        }
+    }
+
+    /// Whether an element of this name is declared, so that its mistakes have been told.
+    pub(super) fn is_declared_element(&self, name: &str) -> bool {
+        let is_it = |item: &Item| item.keyword == Keyword::Element && item.name.text == name;
+        self.tree.items.iter().any(is_it)
+    }
+
+    fn element(&mut self, item: &'a Item, statements: &'a [ElementStatement], complete: bool) -> Option<Element> {
+        let before = self.errors.len();
+        let mut draft = Draft::default();
+        let mut names = vec![word(&item.name.text)];
+        self.own_names(statements);
+        for statement in statements {
+            match &statement.kind {
+                ElementKind::Domain { coordinate } if draft.coordinate.is_none() => draft.coordinate = Some(coordinate),
+                ElementKind::Domain { coordinate } => self.errors.at(coordinate.span, common::twice("domain")),
+                ElementKind::Also(name) => names.push(word(&name.text)),
+                ElementKind::Points(value) => draft.points = self.point_count(value),
+                ElementKind::Option { name, values } => draft.options.push(ElementOption {
+                    name: word(&name.text),
+                    values: values.iter().map(|value| word(&value.text)).collect(),
+                    doc: statement.doc.clone(),
+                }),
+                _ => {}
+            }
+        }
+        let Some(coordinate) = draft.coordinate else {
+            if complete {
+                self.errors
+                    .at(item.name.span, say::missing("domain", "domain xi in 0..1;"));
+            }
+            return None;
+        };
+        for statement in statements {
+            self.element_part(statement, coordinate, &mut draft);
+        }
+        for (needed, example) in [
+            ("vector", "vector r0 = r at 0, shape 1 - xi;"),
+            ("field", "field a = r_x;"),
+            ("inertia", "inertia r = rhoA;"),
+            ("energy", "energy axial_strain = 1/2*EA*e^2;"),
+        ] {
+            if complete && !statements.iter().any(|statement| statement.word.text == needed) {
+                self.errors.at(item.name.span, say::missing(needed, example));
+            }
+        }
+        if !complete || draft.vectors.is_empty() {
+            return None;
+        }
+        if !draft.is_vector_lost {
+            self.shapes(&draft);
+        }
+        self.formulas(statements, &mut draft);
+        (self.errors.len() == before).then(|| self.finished(item, names, draft))?
+    }
+
+    /// The element, once all of it is understood.
+    fn finished(&mut self, item: &'a Item, names: Vec<&'static str>, draft: Draft<'a>) -> Option<Element> {
+        let places = draft.written.terms.iter().filter(|term| term.points.is_some()).count();
+        if places != 0 && places != draft.written.terms.len() {
+            let at = draft.written.terms.iter().position(|term| term.points.is_none())?;
+            self.errors.at(draft.terms[at].span, say::POINTS_OF_SOME);
+            return None;
+        }
+        let own_rule = places != 0;
+        let default_points = draft.points.unwrap_or_else(|| {
+            let own = draft.written.terms.iter().filter_map(|term| term.points).max();
+            own.unwrap_or_else(|| points_for(draft.vectors.iter().map(|(_, vector)| vector)))
+        });
+        let written = draft.written.clone();
+        let element = Element {
+            kernel: names[0],
+            names,
+            of_stiffness: false,
+            doc: first_line(&item.doc),
+            vectors: draft.vectors.iter().map(|(_, vector)| vector.clone()).collect(),
+            fields: draft.fields.iter().map(|(_, field)| *field).collect(),
+            coefficients: draft.coefficients.iter().map(|(_, one, _)| one.clone()).collect(),
+            inertia: draft.inertia.clone(),
+            damping: draft.damping.unwrap_or("damping"),
+            options: draft.options.clone(),
+            energy: Arc::new(
+                move |graph: &mut crate::symbolic::Graph, fields: &_, options: &[usize]| {
+                    written.terms(graph, fields, options)
+                },
+            ),
+            default_points,
+            own_rule,
+            is_of_library: self.is_trusted,
+        };
+        if !self.is_trusted {
+            self.sound(item, &element, &draft);
+        }
+        Some(element)
+    }
+
+    /// Names inside of the element are one name space.
+    fn own_names(&mut self, statements: &'a [ElementStatement]) {
+        let mut seen: Vec<(&str, bool)> = Vec::new();
+        for statement in statements {
+            let (name, is_definition) = match &statement.kind {
+                ElementKind::Vector { name, .. }
+                | ElementKind::Field { name, .. }
+                | ElementKind::Coefficient { name, .. }
+                | ElementKind::Option { name, .. } => (name, false),
+                ElementKind::Definition { name, .. } => (name, true),
+                ElementKind::Domain { coordinate } => (coordinate, false),
+                _ => continue,
+            };
+            let text = name.text.as_str();
+            let is_known = seen
+                .iter()
+                .any(|&(other, other_definition)| other == text && !(is_definition && other_definition));
+            if is_known {
+                self.errors.at(name.span, common::twice(text));
+            } else if TAKEN.contains(&text) || derivative(text).is_some() || self.is_word(text) {
+                self.errors.at(name.span, say::taken(text));
+            }
+            seen.push((text, is_definition));
+        }
+    }
+
+    fn is_word(&self, text: &str) -> bool {
+        super::RESERVED.contains(&text) || super::expr::function(text).is_some() || super::vector::is_function(text)
+    }
+
+    fn element_part(&mut self, statement: &'a ElementStatement, coordinate: &'a Name, draft: &mut Draft<'a>) {
+        match &statement.kind {
+            ElementKind::Vector { name, of, place, shape } => {
+                let vector = self.nodal_vector(name, of, place, shape, coordinate);
+                draft.is_vector_lost |= vector.is_none();
+                draft.vectors.extend(vector.map(|vector| (name, vector)));
+            }
+            ElementKind::Field { name, of } => {
+                let field = self.element_field(name, of);
+                if field.is_none() {
+                    draft.lost_fields.push(&name.text);
+                }
+                draft.fields.extend(field.map(|field| (name, field)));
+            }
+            ElementKind::Coefficient { name, unit, value } => {
+                let coefficient = self.coefficient(name, unit, value);
+                if coefficient.is_none() {
+                    // What it is used for is not to blame.
+                    self.unknown.insert(name.text.clone());
+                }
+                draft
+                    .coefficients
+                    .extend(coefficient.map(|(coefficient, dimension)| (name, coefficient, dimension)));
+            }
+            ElementKind::Inertia { of, coefficient } => {
+                let inertia = self.inertia_of(of, coefficient, draft);
+                draft.inertia.extend(inertia);
+            }
+            ElementKind::Damping(value) => draft.damping = self.damping_of(value),
+            _ => {}
+        }
+    }
+
+    fn known_derivative(&mut self, of: &Name) -> Option<(Interpolant, usize)> {
+        let found = derivative(&of.text);
+        if found.is_none() {
+            let message = suggest::unknown("derivative of the position", &of.text, DERIVATIVES);
+            self.errors.at(of.span, message);
+        }
+        found
+    }
+
+    fn element_field(&mut self, name: &'a Name, of: &'a Name) -> Option<Field> {
+        let (interpolant, order) = self.known_derivative(of)?;
+        if (interpolant, order) == (Interpolant::Position, 0) {
+            self.errors.at(of.span, say::POSITION_AS_FIELD);
+            return None;
+        }
+        Some(Field {
+            name: word(&name.text),
+            of: interpolant,
+            order,
+        })
+    }
+
+    /// A product of properties and of what is the same along the body.
+    fn coefficient(&mut self, name: &'a Name, unit: &'a UnitText, value: &'a Expr) -> Option<(Coefficient, Dimension)> {
+        let compound = self.unit(unit)?;
+        self.property_names();
+        let typed = self.expr(value, Scope::Parameter);
+        self.locals.clear();
+        let typed = typed?;
+        let wanted = Dimension::of(compound.dimension);
+        if typed.dimension != wanted {
+            let message = say::coefficient_unit(&name.text, &typed.describe(), &wanted.describe(false));
+            self.errors.at(unit.area, message);
+            return None;
+        }
+        if (compound.si() - 1.0).abs() > 1e-12 {
+            self.errors
+                .at(unit.area, say::coefficient_si(&unit.text, &wanted.symbol(false)));
+            return None;
+        }
+        let mut factors = Vec::new();
+        let rest = without_properties(typed.value, &mut factors);
+        if rest.contains(&|part| matches!(part, Value::Element(_))) {
+            self.errors.at(value.area, say::COEFFICIENT_PRODUCT);
+            return None;
+        }
+        let coefficient = Coefficient {
+            name: word(&name.text),
+            unit: word(&unit.text),
+            factors,
+            scale: (rest != Value::Number(1.0)).then_some(rest),
+        };
+        Some((coefficient, wanted))
+    }
+
+    /// Lets `material.young` and the like be values.
+    fn property_names(&mut self) {
+        for (owner, list) in [("material", MATERIAL), ("section", SECTION)] {
+            for property in list {
+                let dimension = Dimension::of(property.dimension);
+                self.property_name(owner, property.name, dimension);
+            }
+            for derived in DERIVED {
+                let first = list.iter().find(|property| property.name == derived.from[0]);
+                if let Some(first) = first {
+                    self.property_name(owner, derived.name, Dimension::of(first.dimension));
+                }
+            }
+        }
+    }
+
+    fn property_name(&mut self, owner: &str, name: &'static str, dimension: Dimension) {
+        let value = Value::Element(ElementQuantity::Coefficient(name));
+        let key = word(&format!("{owner}.{name}"));
+        self.locals.insert(key, Typed::new(value, dimension));
+    }
+
+    /// `material.young` inside of a coefficient; `None` elsewhere.
+    pub(super) fn property(&mut self, expr: &Expr) -> Option<Option<Typed>> {
+        if !self.locals.contains_key("material.young") {
+            return None;
+        }
+        let ExprKind::Member { base, field, arguments } = &expr.kind else {
+            return None;
+        };
+        let ExprKind::Name(owner) = &base.kind else {
+            return None;
+        };
+        if !["material", "section"].contains(&owner.text.as_str()) || arguments.is_some() {
+            return None;
+        }
+        let prefix = format!("{}.", owner.text);
+        let known = self.locals.get(format!("{prefix}{}", field.text).as_str()).cloned();
+        if known.is_none() {
+            let all = self.locals.keys().filter_map(|key| key.strip_prefix(prefix.as_str()));
+            let mut all: Vec<&str> = all.collect();
+            all.sort_unstable();
+            let message = suggest::unknown(&format!("property of a {}", owner.text), &field.text, all);
+            self.errors.at(field.span, message);
+        }
+        Some(known)
+    }
+
+    fn inertia_of(&mut self, of: &'a Name, coefficient: &'a Name, draft: &Draft) -> Option<Inertia> {
+        let (interpolant, order) = self.known_derivative(of)?;
+        if order != 0 {
+            self.errors.at(of.span, say::INERTIA_OF);
+            return None;
+        }
+        let text = coefficient.text.as_str();
+        let Some((_, one, dimension)) = draft.coefficients.iter().find(|(name, ..)| name.text == text) else {
+            let known = draft.coefficients.iter().map(|(name, ..)| name.text.as_str());
+            self.errors
+                .at(coefficient.span, suggest::unknown("coefficient", text, known));
+            return None;
+        };
+        let exponent = if interpolant == Interpolant::Position { -1 } else { 1 };
+        let wanted = Dimension::of([exponent, 1, 0, 0, 0, 0]);
+        if *dimension != wanted {
+            let message = say::inertia_unit(&of.text, &wanted.describe(false), &dimension.describe(false));
+            self.errors.at(coefficient.span, message);
+            return None;
+        }
+        Some(Inertia {
+            of: interpolant,
+            coefficient: one.name,
+        })
+    }
+
+    fn damping_of(&mut self, value: &'a Expr) -> Option<&'static str> {
+        let is_it = matches!(&value.kind, ExprKind::Member { base, field, arguments: None }
+            if field.text == "damping" && matches!(&base.kind, ExprKind::Name(name) if name.text == "material"));
+        if !is_it {
+            self.errors.at(value.area, say::DAMPING);
+        }
+        is_it.then_some("damping")
+    }
+
+    /// A number of Gauss points.
+    fn point_count(&mut self, value: &Expr) -> Option<usize> {
+        let found = match &value.kind {
+            ExprKind::Number { text, unit: None } => text.parse::<usize>().ok(),
+            _ => None,
+        };
+        let found = found.filter(|points| (1..=20).contains(points));
+        if found.is_none() {
+            self.errors.at(value.area, say::POINTS);
+        }
+        found
+    }
+}
+
+/// The first line of a documentation comment without its full stop.
+fn first_line(doc: &str) -> String {
+    let line = doc.lines().next().unwrap_or("An element of this model");
+    line.trim_end_matches('.').to_string()
+}
+
+/// What is left of a product without its properties, which are collected in their order.
+fn without_properties(value: Value, factors: &mut Vec<&'static str>) -> Value {
+    use crate::model::Binary;
+    match value {
+        Value::Element(ElementQuantity::Coefficient(name)) => {
+            factors.push(name);
+            Value::Number(1.0)
+        }
+        Value::Binary(Binary::Multiply, left, right) => {
+            let (left, right) = (without_properties(*left, factors), without_properties(*right, factors));
+            match (left, right) {
+                (Value::Number(1.0), other) | (other, Value::Number(1.0)) => other,
+                (left, right) => Value::Binary(Binary::Multiply, Box::new(left), Box::new(right)),
+            }
+        }
+        Value::Binary(Binary::Divide, left, right) => {
+            let left = without_properties(*left, factors);
+            Value::Binary(Binary::Divide, Box::new(left), right)
+        }
+        other => other,
+    }
+}

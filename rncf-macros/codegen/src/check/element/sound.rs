@@ -1,0 +1,289 @@
+//! Whether the energy of an element makes sense: without stress where nothing is deformed, and without motions that nothing
+//! resists.
+
+use std::collections::HashMap;
+
+use super::{Draft, say};
+use crate::check::{Check, fold};
+use crate::elements::{Coefficients, Density, Element, Interpolant, Rules, STRETCHES, Term, field_invariants};
+use crate::errors::Area;
+use crate::model::{ElementQuantity, Expr as Value};
+use crate::parse::tree::Item;
+use crate::symbolic::{Graph, Id, Invariant};
+
+/// Strain at which an energy has its least value that still passes for zero: of a law whose kink is rounded.
+const OFF_REST: f64 = 1e-5;
+
+/// Strains at which a written stress is compared with the derivative of its energy.
+const PROBES: [f64; 4] = [-0.03, -0.002, 0.004, 0.05];
+
+/// Relative difference of these that is round-off.
+const ROUND_OFF: f64 = 1e-7;
+
+impl<'a> Check<'a> {
+    pub(super) fn sound(&mut self, item: &'a Item, element: &Element, draft: &Draft<'a>) {
+        let before = self.errors.len();
+        for one in draft
+            .vectors
+            .iter()
+            .filter(|(_, vector)| !draft.fields.iter().any(|(_, field)| field.of == vector.of))
+        {
+            self.errors.at(one.0.span, say::unused_vector(&one.0.text));
+        }
+        self.unused_names(draft);
+        let values = self.values_of(draft);
+        for dimension in [2, 3] {
+            for options in choices(element) {
+                if self.errors.len() != before {
+                    return;
+                }
+                self.sound_in(item, element, draft, (dimension, &options), &values);
+            }
+        }
+    }
+
+    /// Coefficients and definitions that nothing reads.
+    fn unused_names(&mut self, draft: &Draft<'a>) {
+        let in_energy = |name: &str| {
+            let is_it = |value: &Value| {
+                value
+                    .contains(&|part| matches!(part, Value::Element(ElementQuantity::Coefficient(own)) if *own == name))
+            };
+            let in_terms = draft.written.terms.iter().any(|term| {
+                term.coefficient == name || is_it(&term.density) || term.stress.as_ref().is_some_and(is_it)
+            });
+            in_terms || draft.written.definitions.iter().any(|one| is_it(&one.value))
+        };
+        let is_read = |name: &str| in_energy(name) || draft.inertia.iter().any(|inertia| inertia.coefficient == name);
+        for (place, one, _) in &draft.coefficients {
+            if !is_read(one.name) {
+                self.errors.at(place.span, say::unused(one.name));
+            }
+        }
+        let of_inertia = |name: &str| draft.inertia.iter().any(|inertia| inertia.coefficient == name);
+        for (place, one, _) in draft.coefficients.iter().filter(|(_, one, _)| of_inertia(one.name)) {
+            if in_energy(one.name) {
+                self.errors.at(place.span, say::both(one.name));
+            }
+        }
+        for (number, (name, _)) in draft.names.iter().enumerate() {
+            let is_it = |value: &Value| {
+                value.contains(&|part| matches!(part, Value::Element(ElementQuantity::Named(own)) if *own == number))
+            };
+            let in_terms = draft.written.terms.iter().any(|term| is_it(&term.density));
+            if !in_terms && !draft.written.definitions.iter().any(|one| is_it(&one.value)) {
+                let place = draft.definitions[number];
+                self.errors.at(place.span, say::unused(name));
+            }
+        }
+    }
+
+    /// Coefficients for a look at the energy: one where properties decide, the default where params do.
+    fn values_of(&self, draft: &Draft) -> Coefficients {
+        let value = |scale: &Option<Value>| match scale {
+            Some(scale) => fold::with_defaults(&self.model, scale, 0.0).unwrap_or(1.0),
+            None => 1.0,
+        };
+        let list = draft.coefficients.iter();
+        list.map(|(_, one, _)| (one.name, value(&one.scale))).collect()
+    }
+
+    fn sound_in(
+        &mut self,
+        item: &'a Item,
+        element: &Element,
+        draft: &Draft<'a>,
+        (dimension, options): (usize, &[usize]),
+        values: &Coefficients,
+    ) {
+        let place = if dimension == 2 { "in the plane" } else { "in space" };
+        for (at, term) in draft.written.terms.iter().enumerate() {
+            if term.when.applies(dimension, options)
+                && let Some(message) = missing(draft, &term.density, dimension, options, place)
+            {
+                self.errors.at(draft.terms[at].span, message);
+                return;
+            }
+        }
+        let mut graph = Graph::new();
+        let (fields, symbols) = field_invariants(&mut graph, element, dimension);
+        let built = draft.written.built(&mut graph, &fields, options);
+        if built.is_empty() {
+            self.errors.at(item.name.span, say::no_energy(place));
+            return;
+        }
+        for one in &built {
+            if one.strains.len() > 1 {
+                let names: Vec<&str> = one.strains.iter().map(|&(name, ..)| draft.names[name].0).collect();
+                self.errors
+                    .at(draft.terms[one.term].span, say::several_strains(&names.join("` and `")));
+                return;
+            }
+        }
+        let places: Vec<usize> = built.iter().map(|one| one.term).collect();
+        let terms = draft.written.terms(&mut graph, &fields, options);
+        let mut inputs: HashMap<Id, f64> = HashMap::new();
+        for (name, value) in values {
+            inputs.insert(graph.input(*name), *value);
+        }
+        for &(one, symbol) in &symbols {
+            inputs.insert(symbol, at_rest(element, one, dimension));
+        }
+        for (&at, term) in places.iter().zip(&terms) {
+            let area = draft.terms[at].span.into();
+            self.stationary(element, dimension, &mut graph, &symbols, &inputs, (term, area));
+        }
+        if self.errors.is_empty() {
+            self.resisting(item, element, (dimension, options, place), values);
+        }
+    }
+
+    /// Without stress where nothing is deformed.
+    fn stationary(
+        &mut self,
+        element: &Element,
+        dimension: usize,
+        graph: &mut Graph,
+        symbols: &[(Invariant, Id)],
+        inputs: &HashMap<Id, f64>,
+        (term, area): (&Term, Area),
+    ) {
+        match term.density {
+            Density::Law {
+                measure,
+                change,
+                energy,
+                stress,
+            } => {
+                let derivative = graph.partial(energy, change);
+                let stiffness = graph.partial(stress, change);
+                let at = |change_now: f64, ids: &[Id]| {
+                    let mut inputs = inputs.clone();
+                    inputs.insert(change, change_now);
+                    graph.evaluate(ids, &inputs)
+                };
+                let rest = at(0.0, &[stress, stiffness, measure]);
+                if rest.iter().any(|value| !value.is_finite()) {
+                    self.errors.at(area, say::NOT_FINITE_AT_REST);
+                } else if rest[1] <= 0.0 {
+                    self.errors.at(area, say::not_stiff(&format!("{:.3}", rest[1])));
+                } else if rest[0].abs() > OFF_REST * rest[1] {
+                    self.errors.at(area, say::not_stationary(&format!("{:.3}", rest[0])));
+                } else if stress != derivative {
+                    for probe in PROBES {
+                        let both = at(probe, &[stress, derivative]);
+                        if (both[0] - both[1]).abs()
+                            > ROUND_OFF * (both[0].abs() + both[1].abs() + rest[1] * probe.abs())
+                        {
+                            self.errors.at(area, say::wrong_stress(&format!("{probe}")));
+                            return;
+                        }
+                    }
+                }
+            }
+            Density::Energy(energy) => {
+                // The force on each field: the sum of dW/dI times the fields that it is multiplied with.
+                let slopes: Vec<Id> = symbols
+                    .iter()
+                    .map(|&(_, symbol)| graph.partial(energy, symbol))
+                    .collect();
+                let slopes = graph.evaluate(&slopes, inputs);
+                if slopes.iter().any(|value| !value.is_finite()) {
+                    self.errors.at(area, say::NOT_FINITE_AT_REST);
+                    return;
+                }
+                let is_unit: Vec<bool> = element
+                    .fields_in(dimension)
+                    .map(|field| field.order == usize::from(field.of == Interpolant::Position))
+                    .collect();
+                let pulls = symbols
+                    .iter()
+                    .zip(&slopes)
+                    .find(|((one, _), slope)| slope.abs() > 1e-9 && (is_unit[one.i] || is_unit[one.j]));
+                if let Some((_, slope)) = pulls {
+                    self.errors.at(area, say::not_stationary(&format!("{slope:.3}")));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Without motions that nothing resists.
+    fn resisting(
+        &mut self,
+        item: &'a Item,
+        element: &Element,
+        (dimension, options, place): (usize, &[usize], &str),
+        values: &Coefficients,
+    ) {
+        let size = element.vectors_in(dimension).count() * dimension;
+        for stretch in STRETCHES {
+            let rank = |rules: Rules| element.rank(dimension, options, stretch, rules, values);
+            let declared = rank(Rules::Declared(element.default_points));
+            let rich = rank(Rules::Rich);
+            if declared < rich {
+                let enough = (1..20).find(|&points| rank(Rules::Declared(points)) >= rich);
+                let count = (rich - declared).to_string();
+                let message = match enough.filter(|_| !element.own_rule) {
+                    Some(points) => say::too_few(&count, place, &points.to_string()),
+                    None => say::too_few_of_terms(&count, place),
+                };
+                self.errors.at(item.name.span, message);
+                return;
+            }
+            // Tight, an element moves freely as a whole, and in space it turns about its axis.
+            let free = if dimension == 2 { 2 } else { 4 };
+            if stretch != 1.0 && size - rich > free {
+                self.errors
+                    .at(item.name.span, say::loose(&(size - rich - free).to_string(), place));
+                return;
+            }
+        }
+    }
+}
+
+/// All values of the options.
+fn choices(element: &Element) -> Vec<Vec<usize>> {
+    element.options.iter().fold(vec![Vec::new()], |all, option| {
+        let with = |list: Vec<usize>| {
+            (0..option.values.len()).map(move |value| {
+                let mut longer = list.clone();
+                longer.push(value);
+                longer
+            })
+        };
+        all.into_iter().flat_map(with).collect()
+    })
+}
+
+/// The value of an inner product in a straight element that nothing deforms.
+fn at_rest(element: &Element, one: Invariant, dimension: usize) -> f64 {
+    let field = |at: usize| element.fields_in(dimension).nth(at);
+    let (Some(a), Some(b)) = (field(one.i), field(one.j)) else {
+        return 0.0;
+    };
+    let is_unit = |field: &crate::elements::Field| field.order == usize::from(field.of == Interpolant::Position);
+    if is_unit(a) && is_unit(b) {
+        one.orthonormal(a.of == b.of)
+    } else {
+        0.0
+    }
+}
+
+/// What a formula has not where it applies; `None`: nothing, or what the plane does not have at all.
+fn missing(draft: &Draft, value: &Value, dimension: usize, options: &[usize], place: &str) -> Option<String> {
+    match value {
+        Value::Element(ElementQuantity::Cross(..)) if dimension == 3 => Some(say::CROSS_IN_SPACE.into()),
+        Value::Element(ElementQuantity::Named(name)) => {
+            let mut list = draft.written.definitions.iter().filter(|one| one.name == *name);
+            match list.find(|one| one.when.applies(dimension, options)) {
+                Some(one) => missing(draft, &one.value, dimension, options, place),
+                None => Some(say::undefined(draft.names[*name].0, place)),
+            }
+        }
+        _ => {
+            let mut parts = value.parts().into_iter();
+            parts.find_map(|part| missing(draft, part, dimension, options, place))
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! The strain energy of an element as its declaration writes it: definitions and terms, each where it applies.
+
+use std::collections::HashMap;
+
+use super::{Density, Invariants, Term};
+use crate::model::{Binary, ElementQuantity, Expr, fold};
+use crate::symbolic::{Graph, Id};
+
+/// Where a statement applies: the plane or space, values of options; empty: everywhere.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct When {
+    /// 2 or 3.
+    pub dimension: Option<usize>,
+    /// Places of options and their values.
+    pub options: Vec<(usize, usize)>,
+}
+
+impl When {
+    /// Whether it applies with these values of the options.
+    pub fn applies(&self, dimension: usize, options: &[usize]) -> bool {
+        self.dimension.is_none_or(|own| own == dimension)
+            && self
+                .options
+                .iter()
+                .all(|&(at, value)| options.get(at).copied().unwrap_or(0) == value)
+    }
+}
+
+/// `strain name = value;` or `let name = value;`
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// Number of the name.
+    pub name: usize,
+    /// Whether its value in the stress-free shape is subtracted.
+    pub is_strain: bool,
+    /// Where it applies.
+    pub when: When,
+    /// Of the inner products of the fields, coefficients and names.
+    pub value: Expr,
+}
+
+/// `energy name = coefficient * density;`
+#[derive(Clone, Debug)]
+pub struct WrittenTerm {
+    /// Name for documentation.
+    pub name: &'static str,
+    /// Where it applies.
+    pub when: When,
+    /// The coefficient that is a factor; empty: none is.
+    pub coefficient: &'static str,
+    /// The rest.
+    pub density: Expr,
+    /// Derivative of the density with respect to its strain, where it is written.
+    pub stress: Option<Expr>,
+    /// Gauss points of its own.
+    pub points: Option<usize>,
+}
+
+/// The energy of a declaration.
+#[derive(Clone, Debug, Default)]
+pub struct Written {
+    /// Places of the fields of space among those of the plane.
+    pub in_plane: Vec<Option<usize>>,
+    /// Definitions in order; of a name that is defined where it does not apply the others are looked at.
+    pub definitions: Vec<Definition>,
+    /// Terms in order.
+    pub terms: Vec<WrittenTerm>,
+}
+
+/// A term where it applies, as expressions of the inner products and of the changes of its strains.
+pub struct Built {
+    /// Place among the terms.
+    pub term: usize,
+    /// The density.
+    pub density: Id,
+    /// Its stress, where it is written.
+    pub stress: Option<Id>,
+    /// Strains that it depends on: numbers of their names, symbols of their changes, measures.
+    pub strains: Vec<(usize, Id, Id)>,
+}
+
+impl Written {
+    /// The terms of the energy.
+    pub fn terms(&self, graph: &mut Graph, fields: &Invariants, options: &[usize]) -> Vec<Term> {
+        let built = self.built(graph, fields, options);
+        built.into_iter().map(|built| self.term(graph, built)).collect()
+    }
+
+    /// Terms where they apply; those of fields that the plane does not have are left out.
+    pub fn built(&self, graph: &mut Graph, fields: &Invariants, options: &[usize]) -> Vec<Built> {
+        let mut scope = Scope {
+            written: self,
+            fields,
+            options,
+            changes: HashMap::new(),
+        };
+        let mut list = Vec::new();
+        for (at, term) in self.terms.iter().enumerate() {
+            if !term.when.applies(fields.dimension, options) {
+                continue;
+            }
+            let stress = term.stress.as_ref().map(|stress| scope.value(graph, stress));
+            let (Some(density), false) = (scope.value(graph, &term.density), stress == Some(None)) else {
+                continue;
+            };
+            let reached = graph.reachable(&[density]);
+            let is_in = |symbol: &Id| reached.contains(symbol);
+            let mut strains: Vec<(usize, Id, Id)> = scope
+                .changes
+                .iter()
+                .map(|(&name, &(symbol, measure))| (name, symbol, measure))
+                .filter(|(_, symbol, _)| is_in(symbol))
+                .collect();
+            strains.sort_by_key(|&(name, ..)| name);
+            list.push(Built {
+                term: at,
+                density,
+                stress: stress.flatten(),
+                strains,
+            });
+        }
+        list
+    }
+
+    /// With `1/2 e^2` of a strain a measure, with another function of it a law, without any an energy.
+    fn term(&self, graph: &mut Graph, built: Built) -> Term {
+        let declared = &self.terms[built.term];
+        let density = match built.strains.first() {
+            None => Density::Energy(built.density),
+            Some(&(_, change, measure)) => {
+                let (half, square) = (graph.number(0.5), graph.power(change, 2));
+                if built.stress.is_none() && built.density == graph.multiply(half, square) {
+                    Density::Measure(measure)
+                } else {
+                    let stress = built.stress.unwrap_or_else(|| graph.partial(built.density, change));
+                    Density::Law {
+                        measure,
+                        change,
+                        energy: built.density,
+                        stress,
+                    }
+                }
+            }
+        };
+        Term {
+            name: declared.name,
+            coefficient: declared.coefficient,
+            density,
+            points: declared.points,
+        }
+    }
+}
+
+/// A moderate whole number.
+fn whole(expr: &Expr) -> Option<i32> {
+    let value = fold::constant(expr)?;
+    (value.trunc() == value && value.abs() <= 64.0).then_some(value as i32)
+}
+
+/// What names mean for the chosen options.
+struct Scope<'w> {
+    written: &'w Written,
+    fields: &'w Invariants,
+    options: &'w [usize],
+    /// Symbols of the changes of strains, and the measures themselves.
+    changes: HashMap<usize, (Id, Id)>,
+}
+
+impl Scope<'_> {
+    fn place(&self, field: usize) -> Option<usize> {
+        match self.fields.dimension {
+            2 => self.written.in_plane.get(field).copied().flatten(),
+            _ => Some(field),
+        }
+    }
+
+    /// The value of an expression; `None` where it has none in this space.
+    fn value(&mut self, graph: &mut Graph, expr: &Expr) -> Option<Id> {
+        // Constants become one node each: what is made first stands first in products.
+        if let Some(constant) = fold::constant(expr) {
+            return Some(graph.number(constant));
+        }
+        Some(match expr {
+            Expr::Element(quantity) => self.quantity(graph, *quantity)?,
+            Expr::Negate(a) => {
+                let a = self.value(graph, a)?;
+                graph.negate(a)
+            }
+            Expr::Binary(operator, a, b) => {
+                let (a, b) = (self.value(graph, a)?, self.value(graph, b)?);
+                match operator {
+                    Binary::Add => graph.add(a, b),
+                    Binary::Subtract => graph.subtract(a, b),
+                    Binary::Multiply => graph.multiply(a, b),
+                    Binary::Divide => graph.divide(a, b),
+                }
+            }
+            Expr::Power(base, exponent) if whole(exponent).is_some() => {
+                let base = self.value(graph, base)?;
+                graph.power(base, whole(exponent)?)
+            }
+            Expr::Power(base, exponent) => {
+                let (base, exponent) = (self.value(graph, base)?, self.value(graph, exponent)?);
+                graph.general_power(base, exponent)
+            }
+            Expr::Call(function, arguments) => match arguments.as_slice() {
+                [a] => {
+                    let a = self.value(graph, a)?;
+                    graph.call(*function, a)
+                }
+                [a, b] => {
+                    let (a, b) = (self.value(graph, a)?, self.value(graph, b)?);
+                    graph.call2(*function, a, b)
+                }
+                _ => return None,
+            },
+            // The check lets nothing else pass.
+            _ => return None,
+        })
+    }
+
+    fn quantity(&mut self, graph: &mut Graph, quantity: ElementQuantity) -> Option<Id> {
+        match quantity {
+            ElementQuantity::Dot(i, j) => Some(self.fields.dots[self.place(i)?][self.place(j)?]),
+            ElementQuantity::Cross(i, j) => {
+                let (i, j) = (self.place(i)?, self.place(j)?);
+                (self.fields.dimension == 2).then(|| self.fields.crosses[i][j])
+            }
+            ElementQuantity::Coefficient(name) => Some(graph.input(name)),
+            ElementQuantity::Named(name) => {
+                if let Some(&(symbol, _)) = self.changes.get(&name) {
+                    return Some(symbol);
+                }
+                let written = self.written;
+                let definition = written.definitions.iter().find(|definition| {
+                    definition.name == name && definition.when.applies(self.fields.dimension, self.options)
+                })?;
+                let value = self.value(graph, &definition.value)?;
+                if !definition.is_strain {
+                    return Some(value);
+                }
+                let symbol = graph.symbol("change");
+                self.changes.insert(name, (symbol, value));
+                Some(symbol)
+            }
+        }
+    }
+}

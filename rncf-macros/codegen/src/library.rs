@@ -1,0 +1,46 @@
+//! The elements of this crate: texts in the language, and what can't be written in it yet.
+
+use std::sync::LazyLock;
+
+use crate::check;
+use crate::elements::{Element, Library, full_beam};
+use crate::errors::Errors;
+use crate::parse;
+
+/// Declarations of elements.
+const TEXTS: [&str; 2] = [include_str!("library/cable.rncf"), include_str!("library/beam.rncf")];
+
+static STANDARD: LazyLock<Library> = LazyLock::new(|| {
+    let mut library = Library::default();
+    for text in TEXTS {
+        library.elements.extend(declared(text));
+    }
+    let beam = library.find("beam").map(|at| library.elements[at].clone());
+    library.elements.extend(beam.iter().flat_map(full_beam));
+    library
+});
+
+impl Library {
+    /// The elements of this crate.
+    pub fn standard() -> Self {
+        STANDARD.clone()
+    }
+}
+
+/// The elements of a text.
+///
+/// # Panics
+/// If the text has a mistake: a defect of this crate.
+fn declared(text: &str) -> Vec<Element> {
+    let mut errors = Errors::new();
+    let tokens = format!("model Library {{ {text} }}").parse().expect("tokens");
+    let tree = parse::parse(tokens, &mut errors).expect("a declaration");
+    let library = check::elements(&tree, &Library::default(), &mut errors);
+    let mistakes: Vec<String> = errors.finish().into_iter().map(|mistake| mistake.message).collect();
+    assert!(
+        mistakes.is_empty(),
+        "a text of the library is wrong: {}",
+        mistakes.join("; ")
+    );
+    library.elements
+}
