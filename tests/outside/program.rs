@@ -1,0 +1,137 @@
+//! A user's crate with a scene of its own: it builds against the facade, runs from the command line, and moves as
+//! formulas that were written by hand.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Duration;
+
+use rncf_tests::beam::{Beam, Root};
+use rncf_tests::element::Data;
+use rncf_tests::integrate::{Method, agreed};
+use rncf_tests::rotating_beam::RotatingBeam;
+use rncf_tests::swing::Swing;
+
+const ELEMENTS: usize = 5;
+const LENGTH: f64 = 1.2;
+
+/// The model of `src/lib.rs` by hand.
+fn reference() -> RotatingBeam<Swing> {
+    let (radius, young, density) = (2e-3_f64, 2.7e9, 1150.0);
+    let area = std::f64::consts::PI * radius.powi(2);
+    let data = Data {
+        dimension: 2,
+        length: LENGTH,
+        mass_per_length: density * area,
+        axial_stiffness: young * area,
+        bending_stiffness: young * std::f64::consts::PI * radius.powi(4) / 4.0,
+        exponent: 2,
+        damping: 0.4e-3,
+        points: 5,
+    };
+    let beam = Beam {
+        elements: ELEMENTS,
+        length: LENGTH,
+        hub_radius: 0.2,
+        root: Root::Clamped,
+        element: data,
+    };
+    let motion = Swing::new(1.5, 3.0_f64.to_radians(), 11.0).expect("finite values");
+    RotatingBeam::new(beam, motion).expect("a beam")
+}
+
+/// A folder for files of these tests.
+fn scratch() -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
+}
+
+/// The crate's program.
+fn program() -> PathBuf {
+    PathBuf::from(env!("CARGO_BIN_EXE_swing"))
+}
+
+/// The program with a folder for its files and further words.
+fn run(program: &Path, out: &Path, words: &[&str]) -> Command {
+    let mut command = Command::new(program);
+    command.args(["run", "--quiet", "--out"]).arg(out).args(words);
+    command
+}
+
+fn finish(mut command: Command) {
+    let output = command.output().expect("the program runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+}
+
+/// Runs the crate's program into a folder, and returns the rows of its history.
+fn history(formulation: &str) -> Vec<[f64; 3]> {
+    let out = scratch().join(format!("outside-{formulation}"));
+    finish(run(&program(), &out, &["--formulation", formulation, "--rtol", "1e-9"]));
+    let table = fs::read_to_string(out.join("history.csv")).expect("the run wrote its history");
+    let mut lines = table.lines();
+    assert_eq!(lines.next(), Some("t [s],u [m],v [m]"));
+    let row = |line: &str| -> [f64; 3] {
+        let row: Vec<f64> = line.split(',').map(|text| text.parse().expect("a number")).collect();
+        row.try_into().expect("three columns")
+    };
+    lines.map(row).collect()
+}
+
+#[test]
+fn a_scene_of_its_own_moves_as_formulas_by_hand() {
+    let reference = reference();
+    let times: Vec<f64> = (0..=20).map(|k| f64::from(k) / 10.0).collect();
+    // Twice the reference's own tolerances agree far below what is asked of the program.
+    let run = agreed(&reference, Method::Radau5, 1e-11, &reference.rest(), &times, 1e-6).expect("two runs that agree");
+    let mut largest = 0.0;
+    for formulation in ["rncf", "ancf"] {
+        let rows = history(formulation);
+        assert_eq!(rows.len(), times.len());
+        let mut worst = 0.0;
+        for ((row, time), state) in rows.iter().zip(&times).zip(&run.states) {
+            let [u, v, _] = reference.tip(state);
+            assert!((row[0] - time).abs() < 1e-12, "{} s instead of {time} s", row[0]);
+            worst = f64::max(worst, f64::max((row[1] - u).abs(), (row[2] - v).abs()));
+            largest = f64::max(largest, v.abs());
+        }
+        println!("{formulation}: differs by {worst:.1e} m of {largest:.2} m");
+        // A tolerance of 1e-9 of the length in each step, ten times; a term that is wrong or missing (hub radius,
+        // damping, exponent of bending) shows in the third digit of v.
+        assert!(worst < 10.0 * 1e-9 * LENGTH, "{formulation}: {worst}");
+        assert!(largest > 0.1 * LENGTH, "the rod should bend visibly, by {largest} m");
+    }
+}
+
+/// Rows and all else that a run has gathered survive a kill, and the run goes on from there as if nothing had been.
+#[test]
+fn a_killed_run_goes_on_to_the_same_history() {
+    let program = program();
+    let [whole, killed] = ["whole", "killed"].map(|name| scratch().join(format!("outside-{name}")));
+    let words = ["--rtol", "1e-9", "--every", "50 us"];
+    finish(run(&program, &whole, &words));
+    let _ = fs::remove_dir_all(&killed);
+    let history = |folder: &Path| fs::read(folder.join("history.csv")).unwrap_or_default();
+    let complete = history(&whole);
+    let words_again = [&words[..], &["--resume"]].concat();
+    let mut kills = 0;
+    for (words, least) in [
+        (&words[..], 1),
+        (&words_again, complete.len() / 4),
+        (&words_again, complete.len() / 2),
+    ] {
+        let mut process = run(&program, &killed, words).spawn().expect("the program runs");
+        let is_enough = || history(&killed).len() >= least && killed.join("checkpoint").exists();
+        while !is_enough() && process.try_wait().expect("it is a child").is_none() {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        // What the last one left may be enough.
+        std::thread::sleep(Duration::from_millis(100));
+        process.kill().expect("it is a child");
+        kills += u32::from(!process.wait().expect("it is a child").success());
+    }
+    assert!(kills >= 2, "it ended before it was killed");
+    finish(run(&program, &killed, &words_again));
+    assert!(history(&killed) == complete);
+    assert_eq!(complete.iter().filter(|&&byte| byte == b'\n').count(), 40_002);
+    assert!(!killed.join("checkpoint").exists());
+}
