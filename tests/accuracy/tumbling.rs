@@ -176,7 +176,7 @@ fn flown(way: Formulation, method: Method, rtol: f64, times: &[f64]) -> (Vec<Vec
     (rows.iter().map(|row| row[3..12].to_vec()).collect(), drifts, statistics)
 }
 
-/// The rows of the table in docs/free_frames.md: error of places over the size, drifts of momentum and angular momentum, steps.
+/// Rows of a table: error of places over the size, drifts of momentum and angular momentum, steps.
 fn compared(methods: &[(Method, &[f64])], end: f64, finest: f64) -> Vec<(Formulation, Method, f64, [f64; 3])> {
     let times = grid(0.1, end);
     let (exact, _, _) = flown(Formulation::Ancf, Method::Radau, finest, &times);
@@ -216,7 +216,7 @@ fn a_tumbling_satellite_is_where_it_is_in_both_formulations() {
     }
 }
 
-/// The table of docs/free_frames.md.
+/// All methods and tolerances, for reading.
 #[test]
 #[ignore = "a study of minutes"]
 fn table_of_the_satellite() {
