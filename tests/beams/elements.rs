@@ -2,7 +2,7 @@
 
 use rncf::equilibrium::Uniform;
 use rncf::modes::{Wanted, modes};
-use rncf::{Formulation, Joints, Model};
+use rncf::{Formulation, Integrator, Joints, Method, Model, Options};
 
 use crate::scenes::at_rest;
 
@@ -105,6 +105,30 @@ rncf::model! {
     }
 }
 
+rncf::model! {
+    /// A bar on a pin that a moment turns: no node has a slope for it.
+    pub model Lever {
+        /// Truss bar, as in `Bar`.
+        element bar(section, material) {
+            domain xi in 0..1;
+            vector r0 = r at 0, shape 1 - xi;
+            vector r1 = r at 1, shape xi;
+            field a = r_x;
+            coefficient EA: N      = material.young * section.area;
+            coefficient rhoA: kg/m = material.density * section.area;
+            inertia r = rhoA;
+            strain e = (dot(a, a) - 1)/2;
+            energy axial_strain = 1/2*EA*e^2;
+        }
+        material unit { density = 1 kg/m^3; young = 1 Pa; }
+        section unit_area { area = 1 m^2; }
+        body rod in inertial { planar xy; line from [0, 0, 0] m to [2, 0, 0] m; mesh 1 * bar(unit_area, unit); }
+        joint root = pin(rod.start, inertial);
+        load turn = moment(rod.end, [0, 0, 4] N*m);
+        output tip = rod.end.acceleration;
+    }
+}
+
 /// Frequencies at rest, rad/s.
 fn frequencies(model: &impl Model, count: usize) -> Vec<f64> {
     let mut scene = model.build(Formulation::Rncf, Joints::Eliminated).unwrap();
@@ -167,4 +191,16 @@ fn a_law_of_the_users_own_carries_the_weight() {
             "stiffening {stiffening}: {longer}, {tension}"
         );
     }
+}
+
+/// As on a rigid rod about its end: `M/(m L^2/3)` times the length.
+#[test]
+fn a_moment_acts_on_a_bar_as_a_couple_on_its_nodes() {
+    let mut scene = Lever::default().build(Formulation::Rncf, Joints::Eliminated).unwrap();
+    let start = scene.rest(0.0);
+    let mut integrator = Integrator::new(scene.as_mut(), start, 1.0, Method::Radau, Options::default()).unwrap();
+    let state = integrator.state().clone();
+    let mut row = vec![0.0; integrator.system().output_columns()];
+    integrator.system().outputs(&state, &mut row);
+    assert!((row[1] - 3.0).abs() < 1e-12 && row[0].abs() < 1e-12, "{row:?}");
 }

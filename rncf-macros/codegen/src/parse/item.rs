@@ -77,11 +77,11 @@ fn unknown_item(cursor: &Cursor) -> Mistake {
 }
 
 fn item_name(cursor: &mut Cursor, keyword: Keyword) -> Parsed<Name> {
-    // A keyword is a name that was forgotten: `param = 3;`, or half a line: `param` `body beam ..`.
+    // A keyword before a name is an item whose line before is half: `param` `body beam ..`. In `body part in hub` it is a name.
     let is_next_item = cursor
         .word()
         .is_some_and(|word| Keyword::of(&word.to_string()).is_some());
-    if is_next_item && cursor.is_two_words() {
+    if is_next_item && cursor.is_two_words() && !["in", "on"].iter().any(|word| cursor.is_second_word(word)) {
         return Err(Mistake::new(cursor.before(), say::missing_name(keyword.word())));
     }
     let name = cursor.expect_name(&format!("a name after `{}`", keyword.word()))?;
