@@ -38,6 +38,8 @@ rncf::model! {
     /// Bodies that cannot all be described in modes.
     pub model Net {
         const size = 1 m;
+        /// Repeated over a param: one kind of body, whose number is chosen at run time.
+        param spokes: count = 2;
         material rubber { density = 1000 kg/m^3; young = 20 MPa; }
         section strip { area = 5 cm^2; second_moment = 5 cm^4; }
         frame hub = rotating(axis = z, angle = 0.1 [rad/s] * t);
@@ -56,7 +58,7 @@ rncf::model! {
         body drifter in float { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 2 * cable(strip, rubber); mean_axes; }
         body stiff in hub { planar xy; line from [0, 2, 0] m to [1, 2, 0] m; mesh 2 * cable(strip, rubber); rigid; }
         joint stiff_root = clamp(stiff.start, hub);
-        for a in 0..2 {
+        for a in 0..spokes {
             body spoke[a] in hub { planar xy; line from [0, 0, 0] m to [0, (1 + a) * size, 0]; mesh 2 * cable(strip, rubber); }
             joint spoke_root[a] = clamp(spoke[a].start, hub);
         }

@@ -55,8 +55,10 @@ fn the_core_between_long_tethers_is_a_point() {
     let found = advised(&Spinner::default(), 1e-3, &RunSettings::default());
     let (rung, word) = named(&found, "core");
     assert_eq!(word, "point", "{:#?}", found.rungs);
-    // The tethers are repeated: they are not described otherwise, but their mesh is chosen.
-    assert!(rung.fidelity.len() == 1 && rung.counts.len() == 1);
+    // Each tether is a body of its own in the ladder; one param counts the elements of both.
+    let bodies: Vec<&str> = rung.fidelity.iter().map(|(body, _)| body.as_str()).collect();
+    assert_eq!(bodies, ["core", "tether[0]", "tether[1]"]);
+    assert_eq!(rung.counts.len(), 1);
 }
 
 #[test]
