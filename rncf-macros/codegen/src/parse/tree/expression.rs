@@ -46,7 +46,7 @@ pub enum ExprKind {
     },
     /// A name: parameter, constant, `t`, `pi`, ...
     Name(Name),
-    /// The number that an index stands for; [`unfold`](crate::unfold) writes it.
+    /// The number that an index stands for; `unfold` writes it.
     Index(i64),
     /// `base.field` or `base.field(arguments)`
     Member {
@@ -72,14 +72,14 @@ pub enum ExprKind {
         /// Number of the repetition.
         index: Box<Expr>,
     },
-    /// `rod[i][j]`, `blade[1].rod[2]`: a number behind more than a name; [`unfold`](crate::unfold) resolves it.
+    /// `rod[i][j]`, `blade[1].rod[2]`: a number behind more than a name; `unfold` resolves it.
     Numbered {
         /// What stands before the brackets.
         base: Box<Expr>,
         /// Number of the repetition.
         index: Box<Expr>,
     },
-    /// `pitch[b](t)`: a repeated motion at a time; [`unfold`](crate::unfold) resolves it.
+    /// `pitch[b](t)`: a repeated motion at a time; `unfold` resolves it.
     Applied {
         /// What stands before the parentheses.
         base: Box<Expr>,
