@@ -12,6 +12,11 @@ macro_rules! messages {
 messages! {
     index_outside(name) = "`{name}` is the index of a loop and known between its braces only";
     duplicate(name, kind, line) = "`{name}` is already declared as `{kind}` in line {line}";
+    not_repeated(name) = "`{name}` is not repeated: leave out the brackets";
+    meaning_of_its_own(name) = "`{name}` has a meaning of its own: choose another name";
+    runs_out(index, at, number, name, last) = "for {index} = {at} this is {number}, but repetitions of `{name}` are numbered from 0 to {last}: a ring closes with `%`, e.g. `({index} + 1) % n`";
+    beyond_repetitions(name, last) = "repetitions of `{name}` are numbered from 0 to {last}";
+    negative_repetition(name) = "repetitions of `{name}` are numbered from 0";
     not_ascii(text, plain) = "`{text}` is not ASCII: write `{plain}`";
     not_a_number(text) = "`{text}` is not a decimal number: write e.g. `8`, `0.5` or `1e-5`";
 }

@@ -1,7 +1,10 @@
 //! What is said about a declaration that makes no sense: what is wrong, and what would be right.
 
 pub use super::messages_along::*;
-pub use crate::messages::{duplicate, index_outside, not_a_number, not_ascii};
+pub use crate::messages::{
+    beyond_repetitions, duplicate, index_outside, meaning_of_its_own, negative_repetition, not_a_number, not_ascii,
+    not_repeated, runs_out,
+};
 
 pub const LONG_CHAIN: &str = "too many names are defined by each other: shorten the chain";
 pub const NO_TIME: &str = "`t` has no meaning here: only motions, frames, loads and outputs change with time";
@@ -150,11 +153,7 @@ messages! {
     index_in_constant(name) = "`{name}` is the index of a loop and has no place here: this is the same for all repetitions";
     repeated(name) = "`{name}` is repeated: write the number of the repetition, e.g. `{name}[0]`";
     repeated_inside(name, index) = "`{name}` is repeated: write `{name}[{index}]`, or a certain one, e.g. `{name}[0]`";
-    not_repeated(name) = "`{name}` is not repeated: leave out the brackets";
     lone_repetition(name) = "`{name}` is a body: say what of it, e.g. `{name}[0].end.x`";
-    negative_repetition(name) = "repetitions of `{name}` are numbered from 0";
-    beyond_repetitions(name, last) = "repetitions of `{name}` are numbered from 0 to {last}";
-    runs_out(index, at, number, name, last) = "for {index} = {at} this is {number}, but repetitions of `{name}` are numbered from 0 to {last}: a ring closes with `%`, e.g. `({index} + 1) % n`";
     reduction_without_loop(name) = "`{name}` goes over repetitions: write e.g. `{name}(a in 0..n, main[a].end.x)`";
     repeated_reaction(name) = "`{name}` is repeated by a param, and reactions of such joints are not observable: make the number of the loop a `const n = 3;`, or look at what the body carries there, e.g. `main[0].start.axial_force`";
     reaction_of_share(name) = "`{name}` is a shared node and exerts nothing: look at what a body carries there, e.g. `main.end.axial_force`";
@@ -166,7 +165,6 @@ messages! {
     shared_frames(first, second) = "the bodies are in the frames `{first}` and `{second}`: only nodes in the same frame are shared; use `spherical` or `weld` between them";
     shared_twice(other) = "`{other}` makes one node of these ends already";
     merged_elements(first, second) = "`{first}` and `{second}` have different elements, whose slopes are not alike: use `share`, or the same element";
-    reserved(name) = "`{name}` has a meaning of its own: choose another name";
     duplicate_statement(name, line) = "{name} is already given in line {line}: one is enough";
     twice(name) = "`{name}` is given twice";
     wrong_kind(name, kind, wanted) = "`{name}` is a {kind}; a {wanted} is expected here";

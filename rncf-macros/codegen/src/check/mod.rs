@@ -238,7 +238,7 @@ impl<'a> Check<'a> {
         for item in &self.tree.items {
             let (name, word) = (item.name.text.as_str(), item.name.word());
             if RESERVED.contains(&word) || expr::function(word).is_some() || vector::is_function(word) {
-                self.errors.at(item.name.span, say::reserved(word));
+                self.errors.at(item.name.span, say::meaning_of_its_own(word));
             }
             let names = if item.keyword == Keyword::Output {
                 &mut outputs

@@ -22,21 +22,12 @@ const FOLLOWER: Shape = Shape {
 /// Whether something of the motion stands in an expression.
 pub fn observes(expr: &Expr) -> bool {
     match &expr.kind {
-        ExprKind::Number { .. } | ExprKind::Name(_) => false,
         ExprKind::Member { .. } => true,
-        ExprKind::Index(_)
-        | ExprKind::Indexed { .. }
-        | ExprKind::Numbered { .. }
-        | ExprKind::Applied { .. }
-        | ExprKind::Remainder(..) => false,
+        ExprKind::Indexed { .. } | ExprKind::Numbered { .. } | ExprKind::Applied { .. } | ExprKind::Remainder(..) => {
+            false
+        }
         ExprKind::Reduced(reduced) => observes(&reduced.value),
-        ExprKind::Call(call) => call.arguments.iter().any(|argument| observes(&argument.value)),
-        ExprKind::Negate(inner) => observes(inner),
-        ExprKind::Binary(_, left, right) | ExprKind::Power(left, right) => observes(left) || observes(right),
-        ExprKind::If(inner) => [&inner.left, &inner.right, &inner.then, &inner.otherwise]
-            .into_iter()
-            .any(observes),
-        ExprKind::Vector { components, .. } => components.iter().any(observes),
+        _ => expr.parts().into_iter().any(observes),
     }
 }
 

@@ -104,41 +104,9 @@ fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
 /// Names in an expression, those of functions and motions that are called included.
 pub fn names<'a>(expr: &'a Expr, found: &mut Vec<&'a str>) {
     match &expr.kind {
-        ExprKind::Number { .. } | ExprKind::Index(_) => {}
-        ExprKind::Name(name) => found.push(&name.text),
-        ExprKind::Member { base, arguments, .. } => {
-            names(base, found);
-            arguments.iter().for_each(|arguments| of_arguments(arguments, found));
-        }
-        ExprKind::Call(call) => {
-            found.push(&call.name.text);
-            of_arguments(&call.arguments, found);
-        }
-        ExprKind::Negate(a) => names(a, found),
-        ExprKind::Binary(_, a, b) | ExprKind::Remainder(a, b) | ExprKind::Power(a, b) => {
-            names(a, found);
-            names(b, found);
-        }
-        ExprKind::Numbered { base, index } => {
-            names(base, found);
-            names(index, found);
-        }
-        ExprKind::Applied { base, arguments } => {
-            names(base, found);
-            of_arguments(arguments, found);
-        }
-        ExprKind::Indexed { base, index } => {
-            found.push(&base.text);
-            names(index, found);
-        }
-        ExprKind::Reduced(reduced) => {
-            names(&reduced.count, found);
-            names(&reduced.value, found);
-        }
-        ExprKind::If(choice) => {
-            let parts = [&choice.left, &choice.right, &choice.then, &choice.otherwise];
-            parts.into_iter().for_each(|part| names(part, found));
-        }
-        ExprKind::Vector { components, .. } => components.iter().for_each(|component| names(component, found)),
+        ExprKind::Name(name) | ExprKind::Indexed { base: name, .. } => found.push(&name.text),
+        ExprKind::Call(call) => found.push(&call.name.text),
+        _ => {}
     }
+    expr.parts().into_iter().for_each(|part| names(part, found));
 }

@@ -52,7 +52,7 @@ impl<'a> Check<'a> {
             || expr::function(text).is_some()
             || vector::is_function(text);
         if is_word {
-            self.errors.at(index.span, say::reserved(text));
+            self.errors.at(index.span, say::meaning_of_its_own(text));
         } else if let Some(item) = self.names.get(text) {
             let line = crate::errors::Area::from(item.name.span).line().to_string();
             let message = say::duplicate(text, item.keyword.word(), &line);

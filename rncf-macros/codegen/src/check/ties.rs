@@ -472,33 +472,12 @@ fn specialised(model: &Model, expr: &Expr) -> Option<Expr> {
     if let Some(value) = with_defaults(model, expr, 0.0) {
         return value.is_finite().then_some(Expr::Number(value));
     }
-    let inner = |expr: &Expr| specialised(model, expr).map(Box::new);
-    Some(match expr {
-        Expr::Negate(a) => Expr::Negate(inner(a)?),
-        Expr::Binary(operator, a, b) => Expr::Binary(*operator, inner(a)?, inner(b)?),
-        Expr::Power(a, b) => Expr::Power(inner(a)?, inner(b)?),
-        Expr::Call(function, arguments) => {
-            let arguments = arguments.iter().map(|argument| specialised(model, argument));
-            Expr::Call(*function, arguments.collect::<Option<_>>()?)
-        }
-        Expr::If(comparison, a, b, then, otherwise) => {
-            Expr::If(*comparison, inner(a)?, inner(b)?, inner(then)?, inner(otherwise)?)
-        }
-        Expr::Observed(observable) => Expr::Observed(observable.clone()),
-        Expr::Number(_)
-        | Expr::Param(_)
-        | Expr::Time
-        | Expr::Arclength
-        | Expr::Table { .. }
-        | Expr::Index
-        | Expr::Local { .. }
-        | Expr::EndTime
-        | Expr::Strain(_)
-        | Expr::Element(_)
-        | Expr::Motion(..) => {
-            return None;
-        }
-    })
+    // A leaf without a value at t = 0 has none; what is observed stays.
+    let has_none = expr.parts().is_empty() && !matches!(expr, Expr::Observed(_));
+    if has_none || matches!(expr, Expr::Motion(..)) {
+        return None;
+    }
+    expr.with_parts(&mut |part| specialised(model, part))
 }
 
 fn axis_vector(axis: usize) -> Vector {

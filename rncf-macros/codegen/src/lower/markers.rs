@@ -8,42 +8,22 @@ use crate::symbolic::Time;
 
 /// An expression with its markers counted in a constraint's or force's own list.
 pub fn localise(expr: &Expr, markers: &[MarkerId]) -> Expr {
-    let walk = |expr: &Expr| Box::new(localise(expr, markers));
-    match expr {
-        Expr::Number(_)
-        | Expr::Param(_)
-        | Expr::Time
-        | Expr::Arclength
-        | Expr::Table { .. }
-        | Expr::Index
-        | Expr::Local { .. }
-        | Expr::EndTime
-        | Expr::Strain(_)
-        | Expr::Element(_) => expr.clone(),
-        Expr::Motion(motion, argument) => Expr::Motion(*motion, walk(argument)),
-        Expr::Negate(a) => Expr::Negate(walk(a)),
-        Expr::Binary(operator, a, b) => Expr::Binary(*operator, walk(a), walk(b)),
-        Expr::Power(a, b) => Expr::Power(walk(a), walk(b)),
-        Expr::Call(function, arguments) => Expr::Call(
-            *function,
-            arguments.iter().map(|argument| localise(argument, markers)).collect(),
-        ),
-        Expr::If(comparison, a, b, c, d) => Expr::If(*comparison, walk(a), walk(b), walk(c), walk(d)),
-        Expr::Observed(Observable::Marker {
-            marker,
-            derivative,
-            component,
-        }) => {
-            let place = markers.iter().position(|other| other == marker);
-            let place = place.unwrap_or_else(|| panic!("marker {} is missing in the list of an expression", marker.0));
-            Expr::Observed(Observable::Marker {
-                marker: MarkerId(place),
-                derivative: *derivative,
-                component: *component,
-            })
-        }
-        Expr::Observed(_) => expr.clone(),
-    }
+    let Expr::Observed(Observable::Marker {
+        marker,
+        derivative,
+        component,
+    }) = expr
+    else {
+        let rebuilt = expr.with_parts(&mut |part| Some(localise(part, markers)));
+        return rebuilt.unwrap_or_else(|| expr.clone());
+    };
+    let place = markers.iter().position(|other| other == marker);
+    let place = place.unwrap_or_else(|| panic!("marker {} is missing in the list of an expression", marker.0));
+    Expr::Observed(Observable::Marker {
+        marker: MarkerId(place),
+        derivative: *derivative,
+        component: *component,
+    })
 }
 
 /// A graph with the symbols of local markers and their derivatives.

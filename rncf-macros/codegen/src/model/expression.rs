@@ -75,6 +75,26 @@ impl Expr {
         }
     }
 
+    /// The same of other parts, where each has one.
+    pub fn with_parts(&self, of: &mut dyn FnMut(&Expr) -> Option<Expr>) -> Option<Expr> {
+        let mut boxed = |expr: &Expr| of(expr).map(Box::new);
+        Some(match self {
+            Expr::Motion(motion, inner) => Expr::Motion(*motion, boxed(inner)?),
+            Expr::Negate(inner) => Expr::Negate(boxed(inner)?),
+            Expr::Binary(operator, left, right) => Expr::Binary(*operator, boxed(left)?, boxed(right)?),
+            Expr::Power(base, exponent) => Expr::Power(boxed(base)?, boxed(exponent)?),
+            Expr::Call(function, arguments) => Expr::Call(*function, arguments.iter().map(of).collect::<Option<_>>()?),
+            Expr::If(comparison, left, right, then, otherwise) => Expr::If(
+                *comparison,
+                boxed(left)?,
+                boxed(right)?,
+                boxed(then)?,
+                boxed(otherwise)?,
+            ),
+            leaf => leaf.clone(),
+        })
+    }
+
     /// Whether it or something that it is made of is of a kind.
     pub fn contains(&self, is: &dyn Fn(&Expr) -> bool) -> bool {
         is(self) || self.parts().into_iter().any(|part| part.contains(is))

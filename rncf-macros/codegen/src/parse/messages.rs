@@ -1,6 +1,6 @@
 //! What is said about text that cannot be read: what is wrong, and what would be right.
 
-pub use crate::messages::{not_a_number, not_ascii};
+pub use crate::messages::{meaning_of_its_own, not_a_number, not_ascii};
 pub use crate::suggest::unknown;
 
 pub const TOO_DEEP: &str = "this is nested too deeply: give parts of it names with `const` or `motion`";
@@ -39,7 +39,6 @@ pub const ELEMENT_DOMAIN: &str =
 messages! {
     coefficient_without_unit(name) = "the unit of `{name}` is missing: write e.g. `coefficient {name}: N = ..;`";
     outside_of_loops(word) = "a `{word}` stands outside of loops: it is the same for all repetitions";
-    meaning_of_its_own(name) = "`{name}` has a meaning of its own: choose another name";
     not_shared(word) = "a `{word}` belongs to a model: in a library there are `component`, `material`, `section`, `table`, `const`, `let` and `motion`";
     after_library(found) = "one `library!` declares one library: nothing may follow its braces, found {found}";
     library_twice(name) = "the library `{name}` is used twice: leave one out";

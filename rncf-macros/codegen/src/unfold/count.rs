@@ -80,9 +80,7 @@ impl<'t> Unfold<'t, '_> {
             self.counted.insert(written);
             return self.value(&told.at, told.value, depth + 1);
         }
-        let scope = [at.scope, 0]
-            .into_iter()
-            .find(|&scope| self.scopes[scope].names.contains_key(text))?;
+        let scope = self.scope_of(at, text)?;
         let declared = self.scopes[scope].names[text].clone();
         let ItemKind::Const(value) = &declared.item.kind else {
             return None;

@@ -1,6 +1,8 @@
 //! What is said about loops, parts and the names in them.
 
-pub use crate::messages::duplicate;
+pub use crate::messages::{
+    beyond_repetitions, duplicate, meaning_of_its_own, negative_repetition, not_repeated, runs_out,
+};
 
 pub const IN_KEPT: &str = "this loop stands in one whose number is a param and known at run time only: make that a `const n = 3;`, or count through both with one index";
 pub const OUTPUT_IN_KEPT: &str = "the number of this loop is known at run time only, and outputs are columns: make it a `const n = 3;`, or look at one repetition from outside, e.g. `main[0].end.x`, or at all of them, e.g. `max(a in 0..n, main[a].end.x)`";
@@ -19,15 +21,10 @@ messages! {
     index_twice(name) = "`{name}` is the index of a loop around this one: choose another one";
     written_alike(name, other) = "`{name}` and `{other}` have the same name in generated code: choose another one";
     repeated(name, index) = "`{name}` is repeated: write the number of the repetition, `{name}{index}`";
-    not_repeated(name) = "`{name}` is not repeated: leave out the brackets";
-    meaning_of_its_own(name) = "`{name}` has a meaning of its own: choose another name";
     no_index(name) = "`{name}` is the index of no loop here";
     number_unknown(name) = "`{name}` is repeated at build time, so that this number must be known then: it is made of indices of such loops, whole numbers and constants";
     whole_number(name) = "repetitions of `{name}` have whole numbers from 0";
     none_exist(name) = "`{name}` is repeated 0 times: there is none";
-    beyond(name, last) = "repetitions of `{name}` are numbered from 0 to {last}";
-    negative(name) = "repetitions of `{name}` are numbered from 0";
-    runs_out(index, at, number, name, last) = "for {index} = {at} this is {number}, but repetitions of `{name}` are numbered from 0 to {last}: a ring closes with `%`, e.g. `({index} + 1) % n`";
     not_in_part(name, part) = "`{part}` has no `{name}`";
     recursion(name, chain) = "`{name}` is placed in itself: {chain}";
     missing(component, names) = "`{component}` must be told {names}";

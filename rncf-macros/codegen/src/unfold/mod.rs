@@ -394,6 +394,12 @@ impl<'t> Scope<'t> {
             kept: HashSet::new(),
         }
     }
+
+    /// Whether it declares a name whose repetitions become items of their own.
+    fn unfolds(&self, text: &str) -> bool {
+        let declared = self.names.get(text);
+        declared.is_some_and(|declared| declared.loops.iter().any(|id| !self.kept.contains(id)))
+    }
 }
 
 fn is_part(declared: &Declared) -> bool {

@@ -59,6 +59,13 @@ impl<'t> Unfold<'t, '_> {
         }
     }
 
+    /// The scope that declares a name which is known at a place: its own, or the model.
+    pub(super) fn scope_of(&self, at: &Place, text: &str) -> Option<usize> {
+        [at.scope, 0]
+            .into_iter()
+            .find(|&scope| self.scopes[scope].names.contains_key(text))
+    }
+
     /// What a single word refers to.
     pub(super) fn reach_name(&mut self, at: &Place, name: &'t Name) -> Option<Reached<'t>> {
         let text = name.text.as_str();
@@ -78,10 +85,7 @@ impl<'t> Unfold<'t, '_> {
                 kind => Reached::Value(Expr { kind, ..value }),
             }));
         }
-        let scope = [at.scope, 0]
-            .into_iter()
-            .find(|&scope| self.scopes[scope].names.contains_key(text));
-        let Some(scope) = scope else {
+        let Some(scope) = self.scope_of(at, text) else {
             let is_lost = self.scopes[at.scope].tree.lost.iter().any(|lost| lost == text);
             return is_lost.then(|| Reached::Item(self.renamed(at.scope, name)));
         };
@@ -281,8 +285,8 @@ impl<'t> Unfold<'t, '_> {
         let turn = at.turns.iter().rev().find(|turn| mentions(index, &turn.name));
         match turn.and_then(|turn| Some((&turn.name, turn.number?))) {
             Some((name, number)) => say::runs_out(name, &number.to_string(), &value, stem, &last),
-            None if value.starts_with('-') => say::negative(stem),
-            None => say::beyond(stem, &last),
+            None if value.starts_with('-') => say::negative_repetition(stem),
+            None => say::beyond_repetitions(stem, &last),
         }
     }
 

@@ -38,29 +38,14 @@ impl<'t> Unfold<'t, '_> {
     /// Whether an expression looks at repetitions that are items of their own, or at parts.
     fn looks_at_items(&self, at: &Place, expr: &Expr) -> bool {
         let of_name = |name: &Name| {
-            let text = name.text.as_str();
-            let mut scopes = [at.scope, 0].into_iter().map(|scope| &self.scopes[scope]);
-            let found = scopes.find_map(|scope| Some((scope, scope.names.get(text)?)));
-            found.is_some_and(|(scope, declared)| declared.loops.iter().any(|id| !scope.kept.contains(id)))
+            self.scope_of(at, &name.text)
+                .is_some_and(|scope| self.scopes[scope].unfolds(&name.text))
         };
         match &expr.kind {
-            ExprKind::Number { .. } | ExprKind::Index(_) | ExprKind::Name(_) => false,
             ExprKind::Indexed { base, .. } => of_name(base),
             ExprKind::Numbered { base, .. } => self.is_of_part(at, base) || self.looks_at_items(at, base),
-            ExprKind::Negate(base) => self.looks_at_items(at, base),
-            ExprKind::Member { base, arguments, .. } => {
-                self.looks_at_items(at, base) || arguments.iter().any(|list| self.any_looks(at, list))
-            }
-            ExprKind::Applied { base, arguments } => self.looks_at_items(at, base) || self.any_looks(at, arguments),
-            ExprKind::Call(call) => self.any_looks(at, &call.arguments),
-            ExprKind::Binary(_, left, right) | ExprKind::Remainder(left, right) | ExprKind::Power(left, right) => {
-                self.looks_at_items(at, left) || self.looks_at_items(at, right)
-            }
             ExprKind::Reduced(inner) => self.looks_at_items(at, &inner.value),
-            ExprKind::If(choice) => [&choice.left, &choice.right, &choice.then, &choice.otherwise]
-                .into_iter()
-                .any(|part| self.looks_at_items(at, part)),
-            ExprKind::Vector { components, .. } => components.iter().any(|part| self.looks_at_items(at, part)),
+            _ => expr.parts().into_iter().any(|part| self.looks_at_items(at, part)),
         }
     }
 
@@ -69,32 +54,18 @@ impl<'t> Unfold<'t, '_> {
         let ExprKind::Member { base, field, .. } = &expr.kind else {
             return false;
         };
-        let scope = self.part_of(at, base).map(|scope| &self.scopes[scope]);
-        let found = scope.and_then(|scope| Some((scope, scope.names.get(field.text.as_str())?)));
-        found.is_some_and(|(scope, declared)| declared.loops.iter().any(|id| !scope.kept.contains(id)))
+        self.part_of(at, base)
+            .is_some_and(|scope| self.scopes[scope].unfolds(&field.text))
     }
 
     /// The scope of a part that is named without numbers.
     fn part_of(&self, at: &Place, expr: &Expr) -> Option<usize> {
         let written = match &expr.kind {
-            ExprKind::Name(name) => {
-                let mut scopes = [at.scope, 0].into_iter().map(|scope| &self.scopes[scope]);
-                let scope = scopes.find(|scope| scope.names.contains_key(name.text.as_str()))?;
-                format!("{}{}", scope.prefix, name.text)
-            }
-            ExprKind::Member { base, field, .. } => {
-                let scope = self.part_of(at, base)?;
-                format!("{}{}", self.scopes[scope].prefix, field.text)
-            }
+            ExprKind::Name(name) => self.renamed(self.scope_of(at, &name.text)?, name).text,
+            ExprKind::Member { base, field, .. } => self.renamed(self.part_of(at, base)?, field).text,
             _ => return None,
         };
         self.parts.get(&written).copied()
-    }
-
-    fn any_looks(&self, at: &Place, arguments: &[Argument]) -> bool {
-        arguments
-            .iter()
-            .any(|argument| self.looks_at_items(at, &argument.value))
     }
 }
 

@@ -101,6 +101,33 @@ pub enum ExprKind {
     },
 }
 
+impl Expr {
+    /// The expressions that it is made of, in the order of the text.
+    pub fn parts(&self) -> Vec<&Expr> {
+        fn of(arguments: &[Argument]) -> impl Iterator<Item = &Expr> {
+            arguments.iter().map(|argument| &argument.value)
+        }
+        match &self.kind {
+            ExprKind::Number { .. } | ExprKind::Name(_) | ExprKind::Index(_) => Vec::new(),
+            ExprKind::Member { base, arguments, .. } => {
+                let arguments = arguments.iter().flat_map(|arguments| of(arguments));
+                std::iter::once(&**base).chain(arguments).collect()
+            }
+            ExprKind::Call(call) => of(&call.arguments).collect(),
+            ExprKind::Negate(inner) => vec![inner],
+            ExprKind::Binary(_, left, right) | ExprKind::Remainder(left, right) | ExprKind::Power(left, right) => {
+                vec![left, right]
+            }
+            ExprKind::Indexed { index, .. } => vec![index],
+            ExprKind::Numbered { base, index } => vec![base, index],
+            ExprKind::Applied { base, arguments } => std::iter::once(&**base).chain(of(arguments)).collect(),
+            ExprKind::Reduced(reduced) => vec![&reduced.count, &reduced.value],
+            ExprKind::If(choice) => vec![&choice.left, &choice.right, &choice.then, &choice.otherwise],
+            ExprKind::Vector { components, .. } => components.iter().collect(),
+        }
+    }
+}
+
 /// `max(index in 0..count, value)`, or `min`, `sum`, `mean`
 #[derive(Clone, Debug)]
 pub struct Reduced {
