@@ -1,5 +1,5 @@
 //! One rotating arm three times: with all nodal vectors, in modes, and in modes for small deformations. Spun up fast it bends
-//! far; spun up slowly it hardly bends, but turns faster than modes without stretch can bear (docs/language.md, "Ladder of
+//! far; spun up slowly it hardly bends, but turns faster than modes without stretch can bear (docs/language/bodies.md, "Ladder of
 //! fidelity").
 //!
 //! `cargo run --release --example fidelity`

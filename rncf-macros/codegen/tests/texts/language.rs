@@ -3,17 +3,16 @@
 //!
 //! Fenced blocks are told apart by their tag:
 //! * `rust` with a `model!` in it: a whole model, which must expand;
-//! * `rncf`: items; what they refer to and do not declare comes from the document's first model;
+//! * `rncf`: items; what they refer to and do not declare comes from the first model of `docs/language.md`;
 //! * `shared`: libraries and models that use them, which must expand with them;
 //! * `refused`: one item a line, each followed by `//` and the message that it must get.
-
-use std::fs;
-use std::path::Path;
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use rncf_codegen::elements::Library;
 use rncf_codegen::parse::tree::Keyword;
 use rncf_codegen::{expand, units, vocabulary};
+
+use crate::documents::{Page, blocks, index_of_words, language, page, prose, section};
 
 /// Words that the parser knows and no table holds.
 #[rustfmt::skip]
@@ -49,35 +48,6 @@ const BRACED: &[&str] = &[
     "component",
     "element",
 ];
-
-fn document(path: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
-    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
-
-/// Contents of the fenced blocks with a tag.
-fn blocks(text: &str, tag: &str) -> Vec<String> {
-    let mut blocks: Vec<String> = Vec::new();
-    let mut open: Option<bool> = None;
-    for line in text.lines() {
-        match (line.trim_start().strip_prefix("```"), open) {
-            (Some(found), None) => {
-                open = Some(found.trim() == tag);
-                blocks.extend(open.filter(|wanted| *wanted).map(|_| String::new()));
-            }
-            (Some(_), Some(_)) => open = None,
-            (None, Some(true)) => *blocks.last_mut().unwrap() += &format!("{line}\n"),
-            (None, _) => {}
-        }
-    }
-    assert!(open.is_none(), "a fenced block is not closed");
-    blocks
-}
-
-/// All that is outside of fenced blocks.
-fn prose(text: &str) -> String {
-    text.split("```").step_by(2).collect()
-}
 
 /// The tokens between the parentheses or braces of every `model!` in a document.
 fn models(text: &str) -> Vec<TokenStream> {
@@ -165,8 +135,10 @@ fn completed(tutorial: &TokenStream, example: &str) -> TokenStream {
 /// Libraries and the models that use them: what rustc makes of the uses, by hand.
 #[test]
 fn every_library_is_taken_in() {
-    let text = document("docs/language.md");
-    let shared = blocks(&text, "shared");
+    let shared: Vec<String> = documents()
+        .iter()
+        .flat_map(|page| blocks(&page.text, "shared"))
+        .collect();
     assert!(!shared.is_empty());
     for block in shared {
         let file = syn::parse_file(&block).unwrap_or_else(|error| panic!("{error} in\n{block}"));
@@ -197,42 +169,52 @@ fn every_library_is_taken_in() {
     }
 }
 
+/// The pages with models and examples: the language, elements and the README.
+fn documents() -> Vec<Page> {
+    let mut documents = language();
+    documents.extend(["docs/elements.md", "README.md"].map(page));
+    documents
+}
+
+/// The model that examples take from what they do not declare.
+fn example_model() -> TokenStream {
+    models(&page("docs/language.md").text)[0].clone()
+}
+
 #[test]
 fn every_whole_model_expands() {
-    for path in ["docs/language.md", "docs/elements.md", "README.md"] {
-        let models = models(&document(path));
-        assert!(!models.is_empty(), "{path} shows a model");
-        for model in models {
+    let mut count = 0;
+    for page in documents() {
+        for model in models(&page.text) {
             let text = model.to_string();
-            assert_eq!(messages(model), Vec::<String>::new(), "{path}:\n{text}");
+            assert_eq!(messages(model), Vec::<String>::new(), "{}:\n{text}", page.path);
+            count += 1;
         }
     }
+    assert!(count >= 3, "found {count} models");
 }
 
 #[test]
 fn every_example_checks() {
-    let text = document("docs/language.md");
-    let tutorial = &models(&text)[0];
-    let examples = blocks(&text, "rncf");
-    assert!(
-        examples.len() >= 10,
-        "every section has an example, found {}",
-        examples.len()
-    );
-    for example in examples {
-        assert_eq!(
-            messages(completed(tutorial, &example)),
-            Vec::<String>::new(),
-            "{example}"
-        );
+    let model = example_model();
+    let mut count = 0;
+    for page in documents() {
+        for example in blocks(&page.text, "rncf") {
+            let found = messages(completed(&model, &example));
+            assert_eq!(found, Vec::<String>::new(), "{}:\n{example}", page.path);
+            count += 1;
+        }
     }
+    assert!(count >= 30, "every section has an example, found {count}");
 }
 
 #[test]
 fn every_refusal_is_refused_in_these_words() {
-    let text = document("docs/language.md");
-    let tutorial = &models(&text)[0];
-    let refused = blocks(&text, "refused").concat();
+    let model = example_model();
+    let refused: String = documents()
+        .iter()
+        .flat_map(|page| blocks(&page.text, "refused"))
+        .collect();
     let mut lines = refused.lines().filter(|line| !line.trim().is_empty());
     let (mut count, mut wrong) = (0, Vec::new());
     while let Some(example) = lines.next() {
@@ -242,7 +224,7 @@ fn every_refusal_is_refused_in_these_words() {
             .unwrap_or_else(|| {
                 panic!("`{example}` is followed by its message");
             });
-        let found = messages(completed(tutorial, example));
+        let found = messages(completed(&model, example));
         if found != [message] {
             wrong.push(format!("{example}\n  {}", found.join("\n  ")));
         }
@@ -253,13 +235,11 @@ fn every_refusal_is_refused_in_these_words() {
         "other messages than in the document:\n{}",
         wrong.join("\n")
     );
-    assert!(count >= 10, "found {count} refusals");
+    assert!(count >= 70, "found {count} refusals");
 }
 
-#[test]
-fn every_word_is_described() {
-    let text = document("docs/language.md");
-    let library = Library::standard();
+/// Words of the language without units.
+fn words(library: &Library) -> Vec<&str> {
     let mut words: Vec<&str> = WORDS.to_vec();
     words.extend(Keyword::ALL.map(Keyword::word));
     words.extend(
@@ -268,27 +248,57 @@ fn every_word_is_described() {
             .chain(vocabulary::SECTION)
             .map(|property| property.name),
     );
-    words.extend(units::UNITS.iter().map(|unit| unit.symbol));
     for element in &library.elements {
-        words.extend(&element.names);
+        words.extend(element.names.iter().copied());
         for option in &element.options {
             words.push(option.name);
             words.extend(&option.values);
         }
     }
-    // In prose and tables a word stands in backticks, alone or with what belongs to it.
-    let prose = prose(&text);
-    let spans: Vec<&str> = prose.split('`').skip(1).step_by(2).collect();
+    words.sort_unstable();
+    words.dedup();
+    words
+}
+
+/// Whether a word stands in backticks, alone or with what belongs to it, outside of fenced blocks.
+fn describes(text: &str, word: &str) -> bool {
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
-    let described = |word: &str| {
-        spans
-            .iter()
-            .any(|span| span.split(|c| !is_word(c)).any(|part| part == word))
-    };
-    let missing: Vec<&str> = words.into_iter().filter(|word| !described(word)).collect();
+    let prose = prose(text);
+    let mut spans = prose.split('`').skip(1).step_by(2);
+    spans.any(|span| span.split(|c| !is_word(c)).any(|part| part == word))
+}
+
+#[test]
+fn every_word_is_in_the_index_and_described_where_it_says() {
+    let library = Library::standard();
+    let index = index_of_words(&page("docs/language.md").text);
+    let listed: Vec<&str> = index.iter().map(|(word, _)| word.as_str()).collect();
+    let missing: Vec<&str> = words(&library)
+        .into_iter()
+        .filter(|word| !listed.contains(word))
+        .collect();
     assert_eq!(
         missing,
         Vec::<&str>::new(),
-        "docs/language.md does not describe these words"
+        "the index of docs/language.md lacks these words"
     );
+    assert!(
+        listed.is_sorted_by_key(|word| word.to_lowercase()),
+        "the index is sorted"
+    );
+    for (word, places) in &index {
+        assert!(!places.is_empty(), "`{word}` stands nowhere");
+        for place in places {
+            let text = section("docs", place);
+            assert!(describes(&text, word), "{place} does not describe `{word}`");
+        }
+    }
+}
+
+#[test]
+fn every_unit_is_described() {
+    let text = section("docs", "language/values.md#units");
+    for unit in units::UNITS {
+        assert!(describes(&text, unit.symbol), "`{}` is not described", unit.symbol);
+    }
 }

@@ -1,5 +1,7 @@
-//! Texts of models through the whole generator.
+//! Texts of models through the whole generator, and the documents.
 
+mod documents;
 mod influence;
 mod language;
 mod needs;
+mod places;
