@@ -112,6 +112,13 @@ pub struct Output {
     pub doc: &'static str,
 }
 
+impl Output {
+    /// Number of its columns.
+    pub fn width(&self) -> usize {
+        self.components.len().max(1)
+    }
+}
+
 /// The run that the declaration asks for by default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunDefaults {

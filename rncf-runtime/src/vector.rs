@@ -69,6 +69,18 @@ pub fn transpose(a: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
 }
 
+/// Determinant: the triple product of the rows.
+pub fn determinant(a: &Matrix) -> f64 {
+    dot(a[0], cross(a[1], a[2]))
+}
+
+/// Inverse of a regular matrix.
+pub fn inverse(a: &Matrix) -> Matrix {
+    let columns = [cross(a[1], a[2]), cross(a[2], a[0]), cross(a[0], a[1])];
+    let determinant = determinant(a);
+    std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i] / determinant))
+}
+
 /// A unit vector normal to the unit vector `t`.
 pub fn perpendicular(t: Vector) -> Vector {
     let smallest = (0..3).min_by(|&i, &j| t[i].abs().total_cmp(&t[j].abs())).unwrap_or(0);

@@ -127,7 +127,7 @@ fn results(
 ) -> Result<(), String> {
     let mut column = 0;
     for (index, output) in model.outputs().iter().enumerate() {
-        let count = output.components.len().max(1);
+        let count = output.width();
         let line = |index: usize| Line::new(history.keys.iter().copied().zip(history.column(index)), index - column);
         // Over time the table below the chart is enough.
         let of_equilibria = history.key.name != "t";
@@ -156,7 +156,7 @@ fn results(
 /// Least and greatest value of each component, with its colour where there are several.
 fn extremes(output: &Output, history: &History, first: usize) -> String {
     let mut text = String::new();
-    for line in 0..output.components.len().max(1) {
+    for line in 0..output.width() {
         let Some((low, high)) = history.extremes(first + line) else {
             continue;
         };

@@ -118,7 +118,7 @@ fn missing(outputs: &[Output], rows: &[(f64, Vec<f64>)], last: &[f64], step: f64
     let columns: Vec<std::ops::Range<usize>> = outputs
         .iter()
         .map(|output| {
-            let range = first..first + output.components.len().max(1);
+            let range = first..first + output.width();
             first = range.end;
             range
         })

@@ -5,7 +5,7 @@ use super::scene::MeshScene;
 use crate::linalg::Pattern;
 use crate::model::Scene;
 use crate::system::{Lever, System, Turning};
-use crate::vector::{Matrix, Vector, add, apply_transposed, cross, dot, scale};
+use crate::vector::{Matrix, Vector, add, apply_transposed, cross, determinant, dot, inverse, scale};
 
 /// Determinant of an inertia over the cube of its trace, below which it counts as that of a line.
 const SLENDER: f64 = 1e-10;
@@ -14,20 +14,28 @@ const SLENDER: f64 = 1e-10;
 struct Inertia<'s> {
     mass: Vec<f64>,
     pattern: &'s Pattern,
-    constraint_pattern: &'s Pattern,
+    /// Whether it stands in a constraint.
+    is_tied: Vec<bool>,
     border: usize,
 }
 
 impl MeshScene {
     /// Poses whose positions stand in no constraint, and the centres of mass that they have at t = 0.
     pub(super) fn free_levers(&mut self) -> Vec<Lever> {
+        if self.free.is_empty() {
+            return Vec::new();
+        }
         let start = self.rest(0.0);
         let mut mass = vec![0.0; self.pattern.entries()];
         self.mass(&start, &mut mass);
+        let mut is_tied = vec![false; self.layout.unknowns()];
+        for &unknown in self.constraint_pattern.indices() {
+            is_tied[unknown] = true;
+        }
         let inertia = Inertia {
             mass,
             pattern: &self.pattern,
-            constraint_pattern: &self.constraint_pattern,
+            is_tied,
             border: self.layout.unknowns() - self.layout.border(),
         };
         self.free.iter().filter_map(|frame| inertia.lever(frame)).collect()
@@ -38,8 +46,8 @@ impl Inertia<'_> {
     /// The lever of a frame; `None` where it does not turn or is tied.
     fn lever(&self, frame: &FreeFrame) -> Option<Lever> {
         let (first, shifts) = (self.border + frame.first, frame.shifts());
-        let is_tied = |row: usize| self.constraint_pattern.indices().contains(&row);
-        if shifts == frame.count() || (first..first + frame.count()).any(is_tied) {
+        let is_tied = self.is_tied[first..first + frame.count()].contains(&true);
+        if shifts == frame.count() || is_tied {
             return None;
         }
         let turning = match (frame.turn, angle_axis(frame.spec.motions), frame.angle()) {
@@ -78,7 +86,7 @@ impl Inertia<'_> {
                 let steiner = |j: usize| if i == j { square } else { 0.0 } - arm[i] * arm[j];
                 std::array::from_fn(|j| about_origin[i][j] - mass * steiner(j))
             });
-            inertia = inverse(&about_centre).map(|inverse| [about_centre, inverse]);
+            inertia = is_regular(&about_centre).then(|| [about_centre, inverse(&about_centre)]);
         }
         arm.iter().all(|part| part.is_finite()).then(|| Lever {
             positions: (0..shifts)
@@ -91,12 +99,8 @@ impl Inertia<'_> {
     }
 }
 
-/// Inverse of an inertia whose least moment is not that of a line.
-fn inverse(inertia: &Matrix) -> Option<Matrix> {
-    let [a, b, c] = *inertia;
-    let columns = [cross(b, c), cross(c, a), cross(a, b)];
-    let determinant = dot(a, columns[0]);
-    let trace = a[0] + b[1] + c[2];
-    let is_regular = determinant > SLENDER * trace.powi(3);
-    is_regular.then(|| std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i] / determinant)))
+/// Whether no moment of inertia vanishes as that of a line does.
+fn is_regular(inertia: &Matrix) -> bool {
+    let trace = inertia[0][0] + inertia[1][1] + inertia[2][2];
+    determinant(inertia) > SLENDER * trace.powi(3)
 }

@@ -139,7 +139,7 @@ pub fn advise(model: &dyn AnyModel, settings: &RunSettings, wanted: &Wanted) -> 
     let searched = task
         .search(&|| false, Bar::new(true))
         .map_err(|failure| failure.message)?;
-    let (found, advice) = (&searched.found, searched.advice());
+    let (found, advice) = (&searched.found, searched.advice(model));
     let rung = |(index, rung): (usize, &search::Rung)| {
         let trial = rung.trial();
         AdvisedRung {
@@ -162,7 +162,7 @@ pub fn advise(model: &dyn AnyModel, settings: &RunSettings, wanted: &Wanted) -> 
         named: found.named,
         declared: found.declared,
         rtol: searched.rtol,
-        sentences: advice.sentences(model),
+        sentences: advice.sentences(),
     })
 }
 
@@ -224,12 +224,13 @@ impl Task<'_> {
             }
         })?;
         let found = Search {
+            model: self.model,
             choices: &choices,
             wanted: self.wanted,
             outputs: self.outputs,
             solve: &mut |setting, name, share| work.solve(setting, name, share),
         }
-        .run(self.model);
+        .run();
         let of_named = found.named.and_then(|named| work.time_error_of(&found, named));
         work.bar.clear();
         if found.richest.is_some() && found.chosen.is_empty() {
@@ -251,8 +252,9 @@ impl Task<'_> {
 }
 
 impl Searched {
-    fn advice(&self) -> Advice<'_> {
+    fn advice<'a>(&'a self, model: &'a dyn AnyModel) -> Advice<'a> {
         Advice {
+            model,
             settings: &self.settings,
             choices: &self.choices,
             found: &self.found,
@@ -287,11 +289,11 @@ pub(super) fn execute(arguments: &Arguments, interrupted: impl Fn() -> bool) -> 
         limit: settings.limit,
     };
     let searched = task.search(&interrupted, Bar::new(arguments.quiet))?;
-    let advice = searched.advice();
-    let summary = advice.summary(arguments.model());
-    let table = ("advise.csv", advice.csv(task.model));
-    let files = write(arguments, "advice", table, &summary, Ok(advice.page(task.model)))?;
-    let text = format!("{}\n{files}", advice.text(task.model));
+    let advice = searched.advice(task.model);
+    let summary = advice.summary();
+    let table = ("advise.csv", advice.csv());
+    let files = write(arguments, "advice", table, &summary, Ok(advice.page()))?;
+    let text = format!("{}\n{files}", advice.text());
     if searched.found.is_interrupted {
         return Err(Failure::new(
             INTERRUPTION,

@@ -93,6 +93,7 @@ const STILL: f64 = 1e-9;
 
 /// The search for one wanted accuracy.
 pub(super) struct Search<'s> {
+    pub model: &'s dyn AnyModel,
     pub choices: &'s Choices,
     /// Largest error that is wanted.
     pub wanted: f64,
@@ -104,30 +105,30 @@ pub(super) struct Search<'s> {
 
 impl Search<'_> {
     /// Runs the ladder.
-    pub fn run(mut self, model: &dyn AnyModel) -> Found {
+    pub fn run(mut self) -> Found {
         let mut found = Found::default();
-        let full = self.meshes(model, &mut found);
+        let full = self.meshes(&mut found);
         if !found.is_interrupted {
-            self.descriptions(model, &mut found, &full);
+            self.descriptions(&mut found, &full);
         }
-        self.declared(model, &mut found);
+        self.declared(&mut found);
         if found.richest.is_none() {
             return found;
         }
         self.judge(&mut found);
         found.named = simplest(&found);
         if !found.is_interrupted {
-            self.each_body(model, &mut found);
+            self.each_body(&mut found);
         }
         found
     }
 
     /// Runs one setting, unless it has run.
-    fn tried(&mut self, model: &dyn AnyModel, found: &mut Found, setting: Setting) -> Option<usize> {
+    fn tried(&mut self, found: &mut Found, setting: Setting) -> Option<usize> {
         if let Some(place) = found.rungs.iter().position(|rung| rung.setting == setting) {
             return Some(place);
         }
-        let name = self.choices.name(model, &setting);
+        let name = self.choices.name(self.model, &setting);
         let all = self.choices.meshes.len() + descriptions().len();
         let share = found.rungs.len() as f64 / (all + 3 * self.choices.bodies.len().saturating_sub(1)) as f64;
         let outcome = (self.solve)(&setting, &name, share.min(1.0));
@@ -146,11 +147,11 @@ impl Search<'_> {
     }
 
     /// All nodal vectors on all meshes, from coarse to fine: the rungs that ran.
-    fn meshes(&mut self, model: &dyn AnyModel, found: &mut Found) -> Vec<usize> {
+    fn meshes(&mut self, found: &mut Found) -> Vec<usize> {
         let mut ran = Vec::new();
         for mesh in 0..self.choices.meshes.len() {
             let setting = self.choices.together(Fidelity::Full, mesh);
-            let Some(rung) = self.tried(model, found, setting) else {
+            let Some(rung) = self.tried(found, setting) else {
                 break;
             };
             if found.rungs[rung].trial().is_some() {
@@ -158,18 +159,18 @@ impl Search<'_> {
             }
         }
         if let Some(&richest) = ran.last() {
-            self.measure(model, found, richest);
+            self.measure(found, richest);
             found.remaining = self.remaining(found, &ran);
         }
         ran
     }
 
     /// Takes a rung as the one that counts as exact.
-    fn measure(&self, model: &dyn AnyModel, found: &mut Found, richest: usize) {
+    fn measure(&self, found: &mut Found, richest: usize) {
         let Some(trial) = found.rungs[richest].trial() else {
             return;
         };
-        (found.scales, found.chosen) = measure(model, &trial.history, self.outputs);
+        (found.scales, found.chosen) = measure(self.model, &trial.history, self.outputs);
         found.richest = Some(richest);
     }
 
@@ -195,7 +196,7 @@ impl Search<'_> {
 
     /// The cheaper descriptions, from cheap to rich, on the coarsest mesh that suffices with all nodal vectors; they
     /// are put before those with all nodal vectors.
-    fn descriptions(&mut self, model: &dyn AnyModel, found: &mut Found, full: &[usize]) {
+    fn descriptions(&mut self, found: &mut Found, full: &[usize]) {
         let richest = found.richest;
         let suffices = |&&rung: &&usize| {
             let error = richest.and_then(|richest| self.difference(found, rung, richest));
@@ -212,7 +213,7 @@ impl Search<'_> {
             .filter(|fidelity| *fidelity != Fidelity::Full)
         {
             let setting = self.choices.together(fidelity, mesh);
-            if self.tried(model, found, setting).is_none() {
+            if self.tried(found, setting).is_none() {
                 break;
             }
         }
@@ -224,15 +225,15 @@ impl Search<'_> {
                 .rev()
                 .find(|&rung| found.rungs[rung].trial().is_some())
         {
-            self.measure(model, found, last);
+            self.measure(found, last);
         }
     }
 
     /// The model as it is declared, where it is no rung yet.
-    fn declared(&mut self, model: &dyn AnyModel, found: &mut Found) {
+    fn declared(&mut self, found: &mut Found) {
         if !found.is_interrupted {
             let before = found.rungs.len();
-            found.declared = self.tried(model, found, self.choices.as_declared());
+            found.declared = self.tried(found, self.choices.as_declared());
             found.is_beside = found.rungs.len() > before;
         }
     }
@@ -282,7 +283,7 @@ impl Search<'_> {
     }
 
     /// Takes each body alone as far down as it goes, with the others as found.
-    fn each_body(&mut self, model: &dyn AnyModel, found: &mut Found) {
+    fn each_body(&mut self, found: &mut Found) {
         if self.choices.bodies.len() < 2 {
             return;
         }
@@ -294,7 +295,7 @@ impl Search<'_> {
             let base = found.rungs[above[0]].setting.clone();
             let mut failures = 0;
             for lower in self.choices.below(body, fidelity) {
-                let Some(rung) = self.tried(model, found, Choices::with(&base, body, lower)) else {
+                let Some(rung) = self.tried(found, Choices::with(&base, body, lower)) else {
                     return;
                 };
                 if found.rungs[rung].trial().is_none() {

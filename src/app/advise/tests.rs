@@ -42,12 +42,13 @@ fn found(choices: &Choices, wanted: f64, model: Model<'_>) -> Found {
         Err(reason) => Outcome::Impossible(reason.into()),
     };
     Search {
+        model: &Rotor::default(),
         choices,
         wanted,
         outputs: None,
         solve: &mut solve,
     }
-    .run(&Rotor::default())
+    .run()
 }
 
 fn named(found: &Found) -> Option<&str> {
@@ -56,6 +57,7 @@ fn named(found: &Found) -> Option<&str> {
 
 fn sentences(choices: &Choices, found: &Found, wanted: f64) -> String {
     let advice = Advice {
+        model: &Rotor::default(),
         settings: &RunSettings::default(),
         choices,
         found,
@@ -65,7 +67,7 @@ fn sentences(choices: &Choices, found: &Found, wanted: f64) -> String {
         seconds: Seconds::default(),
         warnings: &[],
     };
-    advice.sentences(&Rotor::default()).join("\n")
+    advice.sentences().join("\n")
 }
 
 fn modes(fidelity: Fidelity) -> usize {

@@ -18,6 +18,7 @@ use crate::mesh::Fidelity;
 
 /// The result of a search, ready to be told.
 pub(super) struct Advice<'a> {
+    pub model: &'a dyn AnyModel,
     /// With times and tolerance filled in.
     pub settings: &'a RunSettings,
     pub choices: &'a Choices,
@@ -116,10 +117,10 @@ impl Advice<'_> {
     }
 
     /// Table, sentences and warnings for standard output.
-    pub fn text(&self, model: &dyn AnyModel) -> String {
+    pub fn text(&self) -> String {
         let mut text = format!(
             "{}: {} rungs at rtol {:e}, {} s\n",
-            model.name(),
+            self.model.name(),
             self.found.rungs.len(),
             self.rtol,
             digits(self.seconds.cpu, 3)
@@ -136,7 +137,7 @@ impl Advice<'_> {
             text += line.trim_end();
             text.push('\n');
         }
-        for line in self.sentences(model) {
+        for line in self.sentences() {
             text += &line;
             text.push('\n');
         }
@@ -147,17 +148,17 @@ impl Advice<'_> {
     }
 
     /// The advice, or why there is none.
-    pub fn sentences(&self, model: &dyn AnyModel) -> Vec<String> {
+    pub fn sentences(&self) -> Vec<String> {
         let Some((index, rung, trial)) = self.found.named.and_then(|index| {
             let rung = &self.found.rungs[index];
             Some((index, rung, rung.trial()?))
         }) else {
-            return vec![self.nothing(model)];
+            return vec![self.nothing()];
         };
         let error = size(self.found.error(index).unwrap_or_default());
         let mut sentence = format!(
             "{} for {:e} (error about {error}, {}",
-            self.descriptions(model, &rung.setting),
+            self.descriptions(&rung.setting),
             self.wanted,
             time(trial.cpu)
         );
@@ -171,20 +172,20 @@ impl Advice<'_> {
             None => sentence += ").",
         }
         let mut lines = vec![sentence];
-        lines.extend(self.changes(model, &rung.setting));
+        lines.extend(self.changes(&rung.setting));
         lines.extend(self.faster(index));
         lines.extend(trial.warnings.iter().map(|warning| format!("It warns: {warning}")));
         lines
     }
 
     /// `` `rod`: rigid suffices``, with the mesh where it counts.
-    fn descriptions(&self, model: &dyn AnyModel, setting: &Setting) -> String {
+    fn descriptions(&self, setting: &Setting) -> String {
         let kinds: Vec<Fidelity> = setting.fidelity.iter().map(|(_, fidelity)| *fidelity).collect();
         let counts = || {
             let counts = setting
                 .counts
                 .iter()
-                .map(|&(param, value)| format!("{} = {value}", model.params()[param].name));
+                .map(|&(param, value)| format!("{} = {value}", self.model.params()[param].name));
             counts.collect::<Vec<_>>().join(", ")
         };
         let has_mesh = self.choices.meshes.len() > 1;
@@ -228,7 +229,7 @@ impl Advice<'_> {
     }
 
     /// What to write into the model for a setting, and how to try it; nothing where it is as declared.
-    fn changes(&self, model: &dyn AnyModel, setting: &Setting) -> Vec<String> {
+    fn changes(&self, setting: &Setting) -> Vec<String> {
         let declared = self.choices.as_declared();
         if *setting == declared {
             return Vec::new();
@@ -248,7 +249,7 @@ impl Advice<'_> {
         let counts = counts.filter(|(new, old)| new != old && self.choices.deforms(setting));
         let counts: Vec<_> = counts.map(|(new, _)| *new).collect();
         for &(param, value) in &counts {
-            parts.push(format!("`param {}: count = {value};`", model.params()[param].name));
+            parts.push(format!("`param {}: count = {value};`", self.model.params()[param].name));
         }
         if parts.is_empty() {
             return Vec::new();
@@ -257,7 +258,7 @@ impl Advice<'_> {
         words.extend(
             counts
                 .iter()
-                .map(|&(param, value)| format!("{}={value}", model.params()[param].name)),
+                .map(|&(param, value)| format!("{}={value}", self.model.params()[param].name)),
         );
         if !changed.is_empty() {
             let changed: Vec<_> = changed.iter().map(|(new, _)| (*new).clone()).collect();
@@ -271,7 +272,7 @@ impl Advice<'_> {
     }
 
     /// Why no rung suffices, and what to do.
-    fn nothing(&self, model: &dyn AnyModel) -> String {
+    fn nothing(&self) -> String {
         let (found, wanted) = (self.found, self.wanted);
         let Some(richest) = found.richest else {
             return "No rung of the ladder ran: the table says why.".into();
@@ -282,7 +283,7 @@ impl Advice<'_> {
         }
         let finer = |what: &str| match self.choices.meshes.last().map(|mesh| &mesh[..]) {
             Some([(param, value), ..]) => {
-                let param = model.params()[*param].name;
+                let param = self.model.params()[*param].name;
                 format!(
                     "{what} finer meshes, e.g. `{param}={value},{},{}`",
                     2.0 * value,
@@ -338,7 +339,7 @@ impl Advice<'_> {
     }
 
     /// The rungs as comma-separated text; errors are relative to the largest change of the output.
-    pub fn csv(&self, model: &dyn AnyModel) -> String {
+    pub fn csv(&self) -> String {
         let richest = self.found.richest.and_then(|richest| self.found.rungs[richest].trial());
         let columns = richest.map_or(&[][..], |trial| &trial.history.columns[..]);
         let mut text = "rung,fidelity,mesh,unknowns,steps,cpu_s,error,to_next,to_second,to_richest,suffices,named,as_declared,reason".to_string();
@@ -351,7 +352,7 @@ impl Advice<'_> {
             let (trial, estimate) = (rung.trial(), rung.estimate);
             let counts = rung.setting.counts.iter();
             let counts: Vec<String> = counts
-                .map(|&(p, value)| format!("{}={value}", model.params()[p].name))
+                .map(|&(p, value)| format!("{}={value}", self.model.params()[p].name))
                 .collect();
             let reason = match &rung.outcome {
                 Outcome::Impossible(reason) => reason.as_str(),
@@ -390,15 +391,15 @@ impl Advice<'_> {
     }
 
     /// The summary for the files.
-    pub fn summary(&self, model: &dyn AnyModel) -> Summary {
-        let mut summary = summary::head(model, "advise");
+    pub fn summary(&self) -> Summary {
+        let mut summary = summary::head(self.model, "advise");
         let reason = self.found.is_interrupted.then(|| "interrupted by the user".to_owned());
         summary::outcome(&mut summary, reason);
         summary::settings(&mut summary, self.settings);
         put(&mut summary, "wanted", json!(self.wanted));
         put(&mut summary, "time_error", json!(self.time_error));
         put(&mut summary, "remaining_error", json!(self.found.remaining));
-        put(&mut summary, "advice", json!(self.sentences(model)));
+        put(&mut summary, "advice", json!(self.sentences()));
         put(
             &mut summary,
             "named",
@@ -420,14 +421,14 @@ impl Advice<'_> {
         });
         put(&mut summary, "rungs", rungs.collect());
         summary::seconds(&mut summary, self.seconds);
-        put(&mut summary, "notes", summary::notes(model, &self.notes()));
+        put(&mut summary, "notes", summary::notes(self.model, &self.notes()));
         summary
     }
 
     /// Chart and table for the report.
-    pub fn page(&self, model: &dyn AnyModel) -> String {
+    pub fn page(&self) -> String {
         let mut page = String::new();
-        for line in self.sentences(model) {
+        for line in self.sentences() {
             let _ = writeln!(page, "<p>{}</p>", escape(&line));
         }
         let _ = write!(

@@ -40,7 +40,7 @@ pub(in crate::app) fn scales(model: &dyn AnyModel, reference: &History) -> Vec<f
     };
     let mut scales = Vec::with_capacity(reference.columns.len());
     for output in model.outputs() {
-        let count = output.components.len().max(1);
+        let count = output.width();
         let columns = scales.len()..scales.len() + count;
         let largest = columns.map(change).fold(0.0, f64::max);
         scales.extend(std::iter::repeat_n(largest, count));

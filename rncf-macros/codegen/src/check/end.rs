@@ -138,7 +138,7 @@ impl<'a> Check<'a> {
         let own = Held {
             body: place.body.id,
             at: place.at.clone(),
-            line: Area::from(item.name.span).line(),
+            line: item.name.line(),
             kind,
             has_section: place.has_section,
         };

@@ -27,7 +27,7 @@ impl<'a> Check<'a> {
                 ("point", _) => Some(Fidelity::Point),
                 _ => Some(Fidelity::Rigid),
             };
-            found = Some((fidelity, Area::from(word.span).line()));
+            found = Some((fidelity, word.line()));
         }
         found.map_or(Some(Fidelity::Full), |(fidelity, _)| fidelity)
     }
@@ -66,7 +66,7 @@ impl<'a> Check<'a> {
             FrameTie::MeanAxes
         };
         for word in words {
-            let line = Area::from(first.span).line().to_string();
+            let line = first.line().to_string();
             let words = if word.text == first.text {
                 format!("`{}`", word.text)
             } else {

@@ -133,7 +133,7 @@ impl<'a> Check<'a> {
                 is_whole = false;
                 continue;
             };
-            let line = Area::from(field.name.span).line();
+            let line = field.name.line();
             if let Some(line) = seen.insert(word, line) {
                 let message = say::duplicate_statement(&format!("`{word}`"), &line.to_string());
                 self.errors.at(field.name.span, message);

@@ -246,7 +246,7 @@ impl<'a> Check<'a> {
                 &mut self.names
             };
             if let Some(first) = names.get(name) {
-                let (kind, line) = (first.keyword.word(), Area::from(first.name.span).line());
+                let (kind, line) = (first.keyword.word(), first.name.line());
                 self.errors
                     .at(item.name.span, say::duplicate(name, kind, &line.to_string()));
             } else {

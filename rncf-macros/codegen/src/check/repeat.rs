@@ -54,7 +54,7 @@ impl<'a> Check<'a> {
         if is_word {
             self.errors.at(index.span, say::meaning_of_its_own(text));
         } else if let Some(item) = self.names.get(text) {
-            let line = crate::errors::Area::from(item.name.span).line().to_string();
+            let line = item.name.line().to_string();
             let message = say::duplicate(text, item.keyword.word(), &line);
             self.errors.at(index.span, message);
         }

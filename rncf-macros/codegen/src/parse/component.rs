@@ -68,7 +68,7 @@ pub fn component(cursor: &mut Cursor, doc: String, tree: &mut Tree, is_in_loop: 
         .iter()
         .find(|other| other.name.text == component.name.text)
     {
-        let line = crate::errors::Area::from(first.name.span).line().to_string();
+        let line = first.name.line().to_string();
         let message = crate::messages::duplicate(&component.name.text, "component", &line);
         errors.at(component.name.span, message);
     }

@@ -26,6 +26,11 @@ impl Name {
         Self { text, span, path: None }
     }
 
+    /// Line of the text, counted from 1 (0 where unknown).
+    pub fn line(&self) -> usize {
+        self.span.start().line
+    }
+
     /// The word as it stands in its declaration, without the numbers of repetitions and the part that it belongs to.
     pub fn word(&self) -> &str {
         let last = self.text.rsplit('.').next().unwrap_or_default();

@@ -189,7 +189,7 @@ impl<'t, 'e> Unfold<'t, 'e> {
             let (text, span) = (item.name.text.as_str(), item.name.span);
             let loops = tree.around(item.repeat);
             if let Some(told) = self.scopes[scope].told.get(text) {
-                let line = crate::errors::Area::from(told.parameter.name.span).line().to_string();
+                let line = told.parameter.name.line().to_string();
                 self.errors.at(span, say::told_already(text, &line));
                 continue;
             }
@@ -201,7 +201,7 @@ impl<'t, 'e> Unfold<'t, 'e> {
                     self.scopes[scope].names.insert(text, Declared { item, loops });
                 }
                 Some(first) if first.loops.len() != loops.len() || item.keyword == Keyword::Part || is_part(first) => {
-                    let line = crate::errors::Area::from(first.item.name.span).line().to_string();
+                    let line = first.item.name.line().to_string();
                     let message = crate::messages::duplicate(text, first.item.keyword.word(), &line);
                     self.errors.at(span, message);
                 }
@@ -353,11 +353,11 @@ impl<'t, 'e> Unfold<'t, 'e> {
         if TAKEN.contains(&text) {
             self.errors.at(index.span, say::meaning_of_its_own(text));
         } else if let Some(first) = self.scopes[scope].names.get(text) {
-            let line = crate::errors::Area::from(first.item.name.span).line().to_string();
+            let line = first.item.name.line().to_string();
             let message = say::duplicate(text, first.item.keyword.word(), &line);
             self.errors.at(index.span, message);
         } else if let Some(told) = self.scopes[scope].told.get(text) {
-            let line = crate::errors::Area::from(told.parameter.name.span).line().to_string();
+            let line = told.parameter.name.line().to_string();
             self.errors.at(index.span, say::told_already(text, &line));
         }
     }

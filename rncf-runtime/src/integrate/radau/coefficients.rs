@@ -1,10 +1,10 @@
 //! Coefficients of Radau IIA with three stages (THEORY 7.5) and of its spectral decomposition.
 
 use crate::linalg::c64;
+use crate::vector::{Matrix, inverse};
 
 /// A vector or a matrix over the stages.
 pub(super) type Row = [f64; 3];
-type Matrix = [Row; 3];
 
 /// Nodes, inverse of the Runge-Kutta matrix and its spectral decomposition
 /// `A^-1 = right diag(real, complex, conj complex) left`.
@@ -50,7 +50,7 @@ impl Coefficients {
         let (alpha, beta) = ((12.0 - r + q) / 60.0, (r + q) * 3_f64.sqrt() / 60.0);
         let square = alpha * alpha + beta * beta;
         let complex = c64::new(alpha / square, beta / square);
-        let inverse = invert(&matrix);
+        let inverse = inverse(&matrix);
         let (real_right, real_left) = eigenvectors(&inverse, c64::new(real, 0.0));
         let (complex_right, complex_left) = eigenvectors(&inverse, complex);
         Self {
@@ -102,13 +102,6 @@ fn dot<T: crate::linalg::Scalar>(a: [T; 3], b: [T; 3]) -> T {
 
 fn transpose<T: Copy>(m: &[[T; 3]; 3]) -> [[T; 3]; 3] {
     std::array::from_fn(|i| std::array::from_fn(|j| m[j][i]))
-}
-
-/// Inverse of a regular matrix by cross products of its rows.
-fn invert(m: &Matrix) -> Matrix {
-    let columns = [cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])];
-    let determinant = dot(m[0], columns[0]);
-    transpose(&columns.map(|column| column.map(|value| value / determinant)))
 }
 
 /// Right and left eigenvector of a simple eigenvalue, of product 1: the null space of a matrix of
