@@ -3,7 +3,8 @@
 //!
 //! Fenced blocks are told apart by their tag:
 //! * `rust` with a `model!` in it: a whole model, which must expand;
-//! * `rncf`: items; what they refer to and do not declare comes from the first model of `docs/language.md`;
+//! * `rncf`: items; what they refer to and do not declare comes from the first model of
+//!   the page, else from that of `docs/language.md`;
 //! * `shared`: libraries and models that use them, which must expand with them;
 //! * `refused`: one item a line, each followed by `//` and the message that it must get.
 
@@ -12,7 +13,7 @@ use rncf_codegen::elements::Library;
 use rncf_codegen::parse::tree::Keyword;
 use rncf_codegen::{expand, units, vocabulary};
 
-use crate::documents::{Page, blocks, index_of_words, language, page, prose, section};
+use crate::documents::{Page, blocks, index_of_words, language, page, pages, prose, section};
 
 /// Words that the parser knows and no table holds.
 #[rustfmt::skip]
@@ -169,16 +170,18 @@ fn every_library_is_taken_in() {
     }
 }
 
-/// The pages with models and examples: the language, elements and the README.
+/// The pages with models and examples: the language, the guide, elements and the README.
 fn documents() -> Vec<Page> {
     let mut documents = language();
+    documents.extend(pages("docs/guide"));
     documents.extend(["docs/elements.md", "README.md"].map(page));
     documents
 }
 
-/// The model that examples take from what they do not declare.
-fn example_model() -> TokenStream {
-    models(&page("docs/language.md").text)[0].clone()
+/// The model that the examples of a page take from what they do not declare: its own first one, else that of the index.
+fn example_model(of: &Page) -> TokenStream {
+    let own = models(&of.text).into_iter().next();
+    own.unwrap_or_else(|| models(&page("docs/language.md").text)[0].clone())
 }
 
 #[test]
@@ -196,9 +199,9 @@ fn every_whole_model_expands() {
 
 #[test]
 fn every_example_checks() {
-    let model = example_model();
     let mut count = 0;
     for page in documents() {
+        let model = example_model(&page);
         for example in blocks(&page.text, "rncf") {
             let found = messages(completed(&model, &example));
             assert_eq!(found, Vec::<String>::new(), "{}:\n{example}", page.path);
@@ -210,25 +213,20 @@ fn every_example_checks() {
 
 #[test]
 fn every_refusal_is_refused_in_these_words() {
-    let model = example_model();
-    let refused: String = documents()
-        .iter()
-        .flat_map(|page| blocks(&page.text, "refused"))
-        .collect();
-    let mut lines = refused.lines().filter(|line| !line.trim().is_empty());
     let (mut count, mut wrong) = (0, Vec::new());
-    while let Some(example) = lines.next() {
-        let message = lines
-            .next()
-            .and_then(|line| line.trim().strip_prefix("// "))
-            .unwrap_or_else(|| {
-                panic!("`{example}` is followed by its message");
-            });
-        let found = messages(completed(&model, example));
-        if found != [message] {
-            wrong.push(format!("{example}\n  {}", found.join("\n  ")));
+    for page in documents() {
+        let model = example_model(&page);
+        let refused = blocks(&page.text, "refused").concat();
+        let mut lines = refused.lines().filter(|line| !line.trim().is_empty());
+        while let Some(example) = lines.next() {
+            let message = lines.next().and_then(|line| line.trim().strip_prefix("// "));
+            let message = message.unwrap_or_else(|| panic!("`{example}` is followed by its message"));
+            let found = messages(completed(&model, example));
+            if found != [message] {
+                wrong.push(format!("{}: {example}\n  {}", page.path, found.join("\n  ")));
+            }
+            count += 1;
         }
-        count += 1;
     }
     assert!(
         wrong.is_empty(),

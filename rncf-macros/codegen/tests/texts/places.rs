@@ -6,7 +6,10 @@ use crate::documents::{Page, anchors, links, page, pages, prose, root};
 
 /// All documents of the repository.
 fn all() -> Vec<Page> {
-    [".", "docs", "docs/language"].into_iter().flat_map(pages).collect()
+    [".", "docs", "docs/language", "docs/guide"]
+        .into_iter()
+        .flat_map(pages)
+        .collect()
 }
 
 #[test]
