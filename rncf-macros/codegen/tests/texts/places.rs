@@ -44,6 +44,23 @@ fn every_link_leads_somewhere() {
     assert!(broken.is_empty(), "links that lead nowhere:\n{}", broken.join("\n"));
 }
 
+#[test]
+fn the_summary_lists_every_page_once() {
+    let mut listed = links(&page("docs/SUMMARY.md").text);
+    listed.retain(|target| target != "../README.md");
+    listed.sort();
+    let folders = [("docs", ""), ("docs/guide", "guide/"), ("docs/language", "language/")];
+    let all = folders.iter().flat_map(|(folder, before)| {
+        let names = pages(folder)
+            .into_iter()
+            .map(|page| page.path[folder.len() + 1..].to_owned());
+        names.map(move |name| format!("{before}{name}"))
+    });
+    let mut all: Vec<String> = all.filter(|name| name != "SUMMARY.md").collect();
+    all.sort();
+    assert_eq!(listed, all);
+}
+
 /// All files and folders that are not made by a build, from the root of the repository.
 fn files() -> Vec<String> {
     let mut files = Vec::new();
